@@ -14,24 +14,25 @@ import { prefersReducedMotion } from "../ui/media";
 import { COMPACT, Polygon } from "../ui/polygon/polygon";
 import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/selection";
 import { graphics } from "../viewer";
+import { Announcer } from "./announcer";
 import { ATTRIBUTE_NAMES, type AttributeName, readAttribute, type ValueOf, writeProperty } from "./attributes";
 import { Bar } from "./bar";
 import { Cast, type CastSource } from "./cast";
 import { ownColours, themeOf } from "./colours";
 import { Credit } from "./credit";
-import { Figure, weightsOf } from "./figure";
-import { joinScreen, leaveScreen, schedule, sharedEngine, site } from "./host";
+import { Deferred } from "./deferred";
+import { type FigureListeners, weightsOf } from "./figure";
+import { schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
+import { closeFigure, type Opened, openFigure } from "./opened";
 import { Poster } from "./poster";
 import { addressesOf, completed, settingsOf, triangleOf } from "./settings";
-import type { Lease } from "./shared_engine";
 import { sheets } from "./sheets";
+import { isShortcut } from "./shortcut";
 import { strings } from "./strings";
 
 /** How near to the screen it loads, pixels. */
 const NEAR_PX = 200;
-/** Least time between two announcements to screen readers, milliseconds. */
-const ANNOUNCE_MS = 1000;
 /** Least time between two changes of the clock while it plays, milliseconds: each one is painted. */
 const CLOCK_MS = 60;
 /** Time out of sight after which a character is freed, milliseconds. */
@@ -49,17 +50,6 @@ type Properties = { -readonly [K in Plain]: ValueOf<K> };
 /** Where there is no document, as on a server, the class can be imported and not be used. */
 const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => HTMLElement & Properties;
 
-/** What is open. */
-interface Opened {
-  database: Lease<Database>;
-  motion: Lease<Motion>;
-  figure: Figure;
-  /** Where the figure is drawn. */
-  container: HTMLElement;
-  /** Why its character does not perform. */
-  fault: unknown;
-}
-
 /** `<strut-player>`: a figure that moves in a style, live. */
 export class StrutPlayer extends ElementBase {
   static readonly observedAttributes: readonly string[] = ATTRIBUTE_NAMES;
@@ -71,7 +61,7 @@ export class StrutPlayer extends ElementBase {
   readonly #message = new Message();
   readonly #credit = new Credit();
   readonly #cast = new Cast((character) => this.#onCast(character));
-  readonly #said = html("p", { class: "visually-hidden", role: "status" });
+  readonly #announcer = new Announcer();
   readonly #styles = html("div", { class: "styles", part: "styles", hidden: true });
   readonly #polygon: Polygon;
   readonly #bar: Bar;
@@ -98,8 +88,6 @@ export class StrutPlayer extends ElementBase {
   /** Whether the character was freed because nobody saw it. */
   #isCastFreed = false;
   #unseen: ReturnType<typeof setTimeout> | undefined;
-  #announcement: ReturnType<typeof setTimeout> | undefined;
-  #announcedAt = 0;
   #clockAt = 0;
 
   constructor() {
@@ -129,7 +117,7 @@ export class StrutPlayer extends ElementBase {
     const stage = html("div", { class: "stage", part: "stage" });
     stage.append(this.#picture, this.#credit.element, this.#poster.element, this.#message.element);
     const instructions = html("p", { class: "visually-hidden", id: "instructions" }, strings.instructions);
-    this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#said);
+    this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#announcer.element);
     root.append(this.#player);
     this.addEventListener("keydown", (event) => this.#onKey(event));
     this.addEventListener("focusin", () => this.#focus(true));
@@ -351,7 +339,7 @@ export class StrutPlayer extends ElementBase {
       if (graphics() === "none") throw new StrutError({ code: "unsupported", message: strings.noWebGl, hint: "" });
       const opened = await this.#openFigure(opening.signal);
       if (opening.signal.aborted) {
-        closeAll(opened);
+        closeFigure(opened);
         return;
       }
       this.#close(false);
@@ -367,44 +355,24 @@ export class StrutPlayer extends ElementBase {
   }
 
   async #openFigure(signal: AbortSignal): Promise<Opened> {
-    const engine = sharedEngine();
     const settings = settingsOf(this);
     const file = this.#source === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
+    const motion = file ? new File([file.bytes], `${file.name}.bvh`) : this.src;
+    const listeners: FigureListeners = {
+      onFrame: (frame) => this.#onFrame(frame),
+      onEnd: () => this.pause(),
+      onError: (error) => this.#complain(error),
+      onDrawn: () => this.#onDrawn(),
+    };
     const onProgress = ({ label, fraction }: { label: string; fraction: number }) => {
       if (signal.aborted) return;
       this.#poster.fraction = fraction;
-      this.#announce(`${label}…`);
+      this.#announcer.say(`${label}…`);
       this.dispatchEvent(new CustomEvent("progress", { detail: { label, fraction } }));
     };
     this.#poster.fraction = 0;
-    const cast = this.#cast.take(this.character, { onProgress }).catch((thrown: unknown) => thrown);
-    const leases = await allOrNone([
-      engine.database(this.db, { onProgress }),
-      engine.motion(file ? new File([file.bytes], `${file.name}.bvh`) : this.src, {}),
-    ]);
-    const [database, motion] = leases;
-    // The figure before it is seen until this one takes its place.
-    const container = html("div", { class: "picture" });
-    this.#picture.append(container);
-    try {
-      const screen = joinScreen();
-      const parts = { strut: await engine.strut(), database: database.value, motion: motion.value, screen, container };
-      const figure = await Figure.open(parts, settings, {
-        onFrame: (frame) => this.#onFrame(frame),
-        onEnd: () => this.pause(),
-        onError: (error) => this.#complain(error),
-        onDrawn: () => this.#onDrawn(),
-      });
-      // The mannequin performs where the character cannot.
-      const fault = await cast;
-      await figure.perform(this.#cast.character);
-      return { database, motion, figure, container, fault };
-    } catch (thrown) {
-      leaveScreen();
-      container.remove();
-      for (const lease of leases) lease.release();
-      throw thrown;
-    }
+    const wanted = { motion, database: this.db, character: this.character, settings };
+    return openFigure(wanted, { cast: this.#cast, picture: this.#picture, listeners }, { onProgress });
   }
 
   #takeOpened({ figure, database, fault }: Opened): void {
@@ -449,7 +417,7 @@ export class StrutPlayer extends ElementBase {
     this.#applyPlaying();
     this.#poster.hidden = true;
     this.#poster.fraction = undefined;
-    this.#announce(strings.ready);
+    this.#announcer.say(strings.ready);
     this.#ready.resolve();
     this.dispatchEvent(new Event("ready"));
   }
@@ -474,7 +442,7 @@ export class StrutPlayer extends ElementBase {
     if (abort) this.#opening?.abort();
     const opened = this.#opened;
     this.#opened = undefined;
-    if (opened) closeAll(opened);
+    if (opened) closeFigure(opened);
     if (!abort) return;
     clearTimeout(this.#unseen);
     this.#cast.dispose();
@@ -606,14 +574,14 @@ export class StrutPlayer extends ElementBase {
     this.#reflect("ghost", next);
     this.#applySettings();
     this.#bar.ghost = next;
-    this.#announce(strings.ghost[next]);
+    this.#announcer.say(strings.ghost[next]);
   }
 
   #toggleLoop(): void {
     const { loop } = settingsOf(this);
     this.#reflect("once", loop);
     this.#applySettings();
-    this.#announce(loop ? strings.loop.off : strings.loop.on);
+    this.#announcer.say(loop ? strings.loop.off : strings.loop.on);
   }
 
   #toggleFullscreen(): void {
@@ -633,17 +601,8 @@ export class StrutPlayer extends ElementBase {
 
   #onKey(event: KeyboardEvent): void {
     const { figure, database } = this.#opened ?? {};
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !figure) return;
-    const target = event.composedPath()[0];
-    const takesKey = (keys: readonly string[]) => keys.includes(event.key);
-    if (
-      target instanceof HTMLInputElement &&
-      (target.type === "text" || takesKey(["ArrowLeft", "ArrowRight", "Home", "End"]))
-    )
-      return;
-    const presses = target instanceof HTMLButtonElement || target instanceof HTMLAnchorElement;
-    if (presses && takesKey([" ", "Enter"])) return;
-    const { styles, neutral } = database!.value.info;
+    if (!figure || !database || !isShortcut(event)) return;
+    const { styles, neutral } = database.value.info;
     const keys: Record<string, (() => void) | undefined> = {
       " ": () => this.#toggle(),
       ArrowLeft: () => figure.seek(Math.round(figure.inputFrame) - 1),
@@ -662,16 +621,6 @@ export class StrutPlayer extends ElementBase {
     event.preventDefault();
     act();
   }
-
-  /** Has a sentence said by screen readers, one a second at most; the last one counts. */
-  #announce(sentence: string): void {
-    clearTimeout(this.#announcement);
-    const wait = Math.max(0, this.#announcedAt + ANNOUNCE_MS - performance.now());
-    this.#announcement = setTimeout(() => {
-      this.#announcedAt = performance.now();
-      this.#said.replaceChildren(html("span", {}, sentence));
-    }, wait);
-  }
 }
 
 for (const name of ATTRIBUTE_NAMES) {
@@ -686,42 +635,4 @@ for (const name of ATTRIBUTE_NAMES) {
       writeProperty(this, name, value);
     },
   });
-}
-
-/** A promise that is settled from outside. */
-class Deferred {
-  readonly promise: Promise<void>;
-  isSettled = false;
-  resolve!: () => void;
-  reject!: (reason: unknown) => void;
-
-  constructor() {
-    this.promise = new Promise((resolve, reject) => {
-      this.resolve = () => {
-        this.isSettled = true;
-        resolve();
-      };
-      this.reject = (reason) => {
-        this.isSettled = true;
-        reject(reason);
-      };
-    });
-  }
-}
-
-function closeAll({ figure, database, motion, container }: Opened): void {
-  schedule.remove(figure);
-  figure.dispose();
-  container.remove();
-  leaveScreen();
-  database.release();
-  motion.release();
-}
-
-/** All leases, or none: those that were had are released where another one fails. */
-async function allOrNone<A, B>([a, b]: readonly [Promise<Lease<A>>, Promise<Lease<B>>]): Promise<[Lease<A>, Lease<B>]> {
-  const [first, second] = await Promise.allSettled([a, b]);
-  if (first.status === "fulfilled" && second.status === "fulfilled") return [first.value, second.value];
-  for (const settled of [first, second]) if (settled.status === "fulfilled") settled.value.release();
-  throw first.status === "rejected" ? first.reason : (second as PromiseRejectedResult).reason;
 }
