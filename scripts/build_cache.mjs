@@ -17,7 +17,7 @@ import { homedir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { output, root } from "./steps.mjs";
 
-/** Folders of the cache: what the scripts build; and crates of others and whole targets, which are large. The last entries used are kept: */
+/** Folders of the cache, and how many entries of each are kept, the last used: crates of others and whole targets are large. */
 const KEPT = { builds: 12, crates: 2, targets: 2 };
 
 /** Files from which Rust is built, below a folder; folders of some names are left out. */
