@@ -31,6 +31,8 @@ pub struct Context {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: Adapter,
+    /// What was compiled, by shader: a driver may take seconds for one.
+    kernels: Arc<Mutex<Vec<(&'static str, wgpu::ComputePipeline)>>>,
     /// What the device reported outside any call; a loss stays.
     fault: Arc<Mutex<Option<GpuError>>>,
 }
@@ -87,7 +89,7 @@ impl Context {
             backend: info.backend.to_string(),
             is_software: info.device_type == wgpu::DeviceType::Cpu,
         };
-        Ok(Self { device, queue, adapter, fault })
+        Ok(Self { device, queue, adapter, kernels: Arc::default(), fault })
     }
 
     /// Which graphics processor it is.
@@ -139,8 +141,18 @@ impl Context {
         self.queue.write_buffer(buffer, 0, contents);
     }
 
-    /// The function `main` of a shader.
-    pub(crate) fn kernel(&self, shader: &str) -> wgpu::ComputePipeline {
+    /// The function `main` of a shader, compiled once.
+    pub(crate) fn kernel(&self, shader: &'static str) -> wgpu::ComputePipeline {
+        let mut kernels = self.kernels.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, kernel)) = kernels.iter().find(|(of, _)| *of == shader) {
+            return kernel.clone();
+        }
+        let kernel = self.compile(shader);
+        kernels.push((shader, kernel.clone()));
+        kernel
+    }
+
+    fn compile(&self, shader: &'static str) -> wgpu::ComputePipeline {
         let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: None,
             source: wgpu::ShaderSource::Wgsl(shader.into()),

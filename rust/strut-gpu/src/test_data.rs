@@ -1,6 +1,7 @@
 //! Databases and windows to test with, and a graphics processor where there is one.
 
 use crate::context::Context;
+use crate::error::GpuError;
 use proptest::prelude::*;
 use std::io::Write;
 use std::sync::OnceLock;
@@ -107,9 +108,19 @@ pub(crate) fn random_windows() -> impl Strategy<Value = Vec<QueryWindow>> {
     prop::collection::vec(window, 1..40)
 }
 
-/// A graphics processor. Without one prints that the test is skipped; if a driver is named, it must be there.
+/// The graphics processor that tests share, and what it has compiled. Without one prints that the test is skipped; if a driver
+/// is named, it must be there.
 pub(crate) fn context() -> Option<Context> {
-    let opened = Context::new();
+    static CONTEXT: OnceLock<Result<Context, GpuError>> = OnceLock::new();
+    or_skip(CONTEXT.get_or_init(Context::new).clone())
+}
+
+/// A graphics processor for a test that has it stop; otherwise as [`context`].
+pub(crate) fn own_context() -> Option<Context> {
+    or_skip(Context::new())
+}
+
+fn or_skip(opened: Result<Context, GpuError>) -> Option<Context> {
     if let Err(reason) = &opened {
         assert!(std::env::var_os("VK_ICD_FILENAMES").is_none(), "{reason}, though VK_ICD_FILENAMES names a driver");
         // Not `println!`, whose output cargo shows of failed tests only.

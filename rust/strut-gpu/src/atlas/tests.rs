@@ -111,7 +111,7 @@ fn pictures_are_those_of_the_engine_within_a_grey_level() {
 
 #[test]
 fn a_lost_device_is_said_to_be_lost() {
-    let Some(context) = test_data::context() else { return };
+    let Some(context) = test_data::own_context() else { return };
     let index = test_data::index();
     let mut atlas = Atlas::new(index, test_data::foreign_windows());
     let queries = atlas.packed_columns(index);

@@ -7,12 +7,11 @@ use crate::rounding;
 use crate::test_data;
 use crate::windows::{Batch, table};
 use proptest::prelude::*;
-use std::sync::OnceLock;
 use strut_core::search::{Index, Metric, Neighbours, PackedWindows, QueryWindow};
 
 const K: usize = 40;
 
-/// A searcher by the graphics processor, if there is one; all share the compiled kernels.
+/// A searcher by the graphics processor, if there is one.
 fn with_graphics(index: &Index) -> Option<Searcher<&Index>> {
     let mut searcher = Searcher::without_graphics(index).unwrap();
     searcher.graphics = Some(Graphics::new(kernels()?, &searcher.table).unwrap());
@@ -20,8 +19,7 @@ fn with_graphics(index: &Index) -> Option<Searcher<&Index>> {
 }
 
 fn kernels() -> Option<Kernels> {
-    static KERNELS: OnceLock<Option<Kernels>> = OnceLock::new();
-    KERNELS.get_or_init(|| Some(Kernels::new(test_data::context()?).unwrap())).clone()
+    Some(Kernels::new(test_data::context()?).unwrap())
 }
 
 fn prepared<'a>(index: &Index, windows: &'a [QueryWindow]) -> Vec<Prepared<'a>> {
@@ -172,7 +170,7 @@ fn kernels_compute_what_their_twins_compute() {
 
 #[test]
 fn a_lost_device_is_said_to_be_lost_and_remains_so() {
-    let Some(context) = test_data::context() else { return };
+    let Some(context) = test_data::own_context() else { return };
     let mut searcher = Searcher::new(test_data::index(), context).unwrap();
     let windows = test_data::foreign_windows();
     assert!(searcher.nearest(&windows[..2], K).is_ok());
