@@ -82,7 +82,7 @@ pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError>
             let cell = &record[column];
             cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| StyleKeysError::Number {
                 line,
-                column: header[column].clone(),
+                column: quotation(&header[column], 200),
                 found: quotation(cell, 40),
             })
         };
@@ -129,6 +129,7 @@ mod tests {
             ("time,hips_height\n0,90\n1,NaN\n", "line 3: hips_height is 'NaN'; a number was expected"),
             ("time,hips_height\n0,ninety\n", "line 2: hips_height is 'ninety'"),
             ("time,hips_height\ninf,90\n", "line 2: time is 'inf'"),
+            ("time,\"hips_\nheight\"\n0,ninety\n", "line 3: hips_\u{FFFD}height is 'ninety'"),
             ("time,hips_height\n1,90\n1,91\n", "line 3: the time 1 s does not come after"),
         ] {
             let error = parse(text.as_bytes(), axes).unwrap_err().to_string();
