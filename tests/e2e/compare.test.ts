@@ -154,6 +154,18 @@ describe("the clock", () => {
     await eventually(time).toBe("05.00");
   });
 
+  it("goes where a link says", async () => {
+    await visit(page, COMPARED.replace("160", "60"));
+    await eventually(() => page.locator(".compare-clock").textContent()).toBe("01.00");
+    await page.keyboard.press("Space");
+    await eventually(async () => (await state()).playing).toBe(true);
+    await visit(page, "play=0&frame=90");
+    await page.waitForFunction(() => window.strut.upToDate && window.strut.state.view === "play");
+    await eventually(() => page.evaluate(() => window.strut.frame!.inputFrame)).toBe(90);
+    await visit(page, COMPARED.replace("160", "300"));
+    await eventually(() => page.locator(".compare-clock").textContent()).toBe("05.00");
+  });
+
   it("gives the picture back to Play", async () => {
     await page.getByRole("link", { name: "Play" }).click();
     await eventually(() => page.locator(".stage canvas").isVisible()).toBe(true);

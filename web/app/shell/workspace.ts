@@ -104,6 +104,7 @@ export class Workspace {
   async #followLink(arrived: Partial<AppState>, hash: string): Promise<void> {
     const carried = arrived.input === undefined ? undefined : await this.#carriedInput(hash);
     this.#store.edit(carried === undefined ? arrived : { ...arrived, input: carried });
+    if (arrived.frame !== undefined && !this.#store.state.playing) this.playhead.awaitFrame(arrived.frame);
     await this.#opening;
     const { playing, frame } = this.#store.state;
     if (arrived.frame !== undefined && !playing) this.playhead.goTo(frame);

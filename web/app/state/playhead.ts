@@ -73,10 +73,20 @@ export class Playhead {
     const input = this.#session.input;
     if (!input) return;
     const at = Math.min(Math.max(0, frame), input.frames - 1);
-    this.#previewing = false;
-    this.#target = at;
-    this.#session.playback.seek(at);
+    this.takeOver(at);
     if (!this.#store.state.playing) this.#store.edit({ frame: at });
+  }
+
+  /** Is at a frame already, though its input may have to be opened before {@link goTo} can show it. */
+  awaitFrame(frame: number): void {
+    this.#previewing = false;
+    this.#target = frame;
+  }
+
+  /** Shows a frame to which another view went: where nothing plays the state has it already. */
+  takeOver(frame: number): void {
+    this.awaitFrame(frame);
+    this.#session.playback.seek(frame);
   }
 
   step(by: number): void {

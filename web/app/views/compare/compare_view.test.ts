@@ -80,9 +80,10 @@ const session = {
 } as unknown as Session;
 
 /** The Compare view among the views of a page, after its engine and its viewer were made. */
-async function shownView(): Promise<{ views: Views; view: View }> {
+async function shownView() {
   const store = new Store({ ...initialState(), columns: ["input"], behind: "real" });
-  const host = { store, session, playhead: { at: 0, goTo: () => {} }, toasts: { error: () => {} } };
+  const takeOver = vi.fn();
+  const host = { store, session, playhead: { at: 0, takeOver }, toasts: { error: () => {} } };
   const other = { element: new FakeElement(), show() {}, hide() {}, dispose() {} } as unknown as View;
   const views = new Views(
     () => {},
@@ -96,7 +97,7 @@ async function shownView(): Promise<{ views: Views; view: View }> {
   await vi.advanceTimersByTimeAsync(1000);
   draw!(1000);
   expect(held).toEqual(new Set(["engine", "viewer"]));
-  return { views, view };
+  return { views, view, store, takeOver };
 }
 
 beforeEach(() => {
@@ -130,4 +131,13 @@ it("releases its engine and its viewer where it is disposed of", async () => {
   view.dispose();
   await vi.advanceTimersByTimeAsync(0);
   expect(held).toEqual(new Set());
+});
+
+it("leaves the playhead where a link to another view puts it", async () => {
+  const { views, store, takeOver } = await shownView();
+  expect(store.state.playing).toBe(true);
+  store.edit({ view: "play", playing: false, frame: 60 });
+  await views.show("play");
+  expect(takeOver.mock.lastCall).toEqual([60]);
+  expect(store.state.frame).toBe(60);
 });

@@ -94,12 +94,15 @@ class CompareView implements View {
   #request = 0;
   #listening = new AbortController();
   #shown = false;
+  /** What the state said last of the playhead. */
+  #followed: Pick<AppState, "playing" | "frame">;
   /** The frame whose poses the viewer has; `undefined` if they must be set again. */
   #drawnFrame: number | undefined;
 
   constructor(host: ViewHost) {
     this.#host = host;
     const { store } = host;
+    this.#followed = store.state;
     this.#input.addEventListener("change", () => host.chooseInput(this.#input.value));
     this.#style.addEventListener("change", () => {
       const name = this.#style.value;
@@ -161,13 +164,14 @@ class CompareView implements View {
     this.#host.store.subscribe(() => this.refresh(), signal);
     this.#motions.resume();
     this.#frame = this.#host.playhead.at;
+    this.#followed = this.#host.store.state;
     this.refresh();
     this.#lastTick = performance.now();
     this.#request = requestAnimationFrame(this.#tick);
   }
 
   hide(): void {
-    if (this.#shown && this.#openInput) this.#host.playhead.goTo(this.#frame);
+    if (this.#shown && this.#openInput) this.#host.playhead.takeOver(this.#frame);
     this.#shown = false;
     this.#listening.abort();
     this.#motions.pause();
@@ -191,6 +195,7 @@ class CompareView implements View {
     const columns = this.#columnNames();
     this.#showColumns(columns, state);
     this.#transport.show({ playing: state.playing, speed: state.speed });
+    this.#followPlayhead(state);
     if (!database || !input) {
       this.#showSearch();
       return;
@@ -210,7 +215,7 @@ class CompareView implements View {
       this.#viewer?.setProportions(database.proportions);
       this.#viewer?.settle();
     }
-    this.#frame = Math.min(this.#frame, input.frames - 1);
+    if (state.playing) this.#frame = Math.min(this.#frame, input.frames - 1);
     this.#drawnFrame = undefined;
     const { library, inputName } = session;
     const names = [...library.builtIn, ...library.dropped];
@@ -331,6 +336,13 @@ class CompareView implements View {
     this.#showWords(this.#host.store.state, this.#host.session);
   }
 
+  /** Goes where a link, undo or a pause puts the playhead; while it plays, the state has no frame. */
+  #followPlayhead(state: AppState): void {
+    const { playing, frame } = this.#followed;
+    if (!state.playing && (playing || state.frame !== frame)) this.#frame = state.frame;
+    this.#followed = state;
+  }
+
   readonly #tick = (now: number): void => {
     this.#request = requestAnimationFrame(this.#tick);
     const input = this.#openInput;
@@ -412,7 +424,8 @@ class CompareView implements View {
   }
 
   #step(by: number): void {
-    this.#host.store.edit({ playing: false });
-    this.#goTo(Math.round(this.#frame) + by);
+    const frame = Math.round(this.#frame);
+    this.#host.store.edit({ playing: false, frame });
+    this.#goTo(frame + by);
   }
 }
