@@ -46,10 +46,12 @@ const CASES: readonly Case[] = [
   {
     view: "learn",
     hash: "lesson=style&beat=4&task=A",
+    // A figure says its sentence when it has rested for a second.
     ready: () =>
-      page.evaluate(async () => {
-        for (const figure of document.querySelectorAll("strut-figure:not([hidden])"))
-          await (figure as HTMLElement & { ready(): Promise<void> }).ready();
+      page.waitForFunction(() => {
+        const figures = [...document.querySelectorAll("strut-figure:not([hidden])")];
+        const said = figures.map((figure) => figure.shadowRoot?.querySelector("[role=status]")?.textContent);
+        return said.length > 0 && said.every(Boolean);
       }),
   },
   { view: "crowd", hash: "who=13", ready: () => first(".crowd-foot .button:enabled") },
