@@ -141,3 +141,14 @@ it("leaves the playhead where a link to another view puts it", async () => {
   expect(takeOver.mock.lastCall).toEqual([60]);
   expect(store.state.frame).toBe(60);
 });
+
+it("stays within a shorter input", async () => {
+  const { views, store, takeOver } = await shownView();
+  const longer = { poses: new Float32Array(10 * POSE_FLOATS), contacts: new Uint8Array(20), frames: 10 };
+  Object.assign(session, { input: { ...input, ...longer } });
+  store.edit({ playing: false, frame: 9 });
+  Object.assign(session, { input });
+  store.edit({ speed: 2 });
+  await views.show("play");
+  expect(takeOver.mock.lastCall).toEqual([0]);
+});

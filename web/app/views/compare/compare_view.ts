@@ -202,6 +202,7 @@ class CompareView implements View {
     }
     if (this.#openInput !== input) {
       this.#openInput = input;
+      this.#frame = Math.min(this.#frame, input.frames - 1);
       this.#measuredInput = measure(
         {
           poses: input.poses,
@@ -215,7 +216,6 @@ class CompareView implements View {
       this.#viewer?.setProportions(database.proportions);
       this.#viewer?.settle();
     }
-    if (state.playing) this.#frame = Math.min(this.#frame, input.frames - 1);
     this.#drawnFrame = undefined;
     const { library, inputName } = session;
     const names = [...library.builtIn, ...library.dropped];
