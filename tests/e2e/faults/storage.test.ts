@@ -4,7 +4,7 @@ import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
 import { walksIn } from "../../clips";
 import { databaseOf } from "../../database_of";
-import { eventually, launchSite, openPage, shown, visit } from "../browser";
+import { dropFile, eventually, launchSite, openPage, shown, visit } from "../browser";
 import { consoleErrors, dismissAll, type KeptDatabase, keepDatabase, keptNames } from "./inject";
 
 declare const window: { strut: StrutHook; releaseDisk?: () => void };
@@ -31,6 +31,7 @@ afterEach(() => expect(errors.splice(0)).toEqual([]));
 const alert = () => page.getByRole("alert").textContent();
 const notes = () => page.locator(".toasts [role=status]").textContent();
 const openName = () => page.evaluate(() => window.strut.state.database);
+const openInput = () => page.evaluate(() => window.strut.state.input);
 const styles = () =>
   page.locator(".panels .vertex").evaluateAll((all) => all.map((one) => one.getAttribute("data-style")));
 const listed = () => page.locator(".stored li:not(.deleted) bdi").allTextContents();
@@ -148,6 +149,34 @@ describe("a kept database", () => {
     expect(await openName()).toBe("");
     expect(await styles()).toEqual(before);
     expect(await alert()).toBe("");
+  });
+});
+
+describe("a motion that the disk gives late", () => {
+  it("does not come after a link that is followed meanwhile, though the link names what is open", async () => {
+    await visit(page, "play=0&frame=30&styles=proud:1,old:0,depressed:0");
+    await page.waitForFunction(() => window.strut.upToDate && window.strut.frame!.inputFrame === 30);
+    await page.evaluate(() => {
+      delete window.releaseDisk;
+      const { arrayBuffer } = Blob.prototype;
+      Blob.prototype.arrayBuffer = async function () {
+        Blob.prototype.arrayBuffer = arrayBuffer;
+        await new Promise<void>((resolve) => {
+          window.releaseDisk = resolve;
+        });
+        return arrayBuffer.call(this);
+      };
+    });
+    await dropFile(page, "late.bvh", walks.neutral);
+    await page.waitForFunction(() => window.releaseDisk !== undefined);
+    await visit(page, "play=0&frame=60&styles=proud:1,old:0,depressed:0");
+    await page.evaluate(() => window.releaseDisk!());
+    await page.waitForFunction(() => window.strut.upToDate && window.strut.analysed);
+    expect(await page.evaluate(() => window.strut.frame!.inputFrame)).toBe(60);
+    expect(await openInput()).toBe("");
+    expect(await alert()).toBe("");
+    await dropFile(page, "late.bvh", walks.neutral);
+    await eventually(openInput).toBe("late");
   });
 });
 

@@ -130,6 +130,17 @@ describe("the database of a link", () => {
 });
 
 describe("a database that a person opens", () => {
+  it("does not come after what is asked for while it is being opened, be that the one that is open", async () => {
+    const { store, session, databases } = made("mine");
+    await databases.follow("");
+    const dropped = databases.open({ kind: "strutdb", name: "dropped", file: new Blob() }, "");
+    expect([databases.mustFollow, store.state.database]).toEqual([true, "mine"]);
+    await databases.follow("");
+    expect(await dropped).toBe(false);
+    expect([session.opened.at(-1), store.state.database, databases.file.name]).toEqual(["mine", "mine", "mine"]);
+    expect(databases.mustFollow).toBe(false);
+  });
+
   it("enters the state once it is open, and not before", async () => {
     const { store, databases } = made("", { broken: ["bad"] });
     await databases.follow("");

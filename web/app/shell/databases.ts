@@ -30,6 +30,8 @@ export class Databases {
   #requests = 0;
   /** Name of the database that is being opened because the state asks for it; undefined where none is. */
   #followed: string | undefined;
+  /** The request by which a person opens a database, while it is under way. */
+  #chosen: number | undefined;
   /** Ends the exchange of the first part for the whole built-in database. */
   #completion = new AbortController();
   /** New names, by the former ones, of styles of the open database that has just been replaced. */
@@ -51,7 +53,7 @@ export class Databases {
 
   /** Whether the state asks for another database than the one that is open or being opened. */
   get mustFollow(): boolean {
-    return this.#store.state.database !== (this.#followed ?? this.#name);
+    return this.#chosen === this.#requests || this.#store.state.database !== (this.#followed ?? this.#name);
   }
 
   /** Name for people and file of the database that is open; no file where it is the built-in one. */
@@ -65,7 +67,7 @@ export class Databases {
    * is not kept here. Whether it is open now; otherwise what was open still is.
    */
   async open(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
-    const opening = this.#load(source, kept, this.#session.chosen);
+    const opening = this.#choose(source, kept);
     this.#store.edit({ view: "play" });
     if (!(await opening)) return false;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
@@ -80,7 +82,7 @@ export class Databases {
   async replaced(name: string, file: Blob, renamed: ReadonlyMap<string, string> = new Map()): Promise<void> {
     if (name === "" || name !== this.#name) return;
     this.renamed = renamed;
-    await this.#load({ kind: "strutdb", name, file }, name, this.#session.chosen);
+    await this.#choose({ kind: "strutdb", name, file }, name);
     this.renamed = new Map();
   }
 
@@ -157,8 +159,17 @@ export class Databases {
     return ++this.#requests;
   }
 
+  /** Opens a database that a person chose, and what is shown on it; whether it is open now. */
+  async #choose(source: DatabaseSource, kept: string): Promise<boolean> {
+    const request = this.#begin();
+    this.#chosen = request;
+    const opened = await this.#load(source, kept, this.#session.chosen, request);
+    if (this.#chosen === request) this.#chosen = undefined;
+    return opened;
+  }
+
   /** Opens a database; whether it is open now, be it without the input. */
-  async #load(source: DatabaseSource, kept: string, inputName: string, request = this.#begin()): Promise<boolean> {
+  async #load(source: DatabaseSource, kept: string, inputName: string, request: number): Promise<boolean> {
     await this.#session.openDatabase(source, inputName);
     if (request !== this.#requests || this.#session.databaseSource !== source) return false;
     this.#name = kept;

@@ -33,8 +33,8 @@ export class Workspace {
   #opening: Promise<void> = Promise.resolve();
   /** Links that are being followed, and what the state asks for that is still being opened. */
   #pending = 0;
-  /** Inputs that the state asked for and that are being opened. */
-  #openingInputs = 0;
+  /** Whether the state becomes that of a link: whatever a person had begun to open, the link says what is to be open. */
+  #arriving = false;
   /** The file that a link was made with and does not hold, and the frame that it shows of it. */
   #awaited: { input: string; frame: number } | undefined;
 
@@ -102,8 +102,12 @@ export class Workspace {
   }
 
   async #followLink(arrived: Partial<AppState>, hash: string): Promise<void> {
-    const carried = arrived.input === undefined ? undefined : await this.#carriedInput(hash);
+    const whole = arrived.input !== undefined;
+    const carried = whole ? await this.#carriedInput(hash) : undefined;
+    this.#arriving = whole;
     this.#store.edit(carried === undefined ? arrived : { ...arrived, input: carried });
+    this.#arriving = false;
+    if (whole) this.#follow(true, true);
     if (arrived.frame !== undefined && !this.#store.state.playing) this.playhead.awaitFrame(arrived.frame);
     await this.#opening;
     const { playing, frame } = this.#store.state;
@@ -155,16 +159,24 @@ export class Workspace {
 
   #onChange(changed: Changed): void {
     const { session } = this;
-    const moving = changed.has("database") && this.databases.mustFollow;
+    const moving = (this.#arriving || changed.has("database")) && this.databases.mustFollow;
     // Another database has other styles: they are looked at when it is open.
     if (session.database && !moving && any(changed, "styles", "parts", "track", "action", "inputStyle"))
       this.#completeStyles(session.database);
-    const { loop, range, speed, input } = this.#store.state;
+    const { loop, range, speed } = this.#store.state;
     if (any(changed, "loop", "range")) session.setLoop(loop, range);
     if (changed.has("speed")) session.playback.speed = speed;
     if (!moving && any(changed, ...ENGINE_FIELDS)) this.#configure();
-    if (session.database && moving) this.#opening = this.#counted(this.#followDatabase(input));
-    else if (session.input && changed.has("input")) this.#opening = this.#counted(this.#followInput(input));
+    if (!this.#arriving) this.#follow(changed.has("database"), changed.has("input"));
+  }
+
+  /** Opens the database or the input that the state asks for anew. */
+  #follow(database: boolean, input: boolean): void {
+    const { session } = this;
+    const { input: name } = this.#store.state;
+    if (session.database && database && this.databases.mustFollow)
+      this.#opening = this.#counted(this.#followDatabase(name));
+    else if (session.input && input) this.#opening = this.#counted(this.#followInput(name));
   }
 
   async #counted(work: Promise<unknown>): Promise<void> {
@@ -202,15 +214,11 @@ export class Workspace {
   async #followInput(wanted: string): Promise<void> {
     const { session } = this;
     const name = wanted || session.library.first;
-    // An input that is being opened instead must not come after it.
-    if (name === session.chosen && this.#openingInputs === 0) return;
-    this.#openingInputs += 1;
-    try {
-      if (!session.library.has(name)) await this.databases.complete;
-      if (session.library.has(name)) await session.openInput(name);
-    } finally {
-      this.#openingInputs -= 1;
-    }
+    // What is being read or opened instead must not come after it.
+    if (name === session.chosen && !this.#progress.input.busy) return;
+    if (!session.library.has(name)) await this.databases.complete;
+    if (this.#store.state.input !== wanted) return;
+    if (session.library.has(name)) await session.openInput(name);
     if (this.#store.state.input === wanted) this.#settleInput();
   }
 

@@ -23,6 +23,11 @@ export class ProgressLine {
     prepareAnnouncements();
   }
 
+  /** Whether something runs. */
+  get busy(): boolean {
+    return this.#controller !== undefined;
+  }
+
   /** Cancels what runs. */
   cancel(): void {
     this.#controller?.abort();
