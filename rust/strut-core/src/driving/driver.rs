@@ -228,6 +228,8 @@ impl Driver {
         }
         let dt = 1.0 / self.clips.rate_hz;
         self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
+        // What is left of earlier transitions in this frame; what a switch adds counts from this frame on.
+        self.state.inertia.advance(dt);
         let now = self.root_state();
         let (asked, wanted) = self.asked(&now, dt);
         let switched = self.choose(&now, &asked, wanted, dt);
@@ -414,7 +416,6 @@ impl Driver {
         let heading = wrap_angle(state.root.heading + turn_rate * dt);
         let step = in_world(heading, velocity) * dt;
         state.root = Placement { x: state.root.x + step.x, z: state.root.z + step.y, heading };
-        state.inertia.advance(dt);
         let left = 1.0 - half_life_share(dt, HALF_LIFE_SECS);
         state.velocity *= left;
         state.turn_rate *= left;

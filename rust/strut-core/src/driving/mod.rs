@@ -26,7 +26,8 @@ pub use path::Path;
 #[cfg(test)]
 mod tests {
     use super::{Control, Driver, DrivingClips, NeutralClip};
-    use crate::humanoid::{Pose, Proportions};
+    use crate::humanoid::{Pose, Proportions, Role};
+    use crate::math::exp_map::log;
     use crate::math::{Quat, Vec2, Vec3};
     use crate::pose_vector::Placement;
     use std::sync::Arc;
@@ -148,6 +149,36 @@ mod tests {
         for _ in 0..200 {
             assert_eq!(one.next(&good, None), other.next(&bad, nowhere));
         }
+    }
+
+    /// In each clip an arm turns at a rate of its own; at a transition it turns on at the rate that it had.
+    #[test]
+    fn a_transition_changes_no_turn_rate() {
+        let arm = Role::LeftUpperArm.index();
+        let clips = [(1.2, 1.0), (0.8, -2.0), (2.5, 3.0)].map(|(speed, rate): (f32, f32)| {
+            let mut clip = circle(400, speed, 0.0);
+            for (frame, pose) in clip.poses.iter_mut().enumerate() {
+                pose.rotations[arm] = Quat::from_rotation_x(rate * frame as f32 / 60.0);
+            }
+            clip
+        });
+        let clips = DrivingClips::new(Proportions::default(), 60.0, &clips, &[], &[]).unwrap();
+        let mut driver = Driver::new(Arc::new(clips));
+        let mut shown = Vec::<Pose>::new();
+        let mut transitions = 0;
+        for frame in 0..900 {
+            let control = Control { wish: Vec2::Y, gait: [1.0, 0.6, 2.0][frame / 90 % 3], ..Control::default() };
+            let next = driver.next(&control, None);
+            shown.push(next.pose);
+            if let ([.., a, b, c], true) = (shown.as_slice(), next.switched) {
+                let turned = |from: &Pose, to: &Pose| log(to.rotations[arm] * from.rotations[arm].inverse()) * 60.0;
+                let change = turned(b, c) - turned(a, b);
+                // The arm of a clip that was left a moment ago still slows down.
+                assert!(change.length() < 0.5, "frame {frame}: {change:?} rad/s");
+                transitions += 1;
+            }
+        }
+        assert!(transitions > 5, "{transitions} transitions");
     }
 
     #[test]
