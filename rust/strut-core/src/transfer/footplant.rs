@@ -4,8 +4,8 @@ use super::contact_likelihood::stands;
 use crate::contact::Thresholds;
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Limb, Sole, Soles, WorldPose, two_bone_ik, world_from_local};
-use crate::math::Vec3;
 use crate::math::float_funcs::exp;
+use crate::math::{Vec2, Vec3};
 
 /// Frames over which the hold sets in.
 const EASE_FRAMES: u32 = 3;
@@ -16,8 +16,9 @@ const DECAY_SECS: f32 = 0.12;
 const MAX_CORRECTION: f32 = 0.2;
 /// The root moves only if a target is out of reach by more than this, metres.
 const MIN_SHIFT: f32 = 1e-4;
-/// Greatest step of the root towards a target out of reach, metres.
-const MAX_ROOT_STEP: f32 = 0.02;
+/// The root gives way to planted feet as fast as it moves by itself, and at least so fast, m/s; by the rest a foot slides. Without
+/// a limit the body leaps where two planted feet pull it apart: by 4 m/s in a driven half-turn.
+const MIN_ROOT_SPEED: f32 = 0.5;
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Foot {
@@ -80,6 +81,8 @@ pub struct Footplant {
     feet: [Foot; 2],
     /// Total shift of the root that kept planted feet in place where their corrections reached the limit.
     root_shift: Vec3,
+    /// Of the last predicted pose.
+    last_root: Option<Vec3>,
 }
 
 impl Footplant {
@@ -91,6 +94,7 @@ impl Footplant {
             thresholds: Thresholds::scaled_to(&proportions),
             feet: [Foot::default(); 2],
             root_shift: Vec3::ZERO,
+            last_root: None,
         }
     }
 
@@ -98,23 +102,27 @@ impl Footplant {
     pub fn reset(&mut self) {
         self.feet = [Foot::default(); 2];
         self.root_shift = Vec3::ZERO;
+        self.last_root = None;
     }
 
     /// Corrects the next frame in place, `dt_secs` of output time after the one before, given the
     /// likelihood that each foot is planted. Returns which feet are held.
     pub fn apply(&mut self, pose: &mut Pose, likelihood: [f32; 2], dt_secs: f32) -> [bool; 2] {
+        let went = self.last_root.replace(pose.root).map_or(Vec3::ZERO, |last| pose.root - last);
+        let most = Vec2::new(went.x, went.z).length().max(MIN_ROOT_SPEED * dt_secs);
         pose.root += self.root_shift;
         let mut world = world_from_local(&self.proportions, pose);
         for (side, (foot, likelihood)) in self.feet.iter_mut().zip(likelihood).enumerate() {
             foot.update(self.soles.of(&world, side), likelihood, &self.thresholds, dt_secs);
         }
         let planted = self.feet.map(|f| f.is_planted());
-        let over_cap = mean_of_planted(planted, |side| self.feet[side].excess());
+        let over_cap = mean_of_planted(planted, |side| self.feet[side].excess()).clamp_length_max(most);
         self.move_root(over_cap, pose, &mut world);
         let corrected = self.with_feet_in_place(pose, &world);
         let out_of_reach = mean_of_planted(planted, |side| corrected.1[side]);
         if out_of_reach.length() > MIN_SHIFT {
-            self.move_root(out_of_reach.clamp_length_max(MAX_ROOT_STEP), pose, &mut world);
+            let left = most - over_cap.length();
+            self.move_root(out_of_reach.clamp_length_max(left), pose, &mut world);
             *pose = self.with_feet_in_place(pose, &world).0;
         } else {
             *pose = corrected.0;
@@ -248,6 +256,21 @@ pub(super) mod tests {
         assert!(last.root.x < 0.25, "{}", last.root.x);
         let eased = 0.02;
         assert!((sole(&last, 0).ball.x - sole(&crouch(), 0).ball.x).abs() < eased, "{:?}", sole(&last, 0));
+    }
+
+    #[test]
+    fn the_root_of_a_body_that_stands_does_not_leap_where_a_planted_foot_runs_away() {
+        let mut filter = Footplant::new(Proportions::default());
+        let mut roots = Vec::new();
+        for i in 0..40 {
+            let mut pose = crouch();
+            // The foot goes back by 2 m/s.
+            pose.rotations[Role::LeftUpperLeg.index()] = Quat::from_rotation_x(-0.6 + 2.5 * DT * i as f32);
+            filter.apply(&mut pose, [1.0, 0.0], DT);
+            roots.push(pose.root);
+        }
+        let fastest = roots.windows(2).map(|pair| pair[0].distance(pair[1]) / DT).fold(0.0, f32::max);
+        assert!(fastest > 0.9 * MIN_ROOT_SPEED && fastest < MIN_ROOT_SPEED + 1e-3, "{fastest} m/s");
     }
 
     #[test]
