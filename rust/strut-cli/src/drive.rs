@@ -64,13 +64,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let in_db = |reason: String| Failure::in_file(&args.db, reason);
     let (clips, note) = driving_clips(&contents.database).map_err(in_db)?;
     let clips = Arc::new(clips);
-    if let Some(note) = note {
+    if let Some(note) = &note {
         eprintln!("note: {note}");
     }
     let orders = Orders::read(args.path.as_deref(), args.controls.as_deref(), args.gait)?;
     let mut driver = Driver::new(Arc::clone(&clips));
     let model = Arc::new(Model::of(contents.into_catalogue()));
-    let mut stylizer = Stylizer::new(Arc::clone(&model), Options::default()).map_err(Failure::new)?;
+    // The neutral clips of this database are what is styled.
+    let input_style = note.is_none().then_some(model.catalogue().neutral);
+    let options = Options { input_style, ..Options::default() };
+    let mut stylizer = Stylizer::new(Arc::clone(&model), options).map_err(Failure::new)?;
     if let Some(style) = &args.style {
         stylizer.set_styles(&style.of(model.catalogue()).map_err(in_db)?).map_err(Failure::new)?;
     }

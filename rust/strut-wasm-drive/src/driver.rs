@@ -7,7 +7,7 @@ use strut_core::driving::{self, Control, DrivenFrame, DrivingClips, Move};
 use strut_core::humanoid::{POSE_FLOATS, Pose};
 use strut_core::math::{Vec2, Vec3};
 use strut_core::pose_vector::Placement;
-use strut_core::transfer::Footplant;
+use strut_core::stream::{LiveFigure, Place};
 use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -24,7 +24,8 @@ pub const FRAME: usize = 2 * POSE_FLOATS + 3 + 6 * AHEAD + 8;
 pub struct Driver {
     clips: Arc<DrivingClips>,
     inner: driving::Driver,
-    footplant: Footplant,
+    /// The same with its feet planted, which is drawn back to where it is.
+    ghost: LiveFigure,
     frame: Box<[f32; FRAME]>,
 }
 
@@ -38,8 +39,8 @@ impl Driver {
     pub fn new(clips: &Clips) -> Result<Self, EngineError> {
         let clips = Arc::new(clips.driving()?);
         let inner = driving::Driver::new(Arc::clone(&clips));
-        let footplant = Footplant::new(clips.proportions);
-        Ok(Self { clips, inner, footplant, frame: Box::new([0.0; FRAME]) })
+        let ghost = ghost_of(&clips);
+        Ok(Self { clips, inner, ghost, frame: Box::new([0.0; FRAME]) })
     }
 
     /// Speeds of walking and of running, m/s.
@@ -70,7 +71,7 @@ impl Driver {
     /// Begins anew at a place, without a path.
     pub fn reset(&mut self, x: f32, z: f32, heading: f32) {
         self.inner.reset(Placement { x, z, heading });
-        self.footplant.reset();
+        self.ghost = ghost_of(&self.clips);
     }
 
     /// Has the character follow a line through points, x and z each; fewer than two distinct ones end it. Points of which a
@@ -111,8 +112,7 @@ impl Driver {
         let control = Control { wish: Vec2::new(wish_x, wish_z), gait, face, action };
         let styled = styled_x.zip(styled_z).map(|(x, z)| Vec3::new(x, 0.0, z));
         let frame = self.inner.next(&control, styled);
-        let mut planted = frame.pose;
-        self.footplant.apply(&mut planted, frame.contacts.map(f32::from), 1.0 / self.clips.rate_hz);
+        let planted = self.ghost.next(&frame.pose, frame.contacts.map(f32::from), &frame.pose, false);
         write(&self.clips, frame, &planted, &mut self.frame);
     }
 
@@ -130,6 +130,10 @@ impl Driver {
     pub fn frame(&self) -> &[f32; FRAME] {
         &self.frame
     }
+}
+
+fn ghost_of(clips: &DrivingClips) -> LiveFigure {
+    LiveFigure::new(&clips.proportions, clips.rate_hz, Place::Follow, true)
 }
 
 fn write(clips: &DrivingClips, frame: &DrivenFrame, planted: &Pose, out: &mut [f32; FRAME]) {

@@ -73,6 +73,14 @@ describe("a driven character", () => {
     expect(walk.at(-1)!.inputFrame).toBeGreaterThan(160);
   });
 
+  test("is styled as what it is, neutral, whatever is said of another input", async () => {
+    const { client, database } = await opened();
+    await client.configure({ ...DEFAULT_OPTIONS, styles: { proud: 1 }, action: "kick", inputStyle: "old" });
+    const { reads } = (await driven(client, 2, AHEAD)).at(-1)!;
+    expect(reads.map(({ style }) => style)).toEqual(reads.map(() => database.neutral));
+    expect(reads[0]!.action).toBe("walk");
+  });
+
   test("turns on the spot to a heading", async () => {
     const { client } = await opened();
     const frames = await driven(client, 3, { ...STILL, face: Math.PI / 2 });

@@ -51,6 +51,7 @@ export class DriveSession {
 
   /**
    * @param names of the styles
+   * @param inputStyle the style in which the driver moves, if the database has it; else empty
    * @param interpolate pose between two poses
    * @param root where it begins
    * @param nowMs a clock for the cost of a frame
@@ -60,13 +61,15 @@ export class DriveSession {
     private readonly driver: NeutralDriver,
     private readonly names: readonly string[],
     private readonly rateHz: number,
+    private readonly inputStyle: string,
     options: StylizeOptions,
     interpolate: Interpolate,
     root: Root,
     nowMs?: () => number,
   ) {
-    stylizer.configure(options);
-    this.styles = new EasedStyles(stylizer, withoutTrack(options));
+    const driven = this.ofDriven(options);
+    stylizer.configure(driven);
+    this.styles = new EasedStyles(stylizer, driven);
     this.clock = new OutputClock(interpolate);
     this.cost = new FrameCost(nowMs);
     this.recording = new Recording(names);
@@ -75,8 +78,9 @@ export class DriveSession {
 
   /** Takes effect with the next frame; a change of the styles fades in. */
   configure(options: StylizeOptions): void {
-    this.styles.setTargets(withoutTrack(options));
-    this.stylizer.configure(options);
+    const driven = this.ofDriven(options);
+    this.styles.setTargets(driven);
+    this.stylizer.configure(driven);
     this.stale = true;
   }
 
@@ -110,6 +114,11 @@ export class DriveSession {
   driven(): Pick<Recording, "frames"> & { poses: Float32Array; track: ReturnType<Recording["track"]> } {
     const frames = Math.min(this.recording.frames, MAX_KEPT_SECS * this.rateHz);
     return { frames, poses: this.recording.last(frames), track: this.recording.track(frames) };
+  }
+
+  /** Options for what is driven: a track and labels are of another input. */
+  private ofDriven(options: StylizeOptions): StylizeOptions {
+    return { ...options, track: [], action: "", inputStyle: this.inputStyle };
   }
 
   /** A control with what is no number counts as the last good one, and such a path as none. */
@@ -199,9 +208,4 @@ export class DriveSession {
       move,
     };
   }
-}
-
-/** A track is of the frames of another input. */
-function withoutTrack(options: StylizeOptions): StylizeOptions {
-  return { ...options, track: [] };
 }

@@ -46,9 +46,11 @@ export async function openDrive(
   const driver = await openDriver(host, caller, database);
   const stylizer = engine.createStylizer(database, options);
   try {
-    const { styles, rateHz } = database.info;
+    const { styles, neutral, rateHz } = database.info;
     const interpolate = engine.interpolate.bind(engine);
-    const session = new DriveSession(stylizer, driver, styles, rateHz, options, interpolate, root);
+    // With a note, clips of another database walk.
+    const inputStyle = driver.note === "" ? neutral : "";
+    const session = new DriveSession(stylizer, driver, styles, rateHz, inputStyle, options, interpolate, root);
     open.add(id, new OpenDrive(databaseId, stylizer, driver, session));
   } catch (thrown) {
     driver.dispose();

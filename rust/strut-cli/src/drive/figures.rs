@@ -10,7 +10,8 @@ use strut_core::math::float_funcs::{atan2, wrap_angle};
 use strut_core::math::{Vec2, Vec3};
 use strut_core::metrics::foot_skate;
 use strut_core::pose_vector::Placement;
-use strut_core::transfer::{Footplant, StyledFrame};
+use strut_core::stream::{LiveFigure, Place};
+use strut_core::transfer::StyledFrame;
 
 /// Distances from a path count from here on, seconds: the beginning is no part of it.
 const UNDER_WAY_SECS: f32 = 2.0;
@@ -63,6 +64,10 @@ pub(super) struct Report {
     pub(super) path_error_m: Option<PathError>,
     /// Sliding of planted feet, m/s.
     skate: Skate,
+    /// Greatest distance of the neutral character whose feet are planted from where it is driven, metres.
+    wander_m: f32,
+    /// 99.9th percentile and greatest of the acceleration of the styled hips over the ground, m/s².
+    hips_acceleration: Peak,
     /// 99th percentile of the joints' acceleration just after transitions, and in the clips, m/s².
     transition_acceleration: f32,
     clip_acceleration: f32,
@@ -84,6 +89,12 @@ struct Skate {
     driven: f32,
     planted: f32,
     styled: f32,
+}
+
+#[derive(Serialize)]
+struct Peak {
+    p999: f32,
+    most: f32,
 }
 
 #[derive(Serialize)]
@@ -130,8 +141,9 @@ pub(super) fn report(
     let rate_hz = clips.rate_hz;
     let frames = log.poses.len();
     let secs = frames as f32 / rate_hz;
-    let hips: Vec<Vec2> = styled.iter().map(|frame| Vec2::new(frame.pose.root.x, frame.pose.root.z)).collect();
+    let hips: Vec<Vec2> = styled.iter().map(|frame| ground(&frame.pose)).collect();
     let under_way = &hips[((UNDER_WAY_SECS * rate_hz) as usize).min(arrived)..arrived];
+    let planted = planted(clips, log);
     let transitions = log.switched.iter().filter(|switched| **switched).count();
     Report {
         frames,
@@ -140,7 +152,9 @@ pub(super) fn report(
         clips: clips.clips().len(),
         transitions_per_sec: transitions as f32 / secs,
         path_error_m: orders.path().filter(|_| !under_way.is_empty()).map(|path| path_error(path, under_way)),
-        skate: skate(clips, log, finished),
+        skate: skate(clips, log, &planted, finished),
+        wander_m: log.poses.iter().zip(&planted).map(|(a, b)| ground(a).distance(ground(b))).fold(0.0, f32::max),
+        hips_acceleration: hips_acceleration(finished),
         transition_acceleration: percentile(
             &mut accelerations(clips, &log.poses, |i| is_of_transition(log, rate_hz, i)),
             0.99,
@@ -175,16 +189,29 @@ fn percentile(values: &mut [f32], share: f32) -> f32 {
     values.get((share * last as f32) as usize).copied().unwrap_or_default()
 }
 
-fn skate(clips: &DrivingClips, log: &Log, finished: &HumanoidMotion) -> Skate {
+fn ground(pose: &Pose) -> Vec2 {
+    Vec2::new(pose.root.x, pose.root.z)
+}
+
+/// The neutral character as it is shown: with its feet planted.
+fn planted(clips: &DrivingClips, log: &Log) -> Vec<Pose> {
+    let mut ghost = LiveFigure::new(&clips.proportions, clips.rate_hz, Place::Follow, true);
+    let frames = log.poses.iter().zip(&log.contacts);
+    frames.map(|(pose, feet)| ghost.next(pose, feet.map(f32::from), pose, false)).collect()
+}
+
+fn hips_acceleration(motion: &HumanoidMotion) -> Peak {
+    let hips: Vec<Vec2> = motion.poses.iter().map(ground).collect();
+    let of = |at: &[Vec2]| (at[0] - 2.0 * at[1] + at[2]).length() * motion.rate_hz * motion.rate_hz;
+    let mut all: Vec<f32> = hips.windows(3).map(of).collect();
+    Peak { p999: percentile(&mut all, 0.999), most: percentile(&mut all, 1.0) }
+}
+
+fn skate(clips: &DrivingClips, log: &Log, planted: &[Pose], finished: &HumanoidMotion) -> Skate {
     let motion = |poses: Vec<Pose>| HumanoidMotion { proportions: clips.proportions, rate_hz: clips.rate_hz, poses };
-    let mut footplant = Footplant::new(clips.proportions);
-    let mut planted = log.poses.clone();
-    for (pose, feet) in planted.iter_mut().zip(&log.contacts) {
-        footplant.apply(pose, feet.map(f32::from), 1.0 / clips.rate_hz);
-    }
     Skate {
         driven: foot_skate(&motion(log.poses.clone()), &log.contacts),
-        planted: foot_skate(&motion(planted), &log.contacts),
+        planted: foot_skate(&motion(planted.to_vec()), &log.contacts),
         styled: foot_skate(finished, &label(finished)),
     }
 }
