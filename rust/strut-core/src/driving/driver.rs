@@ -383,9 +383,10 @@ impl Driver {
         self.switch(to);
     }
 
-    fn switch(&mut self, to: usize) {
+    /// Goes on with the row after one that is like the present one.
+    fn switch(&mut self, like: usize) {
         let state = &mut self.state;
-        let from = state.row;
+        let (from, to) = (state.row, like + 1);
         let clip = &self.clips.clips()[self.clips.clip_of(from)];
         // The frame that would come next.
         let next = (from + 1).min(clip.rows.end - 1);
