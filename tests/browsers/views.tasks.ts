@@ -56,7 +56,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
     page.evaluate((selector) => document.querySelector(selector)?.textContent ?? "", selector);
   const view = () => page.evaluate(() => window.strut.state.view);
 
-  /** The middle of what is the first of a selector, or of those, the one with a text. */
+  /** The middle of what is the first of a selector, or of those, the one with a text, once it stands still. */
   async function middle(selector: string, text?: string): Promise<Place> {
     const find = () =>
       page.evaluate(
@@ -70,8 +70,14 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
         selector,
         text ?? null,
       );
-    await expect.poll(find, { message: `${selector} ${text ?? ""}` }).toBeTruthy();
-    return (await find())!;
+    let last: Place | undefined;
+    const standsStill = async () => {
+      const before = last;
+      last = (await find()) ?? undefined;
+      return last !== undefined && last.x === before?.x && last.y === before.y;
+    };
+    await expect.poll(standsStill, { message: `${selector} ${text ?? ""}` }).toBe(true);
+    return last!;
   }
 
   const click = async (selector: string, text?: string) => page.click(await middle(selector, text));
