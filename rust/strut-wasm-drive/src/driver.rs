@@ -24,7 +24,7 @@ pub const FRAME: usize = 2 * POSE_FLOATS + 3 + 6 * AHEAD + 8;
 pub struct Driver {
     clips: Arc<DrivingClips>,
     inner: driving::Driver,
-    /// The same with its feet planted, which is drawn back to where it is.
+    /// What is driven with its feet planted, drawn back to where it is driven.
     ghost: LiveFigure,
     frame: Box<[f32; FRAME]>,
 }

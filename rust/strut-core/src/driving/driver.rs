@@ -386,15 +386,15 @@ impl Driver {
     /// Goes on with the row after one that is like the present one.
     fn switch(&mut self, like: usize) {
         let state = &mut self.state;
-        let (from, to) = (state.row, like + 1);
-        let clip = &self.clips.clips()[self.clips.clip_of(from)];
-        // The frame that would come next.
-        let next = (from + 1).min(clip.rows.end - 1);
+        let from = state.row;
+        // Very short clips end here.
+        let after = |row: usize| (row + 1).min(self.clips.clips()[self.clips.clip_of(row)].rows.end - 1);
+        let (next, to) = (after(from), after(like));
         let moving =
             |row: usize, then: usize| Moving::between(self.clips.pose(row), self.clips.pose(then), self.clips.rate_hz);
-        let mut last = moving(from, next);
-        last.pose = *self.clips.pose(next);
-        state.inertia.go_on(&last, &moving(to, to + 1));
+        // The frame that would come next.
+        let last = Moving { pose: *self.clips.pose(next), ..moving(from, next) };
+        state.inertia.go_on(&last, &moving(to, after(to)));
         let (was, is) = (self.clips.motion(from), self.clips.motion(to));
         state.velocity += was.velocity - is.velocity;
         state.turn_rate += was.turn_rate - is.turn_rate;
