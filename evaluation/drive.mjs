@@ -81,13 +81,33 @@ const LOG = (() => {
 })();
 
 /** A minute of play, the same in every style: walks, turns about, runs, turns on the spot, jumps, kicks, punches and stands. */
-const MINUTE = [
-  "time,gait,heading,face,action",
-  ...["0,0,0,,", "2,1,0,,", "6,1,90,,", "9,1,-90,,", "12,1,-60,,", "15,0,-60,,", "17,0,-60,30,", "19,0,-60,-150,"],
-  ...["21,1,-150,,", "24,2,-150,,", "28,2,-60,,", "32,1,-60,,", "35,0,-60,,", "37,0,-60,,jump", "39,0,-60,,"],
-  ...["40,1,-60,,", "43,1,-60,,kick", "44,1,-60,,", "47,2,30,,", "50,0,30,,", "52,0,30,,punch", "54,0.6,30,,"],
-  ...["58,0.6,120,,", "61,0,120,,", "63,0,120,,", ""],
-].join("\n");
+const MINUTE = `time,gait,heading,face,action
+0,0,0,,
+2,1,0,,
+6,1,90,,
+9,1,-90,,
+12,1,-60,,
+15,0,-60,,
+17,0,-60,30,
+19,0,-60,-150,
+21,1,-150,,
+24,2,-150,,
+28,2,-60,,
+32,1,-60,,
+35,0,-60,,
+37,0,-60,,jump
+39,0,-60,,
+40,1,-60,,
+43,1,-60,,kick
+44,1,-60,,
+47,2,30,,
+50,0,30,,
+52,0,30,,punch
+54,0.6,30,,
+58,0.6,120,,
+61,0,120,,
+63,0,120,,
+`;
 
 /** What the figures come from, written by hand. */
 const NOTES = `
@@ -97,7 +117,7 @@ A clip that is found seldom does exactly what was asked. The difference is added
 
 - **Heading**: the turn rate that the clip lacks to the heading asked in 1/3 s, with what is left of the last transition, at
   most 60°/s. Before, it was 2/3 of that, with the clip's turn rate of the moment. This left a steady offset inside curves
-  (circle, r = 2: 3.7 cm, now 1.5) and made more searches change the clip (bandai-namco-2, eight: 3.4 transitions/s, now 2.4).
+  (circle, r = 2: 3.7 cm, then 1.5) and made more searches change the clip (bandai-namco-2, eight: 3.4 transitions/s, then 2.4).
   Counting what is left of the transition brings the first degree of a turn from 3 to 2 frames, and from 6 to 3 or 4 in the styled
   hips. A character that sets out or turns on the spot is steered fully. One that stands is not steered: its feet do not leave
   the ground.
@@ -107,8 +127,7 @@ A clip that is found seldom does exactly what was asked. The difference is added
   the spring's way instead, running bandai-namco-2 slides more (planted 7–8 cm/s) and stops take 0.2 s longer.
 - **Takes**: a row of a take costs 1.5 more for a character that goes, and nothing more for one that is to stand. Before, it
   cost that in both cases, and a halt that had begun was left for another step. Built-in stops took 1.52 s and 1.05 m at worst,
-  now 1.17 s and 0.64 m; the median fell from 1.05 to 0.90 s.
-
+  then 1.17 s and 0.64 m; the median fell from 1.05 to 0.90 s.
 - **Transitions**: the search finds the row that is most like the present one, so the row after it comes next, at the speed that
   was shown. Before, the found row was shown once more, with the difference a frame further gone than it should be: at each
   transition every joint leapt by what its speed changes in a frame. The 99th percentile of the acceleration after transitions
@@ -122,7 +141,7 @@ A clip that is found seldom does exactly what was asked. The difference is added
   wandered off by up to 1.5 m.
 
 Three things were tried and left out. Steering by 75 or 90°/s changes nothing on paths and nothing of the first degree. Inertia with a
-half-life of 0.12 s gives no smaller peaks after transitions. With a turn rate that decays in 0.07 s, the first degree of the
+half-life of 0.12 s, tried before transitions began at the speed that was shown, gave no smaller peaks after them. With a turn rate that decays in 0.07 s, the first degree of the
 styled hips comes a frame later, and peaks rise to 59 m/s².
 
 ## What is missed
