@@ -12,15 +12,21 @@ class FakeSession {
   databaseSource: DatabaseSource | undefined;
   inputName = "walk";
   opened: string[] = [];
+  /** Settles when the file is read. */
+  reading: Promise<unknown> = Promise.resolve();
+  /** Settles when the input is open on the database that is shown. */
+  openingInput: Promise<unknown> = Promise.resolve();
 
   constructor(readonly broken: readonly string[]) {}
 
   async openDatabase(source: DatabaseSource): Promise<Outcome> {
     const name = source.kind === "demo" ? `built in${source.set ? `: ${source.set}` : ""}` : source.name;
+    await this.reading;
     if (this.broken.includes(name)) return "failed";
     this.opened.push(name);
     this.database = { styles: ["old"], frames: 9 } as unknown as DatabaseInfo;
     this.databaseSource = source;
+    await this.openingInput;
     return "done";
   }
 
@@ -139,6 +145,24 @@ describe("a database that a person opens", () => {
     expect(await dropped).toBe(false);
     expect([session.opened.at(-1), store.state.database, databases.file.name]).toEqual(["mine", "mine", "mine"]);
     expect(databases.mustFollow).toBe(false);
+  });
+
+  it("stays where a link that names none comes while it is shown and its input is still being opened", async () => {
+    const { store, session, databases } = made("");
+    await databases.follow("");
+    let opened = () => {};
+    session.openingInput = new Promise<void>((resolve) => {
+      opened = resolve;
+    });
+    const dropped = databases.open({ kind: "strutdb", name: "dropped", file: new Blob() }, "");
+    expect(databases.mustFollow).toBe(true);
+    await session.reading;
+    expect([session.opened.at(-1), databases.mustFollow]).toEqual(["dropped", false]);
+    store.edit({ database: "mine" });
+    expect(databases.mustFollow).toBe(true);
+    store.edit({ database: "" });
+    opened();
+    expect([await dropped, databases.mustFollow, databases.file.name]).toEqual([true, false, "dropped"]);
   });
 
   it("enters the state once it is open, and not before", async () => {

@@ -30,8 +30,8 @@ export class Databases {
   #requests = 0;
   /** Name of the database that is being opened because the state asks for it; undefined where none is. */
   #followed: string | undefined;
-  /** The request by which a person opens a database, while it is under way. */
-  #chosen: number | undefined;
+  /** What a person opens and its name on this device, until its input is open as well. */
+  #chosen: { source: DatabaseSource; name: string } | undefined;
   /** Ends the exchange of the first part for the whole built-in database. */
   #completion = new AbortController();
   /** New names, by the former ones, of styles of the open database that has just been replaced. */
@@ -53,7 +53,11 @@ export class Databases {
 
   /** Whether the state asks for another database than the one that is open or being opened. */
   get mustFollow(): boolean {
-    return this.#chosen === this.#requests || this.#store.state.database !== (this.#followed ?? this.#name);
+    const wanted = this.#store.state.database;
+    if (this.#followed !== undefined) return wanted !== this.#followed;
+    if (!this.#chosen) return wanted !== this.#name;
+    // It is on screen before its input is open.
+    return this.#session.databaseSource !== this.#chosen.source || wanted !== this.#chosen.name;
   }
 
   /** Name for people and file of the database that is open; no file where it is the built-in one. */
@@ -156,15 +160,16 @@ export class Databases {
     this.#completion.abort();
     this.#completion = new AbortController();
     this.#followed = undefined;
+    this.#chosen = undefined;
     return ++this.#requests;
   }
 
   /** Opens a database that a person chose, and what is shown on it; whether it is open now. */
   async #choose(source: DatabaseSource, kept: string): Promise<boolean> {
     const request = this.#begin();
-    this.#chosen = request;
+    this.#chosen = { source, name: kept };
     const opened = await this.#load(source, kept, this.#session.chosen, request);
-    if (this.#chosen === request) this.#chosen = undefined;
+    if (request === this.#requests) this.#chosen = undefined;
     return opened;
   }
 
