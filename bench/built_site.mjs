@@ -6,19 +6,29 @@ import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { root, Sentence } from "../scripts/steps.mjs";
 
-/** What every measurement of the page starts Chromium with. */
-export const FLAGS = [
-  "--no-sandbox",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-background-networking",
-];
+/**
+ * What Chromium is started with where there is no graphics card: it draws text and panels without one, and lets SwiftShader draw
+ * WebGL alone.
+ */
+const NO_CARD = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-background-networking"];
 
-/** Starts Chromium, with `flags` beside those that every measurement needs. */
+/** The same with SwiftShader in the place of a graphics card: it draws all of the page, and compiles its shaders first. */
+export const FLAGS = [...NO_CARD, "--use-angle=swiftshader"];
+
+/** Starts Chromium as on this machine, which has no graphics card. */
+export function launchWithoutCard() {
+  return launch(NO_CARD);
+}
+
+/** Starts Chromium with SwiftShader as its graphics card, and with `flags`. */
 export function launchChromium(flags = []) {
+  return launch([...FLAGS, ...flags]);
+}
+
+function launch(args) {
   return chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
-    args: [...FLAGS, ...flags],
+    args,
   });
 }
 

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { root, Sentence } from "../scripts/steps.mjs";
-import { launchChromium, requireBuiltSite } from "./built_site.mjs";
+import { launchWithoutCard, requireBuiltSite } from "./built_site.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
 /** Lighthouse's slow 4G: 1.6 Mbit/s, 150 ms. */
@@ -27,7 +27,7 @@ const timeOf = (mark) => performance.getEntriesByName(mark)[0]?.startTime;
 export async function filmFirstSeconds({ folder, secs = 5, line = SLOW_4G, viewport = { width: 412, height: 823 } }) {
   requireBuiltSite();
   const site = await serveCompressed(join(root, "dist"), (path) => !OTHERS.test(path), line);
-  const browser = await launchChromium();
+  const browser = await launchWithoutCard();
   try {
     const page = await (await browser.newContext({ viewport, serviceWorkers: "block" })).newPage();
     const session = await page.context().newCDPSession(page);

@@ -292,12 +292,12 @@ export class Session {
     return this.#analysed;
   }
 
-  /** Analyses the input again once nothing has changed for a moment. */
-  analyseSoon(): void {
+  /** Analyses the input again once nothing has changed for a moment, `delayMs`. */
+  analyseSoon(delayMs = SETTLE_MS): void {
     clearTimeout(this.#settle);
     this.#analysed = false;
     this.#progress.cancel("analysis");
-    if (!this.#exchanging) this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), SETTLE_MS);
+    if (!this.#exchanging) this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), delayMs);
   }
 
   /** What the timeline's curve shows; `undefined` where examples of it cannot be compared. */
@@ -383,7 +383,8 @@ export class Session {
     this.examples = undefined;
     this.playback.refresh();
     this.#tell("onInput", input);
-    this.analyseSoon();
+    // Unlike an edit, which may go on, it is whole.
+    this.analyseSoon(0);
   }
 
   /** Has a character be steered from where the one on screen is. */
@@ -430,6 +431,7 @@ export class Session {
 
   async #analyse(): Promise<void> {
     const asked = this.#settle;
+    await this.#playing();
     await this.#settled();
     const { input } = this;
     if (!input || this.endless || asked !== this.#settle) return;
