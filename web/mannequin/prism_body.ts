@@ -1,5 +1,5 @@
 /**
- * A body of six-sided prisms for people far away: one for each large part of the mannequin, as long and as wide as the
+ * A body of prisms for people far away: one for each large part of the mannequin, as long and as wide as the
  * mesh is there, so that the one can take the place of the other unseen.
  */
 
@@ -7,9 +7,8 @@ import { JOINT, type Role } from "../humanoid";
 import type { Fit } from "./fit";
 import { type SkinnedBody, skinnedBody } from "./skinned_body";
 
-const SIDES = 6;
-/** A hexagon with this circumradius has the area of a circle of radius 1. */
-const HEXAGON = 1.1;
+/** Sides of a prism: of what is seen, and of what only gives an outline. */
+const SIDES = { seen: 6, outline: 4 };
 /** Detail of the mesh that is measured. */
 const DETAIL = 0.25;
 
@@ -55,8 +54,11 @@ const PRISMS: readonly Prism[] = [
   ]),
 ];
 
-/** Builds the body for a fit. */
-export function prismBody(fit: Fit): SkinnedBody {
+/** Builds the body for a fit, to be seen or to give the outline of a shadow. */
+export function prismBody(fit: Fit, use: keyof typeof SIDES = "seen"): SkinnedBody {
+  const sides = SIDES[use];
+  // A polygon with this circumradius has the area of a circle of radius 1.
+  const circumradius = Math.sqrt((2 * Math.PI) / sides / Math.sin((2 * Math.PI) / sides));
   const mesh = skinnedBody(fit, DETAIL);
   const positions: number[] = [];
   const normals: number[] = [];
@@ -77,13 +79,13 @@ export function prismBody(fit: Fit): SkinnedBody {
       const half = (0.6 * (along.max - along.min)) / (2 * (sections - 1));
       const near = points.filter((point) => Math.abs(point[axis]! - at) <= half);
       const [a, b] = [extent(near.length > 2 ? near : points, u), extent(near.length > 2 ? near : points, v)];
-      for (let side = 0; side < SIDES; side++) {
-        const angle = (2 * Math.PI * (side + 0.5)) / SIDES;
+      for (let side = 0; side < sides; side++) {
+        const angle = (2 * Math.PI * (side + 0.5)) / sides;
         const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
         const position = [0, 0, 0];
         position[axis] = at;
-        position[u] = (a.min + a.max) / 2 + (HEXAGON * cos * (a.max - a.min)) / 2;
-        position[v] = (b.min + b.max) / 2 + (HEXAGON * sin * (b.max - b.min)) / 2;
+        position[u] = (a.min + a.max) / 2 + (circumradius * cos * (a.max - a.min)) / 2;
+        position[v] = (b.min + b.max) / 2 + (circumradius * sin * (b.max - b.min)) / 2;
         positions.push(...position);
         const normal = [0, 0, 0];
         normal[u] = cos / (a.max - a.min || 1);
@@ -98,9 +100,9 @@ export function prismBody(fit: Fit): SkinnedBody {
         tones.push(tone);
       }
     }
-    const vertex = (section: number, side: number) => first + SIDES * section + (side % SIDES);
+    const vertex = (section: number, side: number) => first + sides * section + (side % sides);
     for (let section = 0; section + 1 < sections; section++)
-      for (let side = 0; side < SIDES; side++) {
+      for (let side = 0; side < sides; side++) {
         const [a, b, c, d] = [
           vertex(section, side),
           vertex(section, side + 1),
@@ -110,7 +112,7 @@ export function prismBody(fit: Fit): SkinnedBody {
         indices.push(a, b, c, a, c, d);
       }
     if (prism.open) continue;
-    for (let side = 1; side + 1 < SIDES; side++) {
+    for (let side = 1; side + 1 < sides; side++) {
       indices.push(vertex(0, 0), vertex(0, side + 1), vertex(0, side));
       indices.push(vertex(sections - 1, 0), vertex(sections - 1, side), vertex(sections - 1, side + 1));
     }

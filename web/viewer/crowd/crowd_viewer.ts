@@ -48,8 +48,8 @@ const RING = 0.55;
 /** Who is nearer to the pointer than this is meant by it, however small he is, CSS pixels. */
 const REACH_PX = 13;
 /** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
-const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } };
-const OUTLINED = { hardware: 0.05, software: 0.14 };
+const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 150, count: 3 } };
+const OUTLINED = { hardware: 0.05, software: 0.2 };
 
 /** The bones that everybody is drawn on, by those of the motion: joints have to lie on them. 21 × xyz, metres. */
 export function drawnBones(proportions: ArrayLike<number>): Float32Array {
@@ -91,7 +91,7 @@ export class CrowdViewer {
     const fit = fitTo(DEFAULT_PROPORTIONS);
     const far = prismBody(fit);
     this.#bodies = new CrowdBodies(this.#textures, fit, far, detail, shading);
-    this.#shadows = new CrowdShadows(this.#textures, far);
+    this.#shadows = new CrowdShadows(this.#textures, prismBody(fit, "outline"));
     const { scene } = this.#stage;
     scene.add(this.#ground.object, this.#names.object, this.#shadows.object, this.#bodies.object);
     scene.fog = this.#fog;
@@ -155,7 +155,7 @@ export class CrowdViewer {
     const fit = fitTo(proportions);
     const far = prismBody(fit);
     this.#bodies.setBody(fit, far);
-    this.#shadows.setBody(far);
+    this.#shadows.setBody(prismBody(fit, "outline"));
     this.#redraw.request();
   }
 
@@ -209,7 +209,7 @@ export class CrowdViewer {
     if (this.#stage.view.update(dt, this.#focus, true)) this.#redraw.request();
     this.#ground.setRing(chosen === undefined ? undefined : { x: at.x, z: at.z, radius: RING });
     const still = fine || this.#redraw.settled(timeSecs);
-    if ((still && this.#stage.still && !fine) || !this.#stage.begin(dt, still)) return false;
+    if ((still && this.#stage.still && !fine) || !this.#stage.begin(dt, still, fine)) return false;
     this.#redraw.drawn();
     this.#arrange();
     this.#stage.render(this.#stage.view.target);

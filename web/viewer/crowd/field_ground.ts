@@ -33,11 +33,13 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
 }`;
 
-// The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))², φ / (1 + Σ φ).
-const FRAGMENT = /* glsl */ `
+/**
+ * The program of a ground with so many vertices. The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))²,
+ * φ / (1 + Σ φ). three.js unrolls the loops: without a graphics card, looking up numbers by a variable takes most of the time.
+ */
+const fragment = (count: number) => /* glsl */ `
 uniform vec4 marks[${FIELD_VERTICES}];
 uniform vec3 colours[${FIELD_VERTICES}];
-uniform int count;
 uniform vec3 grid;
 uniform vec3 ink;
 uniform vec3 signal;
@@ -46,8 +48,8 @@ uniform float radius;
 uniform vec2 centre;
 uniform vec3 walker;
 varying vec3 vWorld;
-float line(float value, float width) {
-  return clamp(0.5 + 0.5 * width - abs(value) / fwidth(value), 0.0, 1.0);
+float line(float value, float width, float pixel) {
+  return clamp(0.5 + 0.5 * width - abs(value) / pixel, 0.0, 1.0);
 }
 vec4 over(vec4 above, vec4 below) {
   float alpha = above.a + below.a * (1.0 - above.a);
@@ -55,44 +57,57 @@ vec4 over(vec4 above, vec4 below) {
 }
 void main() {
   vec2 p = vWorld.xz;
+  // Size of a pixel on the ground, metres, along x and z.
+  vec2 pixel = fwidth(p);
+  float edge = 0.7 * length(pixel) / ${DISC.toFixed(2)};
   float whole = 1.0;
   float felt[${FIELD_VERTICES}];
-  for (int i = 0; i < count; i++) {
-    vec2 d = p - marks[i].xy;
-    float ratio = marks[i].z * marks[i].z / (dot(d, d) + 0.25);
-    felt[i] = ratio * ratio;
-    whole += felt[i];
+  #pragma unroll_loop_start
+  for (int i = 0; i < ${count}; i++) {
+    {
+      vec2 d = p - marks[i].xy;
+      float ratio = marks[i].z * marks[i].z / (dot(d, d) + 0.25);
+      felt[i] = ratio * ratio;
+      whole += felt[i];
+    }
   }
+  #pragma unroll_loop_end
   vec3 colour = vec3(0.0);
   float amount = 0.0;
   float isoline = 0.0;
   vec3 isocolour = vec3(0.0);
   vec4 discs = vec4(0.0);
-  for (int i = 0; i < count; i++) {
-    float share = felt[i] / whole;
-    colour += share * colours[i];
-    amount += share;
-    // Every line's width is a pixel's; the one through a half is the border of the style.
-    float quarter = max(0.4 * max(line(share - 0.25, 1.0), line(share - 0.75, 1.0)), 0.75 * line(share - 0.5, 1.1));
-    if (quarter > isoline) { isoline = quarter; isocolour = colours[i]; }
-    float d = length(p - marks[i].xy) / ${DISC.toFixed(2)};
-    float edge = fwidth(d);
-    float halo = 1.0 - smoothstep(1.75 - edge, 1.75 + edge, d);
-    float ring = 1.0 - smoothstep(1.25 - edge, 1.25 + edge, d);
-    float disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, d);
-    if (halo > 0.0) discs = vec4(mix(colours[i], ink, disc), max(ring, (marks[i].w > 0.5 ? 0.5 : 0.26) * halo));
+  #pragma unroll_loop_start
+  for (int i = 0; i < ${count}; i++) {
+    {
+      float share = felt[i] / whole;
+      colour += share * colours[i];
+      amount += share;
+      // Every line's width is a pixel's; the one through a half is the border of the style.
+      float step = fwidth(share);
+      float quarter = max(0.4 * line(abs(share - 0.5) - 0.25, 1.0, step), 0.75 * line(share - 0.5, 1.1, step));
+      if (quarter > isoline) { isoline = quarter; isocolour = colours[i]; }
+      float d = length(p - marks[i].xy) / ${DISC.toFixed(2)};
+      if (d < 1.75 + edge) {
+        float halo = 1.0 - smoothstep(1.75 - edge, 1.75 + edge, d);
+        float ring = 1.0 - smoothstep(1.25 - edge, 1.25 + edge, d);
+        float disc = 1.0 - smoothstep(1.0 - edge, 1.0 + edge, d);
+        discs = vec4(mix(colours[i], ink, disc), max(ring, (marks[i].w > 0.5 ? 0.5 : 0.26) * halo));
+      }
+    }
   }
+  #pragma unroll_loop_end
   float fade = 1.0 - smoothstep(0.55 * radius, 1.7 * radius, length(p - centre));
-  vec2 pixel = fwidth(p / ${GRID.toFixed(1)});
+  vec2 cell = pixel / ${GRID.toFixed(1)};
   vec2 near = abs(fract(p / ${GRID.toFixed(1)} - 0.5) - 0.5);
-  vec2 lines = clamp(1.05 - near / pixel, 0.0, 1.0) * clamp(0.1 / pixel, 0.0, 1.0);
+  vec2 lines = clamp(1.05 - near / cell, 0.0, 1.0) * clamp(0.1 / cell, 0.0, 1.0);
   vec4 result = vec4(grid, gridOpacity * max(lines.x, lines.y) * fade);
   result = over(vec4(colour / max(amount, 1e-4), ${COLOUR_OPACITY} * amount * fade), result);
   result = over(vec4(isocolour, isoline * fade), result);
   result = over(discs, result);
   if (walker.z > 0.0) {
     float d = length(p - walker.xy) - walker.z;
-    result = over(vec4(signal, line(d, 3.0)), result);
+    result = over(vec4(signal, line(d, 3.0, 0.7 * length(pixel))), result);
   }
   gl_FragColor = result;
   #include <colorspace_fragment>
@@ -103,7 +118,6 @@ export class FieldGround {
   readonly #uniforms = {
     marks: { value: Array.from({ length: FIELD_VERTICES }, () => new Vector4()) },
     colours: { value: Array.from({ length: FIELD_VERTICES }, () => new Color()) },
-    count: { value: 0 },
     grid: { value: new Color() },
     ink: { value: new Color() },
     signal: { value: new Color() },
@@ -119,7 +133,7 @@ export class FieldGround {
       new PlaneGeometry(2 * HALF, 2 * HALF).rotateX(-Math.PI / 2),
       new ShaderMaterial({
         vertexShader: VERTEX,
-        fragmentShader: FRAGMENT,
+        fragmentShader: fragment(0),
         uniforms: this.#uniforms,
         transparent: true,
         depthWrite: false,
@@ -131,12 +145,16 @@ export class FieldGround {
 
   /** Takes the field, at most {@link FIELD_VERTICES} vertices. */
   setField(field: readonly FieldMark[]): void {
-    const { marks, colours, count } = this.#uniforms;
-    count.value = Math.min(field.length, FIELD_VERTICES);
-    for (const [i, { x, z, reach, colour, chosen }] of field.slice(0, FIELD_VERTICES).entries()) {
+    const { marks, colours } = this.#uniforms;
+    const drawn = field.slice(0, FIELD_VERTICES);
+    for (const [i, { x, z, reach, colour, chosen }] of drawn.entries()) {
       marks.value[i]!.set(x, z, reach, chosen ? 1 : 0);
       colours.value[i]!.set(colour);
     }
+    const program = fragment(drawn.length);
+    if (program === this.object.material.fragmentShader) return;
+    this.object.material.fragmentShader = program;
+    this.object.material.needsUpdate = true;
   }
 
   /** Radius in which people walk, metres: the ground fades beyond it. */

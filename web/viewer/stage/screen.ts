@@ -31,6 +31,13 @@ const MAX_FRAMES = 2;
 const SLOW_MS = 12;
 const PAGE_SHARE = 1.5;
 
+/**
+ * A screen of one stage gives memory back after so many pictures in a row that need less than this share of it: what shows the
+ * canvas takes time for all of it.
+ */
+const LEAST_USED = 0.2;
+const SPARE_FRAMES = 60;
+
 /** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
 const IDLE_TIMEOUT_MS = 2000;
 
@@ -47,8 +54,8 @@ export interface ScreenOptions {
   /** Whether edges are smoothed by multisampling. */
   antialias: boolean;
   /**
-   * Whether the canvas's memory is never given back, and a smaller picture has its lower left part: new memory is had from
-   * the graphics processor, and without a graphics card that has to be waited for.
+   * Whether the canvas's memory is kept, and a smaller picture has its lower left part: new memory is had from the graphics
+   * processor, and without a graphics card that has to be waited for.
    */
   keepsMemory: boolean;
   /** Pixels that have memory from the start. */
@@ -79,7 +86,9 @@ export class Screen {
   static #prepared: Screen | undefined;
   readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
-  readonly keepsMemory: boolean;
+  readonly #keepsMemory: boolean;
+  /** Pictures in a row that needed little of the canvas's memory. */
+  #spareFrames = 0;
   /** Decides about the quality of all that is drawn here, by the mean rate of those that draw. */
   readonly governor: QualityGovernor;
   readonly #isShared: boolean;
@@ -102,7 +111,7 @@ export class Screen {
     const { antialias, keepsMemory, level, isShared = false } = options;
     this.canvas = canvas;
     this.#isShared = isShared;
-    this.keepsMemory = keepsMemory;
+    this.#keepsMemory = keepsMemory;
     this.governor = new QualityGovernor(level ?? firstLevel());
     this.renderer = new WebGLRenderer({ canvas, context, antialias, stencil: true });
     // three.js takes a context with alpha, as its own are, for a canvas that the page shows through.
@@ -197,10 +206,22 @@ export class Screen {
     return rests || frames >= (leavesRoom ? 1 : MAX_FRAMES);
   }
 
+  /** Takes the size of the next picture, in pixels. */
+  expect(width: number, height: number): void {
+    const { canvas } = this;
+    const isSpare = !this.#isShared && width * height < LEAST_USED * canvas.width * canvas.height;
+    this.#spareFrames = isSpare && width * height > 0 ? this.#spareFrames + 1 : 0;
+  }
+
+  /** Whether what the canvas has too much of is kept. */
+  get #keeps(): boolean {
+    return this.#keepsMemory && this.#spareFrames < SPARE_FRAMES;
+  }
+
   /** Whether the canvas has the right memory for a picture, in pixels. */
   fits(width: number, height: number): boolean {
     const { canvas } = this;
-    if (this.keepsMemory || width * height === 0) return canvas.width >= width && canvas.height >= height;
+    if (this.#keeps || width * height === 0) return canvas.width >= width && canvas.height >= height;
     return canvas.width === width && canvas.height === height;
   }
 
@@ -220,7 +241,7 @@ export class Screen {
 
   /** Gives the canvas memory for a picture, in pixels. */
   resize(width: number, height: number): void {
-    const former = this.keepsMemory ? this.canvas : { width: 0, height: 0 };
+    const former = this.#keeps ? this.canvas : { width: 0, height: 0 };
     this.renderer.setDrawingBufferSize(Math.max(width, former.width), Math.max(height, former.height), 1);
   }
 

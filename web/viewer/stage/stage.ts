@@ -278,9 +278,9 @@ export class Stage implements Drawn {
   /**
    * Begins a frame `dtSecs` after the last call, with more pixels if the picture stands `still`; whether it is
    * to be drawn now. The graphics processor is given few frames at a time, and what it has to be asked is put off until it
-   * has nothing to do.
+   * has nothing to do, unless the picture is needed `atOnce`.
    */
-  begin(dtSecs: number, still: boolean): boolean {
+  begin(dtSecs: number, still: boolean, atOnce = false): boolean {
     this.#elapsed += dtSecs;
     if (!this.#compiled || this.#screen.busy) return false;
     const elapsed = this.#elapsed;
@@ -291,7 +291,8 @@ export class Stage implements Drawn {
       return false;
     }
     const { width, height } = this.#wanted(still);
-    if (!this.#screen.fits(width, height) && !this.#screen.mayResize) {
+    this.#screen.expect(width, height);
+    if (!this.#screen.fits(width, height) && !this.#screen.mayResize && !atOnce) {
       void this.#screen.whenIdle(() => this.onIdle?.());
       return false;
     }
