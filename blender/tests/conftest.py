@@ -13,6 +13,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
 FILES = Path(os.environ.get("STRUT_BLENDER_FILES", "files"))
+status = 0
 RIGS = json.loads((FILES / "rigs" / "rigs.json").read_text()) if (FILES / "rigs").exists() else []
 
 
@@ -26,3 +27,14 @@ def clip() -> Path:
 def database() -> Path:
     """The built-in styles."""
     return FILES / "demo.strutdb"
+
+
+def pytest_sessionfinish(exitstatus: int) -> None:
+    global status
+    status = int(exitstatus)
+
+
+def pytest_unconfigure() -> None:
+    """Ends the process at once: where tests have failed, bpy may wait for ever while it frees what is left."""
+    sys.stdout.flush()
+    os._exit(status)

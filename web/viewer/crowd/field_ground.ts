@@ -35,7 +35,8 @@ void main() {
 
 /**
  * The program of a ground with so many vertices. The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))²,
- * φ / (1 + Σ φ). three.js unrolls the loops: without a graphics card, looking up numbers by a variable takes most of the time.
+ * φ / (1 + Σ φ). `pixel` is the size of a pixel on the ground, metres: every line is as wide; the isoline through a half is the
+ * border of the style. three.js unrolls the loops: without a graphics card, looking up numbers by a variable takes most of the time.
  */
 const fragment = (count: number) => /* glsl */ `
 uniform vec4 marks[${FIELD_VERTICES}];
@@ -57,7 +58,6 @@ vec4 over(vec4 above, vec4 below) {
 }
 void main() {
   vec2 p = vWorld.xz;
-  // Size of a pixel on the ground, metres, along x and z.
   vec2 pixel = fwidth(p);
   float edge = 0.7 * length(pixel) / ${DISC.toFixed(2)};
   float whole = 1.0;
@@ -83,7 +83,6 @@ void main() {
       float share = felt[i] / whole;
       colour += share * colours[i];
       amount += share;
-      // Every line's width is a pixel's; the one through a half is the border of the style.
       float step = fwidth(share);
       float quarter = max(0.4 * line(abs(share - 0.5) - 0.25, 1.0, step), 0.75 * line(share - 0.5, 1.1, step));
       if (quarter > isoline) { isoline = quarter; isocolour = colours[i]; }
