@@ -36,8 +36,8 @@ const FROM_ANOTHER_SITE = ["--disable-features=DelayLayerTreeViewDeletionOnLocal
 
 /**
  * Loads the page a few times.
- * @returns the score and the figures by audit, each a number, and `blocking_own_time`: the blocking time if the main thread had never waited for
- * another one, as for SwiftShader's on a machine without a graphics card
+ * @returns the score and the figures by audit, each a number, and `blocking_own_time`: the blocking time if the main thread had
+ * never waited for another one, as for SwiftShader's on a machine without a graphics card
  */
 export async function measureFirstLoad() {
   const visits = [];
@@ -69,7 +69,7 @@ async function visit() {
   }
 }
 
-/** Blocking time after the first paint by the time that the main thread itself ran, which a phone takes `slowdown` times as long for. */
+/** Blocking time after the first paint by the time that the main thread itself ran; a phone takes `slowdown` times as long. */
 function ownBlockingMs(events, slowdown) {
   const paint = events.findLast(({ name }) => name === "firstContentfulPaint");
   const tasks = events.filter(

@@ -47,9 +47,18 @@ const HEIGHT = 1.7;
 const RING = 0.55;
 /** Who is nearer to the pointer than this is meant by it, however small he is, CSS pixels. */
 const REACH_PX = 13;
-/** Without a graphics card fewer people wear the finer bodies, and fewer have an outline for a shadow. */
-const SOFTWARE_LIMITS: BodyLimits = { near: { height: 220, count: 0 }, middle: { height: 150, count: 3 } };
-const OUTLINED = { hardware: 0.05, software: 0.2 };
+/** Who wears the finer bodies, and the least height, a share of the picture's, of who has an outline for a shadow. */
+interface Limits {
+  bodies: BodyLimits;
+  outlined: number;
+}
+const LIMITS: Limits = { bodies: BODY_LIMITS, outlined: 0.05 };
+/** The same without a graphics card, of what stands still and of what moves. */
+const STILL: Limits = { bodies: { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } }, outlined: 0.14 };
+const MOVING: Limits = {
+  bodies: { near: { height: 220, count: 0 }, middle: { height: 150, count: 3 } },
+  outlined: 0.2,
+};
 
 /** The bones that everybody is drawn on, by those of the motion: joints have to lie on them. 21 × xyz, metres. */
 export function drawnBones(proportions: ArrayLike<number>): Float32Array {
@@ -292,10 +301,10 @@ export class CrowdViewer {
       this.#heights[walker] = visible ? size : 0;
     }
     const fast = this.#stage.quality.shading === "physical";
-    this.#levels.choose(this.#heights, fast ? BODY_LIMITS : SOFTWARE_LIMITS);
+    const { bodies, outlined } = fast ? LIMITS : this.#stage.still ? STILL : MOVING;
+    this.#levels.choose(this.#heights, bodies);
     this.#bodies.arrange(this.#levels);
-    const least = fast ? OUTLINED.hardware : OUTLINED.software;
-    this.#shadows.arrange(this.#levels, this.#heights, height, least, keyDirection(azimuth, light));
+    this.#shadows.arrange(this.#levels, this.#heights, height, outlined, keyDirection(azimuth, light));
     this.#names.turn(azimuth);
     const { distance } = this.#stage.view;
     this.#fog.near = distance + 0.5 * this.#radius;
