@@ -312,7 +312,7 @@ export class CrowdViewer {
   }
 
   #applyField(): void {
-    this.#ground.setField(this.#marks);
+    if (this.#ground.setField(this.#marks)) void this.#stage.compile();
     this.#ground.radius = this.#radius;
     const names = this.#marks.map(({ name, x, z }) => ({ text: name, x, z }));
     this.#names.set(names, THEMES[this.#theme].ink);

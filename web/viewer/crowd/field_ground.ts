@@ -142,8 +142,8 @@ export class FieldGround {
     this.object.frustumCulled = false;
   }
 
-  /** Takes the field, at most {@link FIELD_VERTICES} vertices. */
-  setField(field: readonly FieldMark[]): void {
+  /** Takes the field, at most {@link FIELD_VERTICES} vertices; whether another program is needed now, which has to be compiled. */
+  setField(field: readonly FieldMark[]): boolean {
     const { marks, colours } = this.#uniforms;
     const drawn = field.slice(0, FIELD_VERTICES);
     for (const [i, { x, z, reach, colour, chosen }] of drawn.entries()) {
@@ -151,9 +151,10 @@ export class FieldGround {
       colours.value[i]!.set(colour);
     }
     const program = fragment(drawn.length);
-    if (program === this.object.material.fragmentShader) return;
+    if (program === this.object.material.fragmentShader) return false;
     this.object.material.fragmentShader = program;
     this.object.material.needsUpdate = true;
+    return true;
   }
 
   /** Radius in which people walk, metres: the ground fades beyond it. */
