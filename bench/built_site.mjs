@@ -17,15 +17,15 @@ export const FLAGS = [...NO_CARD, "--use-angle=swiftshader"];
 
 /** Starts Chromium as on this machine, which has no graphics card. */
 export function launchWithoutCard() {
-  return launch(NO_CARD);
+  return start(NO_CARD);
 }
 
 /** Starts Chromium with SwiftShader as its graphics card, and with `flags`. */
 export function launchChromium(flags = []) {
-  return launch([...FLAGS, ...flags]);
+  return start([...FLAGS, ...flags]);
 }
 
-function launch(args) {
+function start(args) {
   return chromium.launch({
     executablePath: process.env.CHROME_PATH ?? "/usr/bin/chromium",
     args,
@@ -59,10 +59,10 @@ export function serveBuiltSite() {
 }
 
 /** Serves `dist/` and opens a browser for as long as `use(browser, url)` takes. */
-export async function onBuiltSite(use) {
+export async function onBuiltSite(use, launch = launchChromium) {
   const server = await serveBuiltSite();
   try {
-    const browser = await launchChromium();
+    const browser = await launch();
     try {
       return await use(browser, server.resolvedUrls.local[0]);
     } finally {

@@ -1,6 +1,6 @@
 // node bench/crowd_page.mjs: how many pictures a second the page draws of a hundred people on a machine without a graphics card,
 // once it has found the quality that the machine can draw. The picture is 1096 × 716 CSS pixels large.
-import { launchWithoutCard, serveBuiltSite } from "./built_site.mjs";
+import { launchWithoutCard, onBuiltSite } from "./built_site.mjs";
 
 const VIEWPORT = { width: 1440, height: 900 };
 /** Time in which the stage finds its quality, and the time that is measured, seconds. */
@@ -18,15 +18,10 @@ async function rates(secs) {
   return { found: found.sort((a, b) => a - b), width, height };
 }
 
-const server = await serveBuiltSite();
-const browser = await launchWithoutCard();
-try {
+await onBuiltSite(async (browser, url) => {
   const page = await (await browser.newContext({ viewport: VIEWPORT, serviceWorkers: "block" })).newPage();
-  await page.goto(`${server.resolvedUrls.local[0]}#view=crowd&crowd=100_1`);
+  await page.goto(`${url}#view=crowd&crowd=100_1`);
   await page.waitForTimeout(1000 * SETTLING);
   const { found, width, height } = await page.evaluate(rates, MEASURED);
   console.log(`100 walkers: ${found[found.length >> 1]} fps median, ${found[0]} least, canvas of ${width} × ${height}`);
-} finally {
-  await browser.close();
-  await server.close();
-}
+}, launchWithoutCard);

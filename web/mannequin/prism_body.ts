@@ -54,12 +54,15 @@ const PRISMS: readonly Prism[] = [
   ]),
 ];
 
-/** Builds the body for a fit, to be seen or to give the outline of a shadow. */
-export function prismBody(fit: Fit, use: keyof typeof SIDES = "seen"): SkinnedBody {
-  const sides = SIDES[use];
+/** Builds the bodies for a fit: the one that is seen, and the one that gives the outline of a shadow. */
+export function prismBodies(fit: Fit): Record<keyof typeof SIDES, SkinnedBody> {
+  const mesh = skinnedBody(fit, DETAIL);
+  return { seen: prismBody(mesh, SIDES.seen), outline: prismBody(mesh, SIDES.outline) };
+}
+
+function prismBody(mesh: SkinnedBody, sides: number): SkinnedBody {
   // A polygon with this circumradius has the area of a circle of radius 1.
   const circumradius = Math.sqrt((2 * Math.PI) / sides / Math.sin((2 * Math.PI) / sides));
-  const mesh = skinnedBody(fit, DETAIL);
   const positions: number[] = [];
   const normals: number[] = [];
   const joints: number[] = [];

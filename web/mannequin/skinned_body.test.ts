@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { DEFAULT_PROPORTIONS, JOINTS } from "../humanoid";
 import { fitTo } from "./fit";
-import { prismBody } from "./prism_body";
+import { prismBodies } from "./prism_body";
 import { restJoints, type SkinnedBody, skinnedBody } from "./skinned_body";
 
 const fit = fitTo(DEFAULT_PROPORTIONS);
@@ -49,7 +49,7 @@ describe("a skinned body", () => {
 });
 
 describe("a body of prisms", () => {
-  const prisms = prismBody(fit);
+  const prisms = prismBodies(fit).seen;
 
   it("has at most 400 triangles", () => {
     expect(prisms.indices.length / 3).toBeLessThanOrEqual(400);

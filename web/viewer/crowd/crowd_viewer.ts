@@ -3,7 +3,7 @@
 import { Fog, MathUtils, Vector3 } from "three";
 import { CROWD_WALKER_FLOATS, DEFAULT_PROPORTIONS } from "../../humanoid";
 import { fitTo } from "../../mannequin/fit";
-import { prismBody } from "../../mannequin/prism_body";
+import { prismBodies } from "../../mannequin/prism_body";
 import { keyDirection } from "../light/lights";
 import type { CameraRange, CameraView } from "../stage/orbit_camera";
 import { Redraw } from "../stage/redraw";
@@ -98,9 +98,9 @@ export class CrowdViewer {
     this.#stage.view.halfWidth = HALF_WIDTH;
     const { detail, shading } = this.#stage.quality;
     const fit = fitTo(DEFAULT_PROPORTIONS);
-    const far = prismBody(fit);
-    this.#bodies = new CrowdBodies(this.#textures, fit, far, detail, shading);
-    this.#shadows = new CrowdShadows(this.#textures, prismBody(fit, "outline"));
+    const { seen, outline } = prismBodies(fit);
+    this.#bodies = new CrowdBodies(this.#textures, fit, seen, detail, shading);
+    this.#shadows = new CrowdShadows(this.#textures, outline);
     const { scene } = this.#stage;
     scene.add(this.#ground.object, this.#names.object, this.#shadows.object, this.#bodies.object);
     scene.fog = this.#fog;
@@ -162,9 +162,9 @@ export class CrowdViewer {
   /** Takes the bone offsets of everybody: 21 × xyz, metres. */
   setProportions(proportions: ArrayLike<number>): void {
     const fit = fitTo(proportions);
-    const far = prismBody(fit);
-    this.#bodies.setBody(fit, far);
-    this.#shadows.setBody(prismBody(fit, "outline"));
+    const { seen, outline } = prismBodies(fit);
+    this.#bodies.setBody(fit, seen);
+    this.#shadows.setBody(outline);
     this.#redraw.request();
   }
 

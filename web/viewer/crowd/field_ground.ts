@@ -36,7 +36,8 @@ void main() {
 /**
  * The program of a ground with so many vertices. The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))²,
  * φ / (1 + Σ φ). `pixel` is the size of a pixel on the ground, metres: every line is as wide; the isoline through a half is the
- * border of the style. three.js unrolls the loops: without a graphics card, looking up numbers by a variable takes most of the time.
+ * border of the style. three.js unrolls the loops, in which names need a block of their own: without a graphics card, looking up
+ * numbers by a variable takes most of the time.
  */
 const fragment = (count: number) => /* glsl */ `
 uniform vec4 marks[${FIELD_VERTICES}];
@@ -83,8 +84,8 @@ void main() {
       float share = felt[i] / whole;
       colour += share * colours[i];
       amount += share;
-      float step = fwidth(share);
-      float quarter = max(0.4 * line(abs(share - 0.5) - 0.25, 1.0, step), 0.75 * line(share - 0.5, 1.1, step));
+      float slope = fwidth(share);
+      float quarter = max(0.4 * line(abs(share - 0.5) - 0.25, 1.0, slope), 0.75 * line(share - 0.5, 1.1, slope));
       if (quarter > isoline) { isoline = quarter; isocolour = colours[i]; }
       float d = length(p - marks[i].xy) / ${DISC.toFixed(2)};
       if (d < 1.75 + edge) {
@@ -114,6 +115,8 @@ void main() {
 
 export class FieldGround {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
+  /** Vertices of the program. */
+  #count = 0;
   readonly #uniforms = {
     marks: { value: Array.from({ length: FIELD_VERTICES }, () => new Vector4()) },
     colours: { value: Array.from({ length: FIELD_VERTICES }, () => new Color()) },
@@ -150,9 +153,9 @@ export class FieldGround {
       marks.value[i]!.set(x, z, reach, chosen ? 1 : 0);
       colours.value[i]!.set(colour);
     }
-    const program = fragment(drawn.length);
-    if (program === this.object.material.fragmentShader) return false;
-    this.object.material.fragmentShader = program;
+    if (drawn.length === this.#count) return false;
+    this.#count = drawn.length;
+    this.object.material.fragmentShader = fragment(drawn.length);
     this.object.material.needsUpdate = true;
     return true;
   }

@@ -25,7 +25,7 @@ export const QUALITY_LEVELS: readonly QualityLevel[] = [
   level(2e6, 1024, 512, { search: 12, filter: 20 }, 1, "physical", 45),
   level(8e5, 512, 192, { search: 8, filter: 16 }, 0.6, "matt", 24),
   level(4.5e5, 512, 160, { search: 6, filter: 10 }, 0.5, "matt", 20),
-  level(2.5e5, 512, 128, { search: 6, filter: 8 }, 0.5, "matt", 20),
+  level(2.5e5, 512, 128, { search: 6, filter: 8 }, 0.5, "matt", 22),
   level(1.8e5, 512, 128, { search: 6, filter: 8 }, 0.5, "matt", 0),
 ];
 

@@ -209,8 +209,8 @@ export class Screen {
   /** Takes the size of the next picture, in pixels. */
   expect(width: number, height: number): void {
     const { canvas } = this;
-    const isSpare = !this.#isShared && width * height < LEAST_USED * canvas.width * canvas.height;
-    this.#spareFrames = isSpare && width * height > 0 ? this.#spareFrames + 1 : 0;
+    const used = (width * height) / (canvas.width * canvas.height);
+    this.#spareFrames = !this.#isShared && used > 0 && used < LEAST_USED ? this.#spareFrames + 1 : 0;
   }
 
   /** Whether what the canvas has too much of is kept. */
