@@ -73,6 +73,21 @@ describe("before the script", () => {
       await close();
     });
 
+  it("a picture of more or fewer pixels is no shift of the page", async () => {
+    const { page, release, close } = await withoutScripts("play=0", { width: 390, height: 844 });
+    await release();
+    await shown(page);
+    await page.waitForFunction(() => window.strut!.analysed);
+    const canvas = page.locator(".stage-view canvas").first();
+    const before = await page.evaluate(() => window.shift);
+    await page.keyboard.press("Space");
+    await canvas.and(page.locator(":not([data-still])")).waitFor();
+    await page.keyboard.press("Space");
+    await canvas.and(page.locator("[data-still]")).waitFor();
+    expect(await page.evaluate(() => window.shift)).toBeCloseTo(before, 3);
+    await close();
+  });
+
   it("a link to another view has the bar alone, as the view has other parts", async () => {
     const { page, close } = await withoutScripts("view=learn");
     expect(await page.locator(".wordmark").isVisible()).toBe(true);

@@ -40,10 +40,12 @@ function refuse(root: HTMLElement, sentence: string): void {
 }
 
 /** Loads the code of the page and what it draws with, in tasks of their own: each keeps the page waiting for a moment only. */
-async function loadApp(): Promise<typeof App> {
+async function loadApp(root: HTMLElement): Promise<typeof App> {
   const [viewer, detected] = await Promise.all([import("../viewer"), startGraphics()]);
   if (detected) viewer.setGraphics(detected);
-  await inSlices(viewer.preparation());
+  // The page before there is a script has the stage in its place.
+  const { clientWidth: width, clientHeight: height } = root.querySelector(".stage") ?? root;
+  await inSlices(viewer.preparation({ width, height }));
   const { App } = await import("./shell/app");
   await otherTasks();
   return App;
@@ -81,7 +83,7 @@ async function start(root: HTMLElement): Promise<void> {
   firstSteps?.catch(() => {});
   let app: App;
   try {
-    const Loaded = await loadApp();
+    const Loaded = await loadApp(root);
     app = new Loaded(root, client, firstSteps);
   } catch (error) {
     client.dispose();

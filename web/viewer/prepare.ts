@@ -3,18 +3,19 @@
 import { prepareGeometry } from "./mannequin/geometry";
 import { askPage, graphics } from "./stage/graphics";
 import { QUALITY_LEVELS } from "./stage/quality";
-import { firstLevel, Screen } from "./stage/screen";
+import { firstLevel, type Place, Screen } from "./stage/screen";
 
 /**
  * Makes in steps what the first viewer needs: the mannequin's geometry at the quality that a viewer begins with, kept for all
- * viewers of the page, and the context and the renderer. Where the page gets no context, whatever a worker got, nothing draws.
+ * viewers of the page, and the context and the renderer for a picture of this size. Where the page gets no context, whatever a
+ * worker got, nothing draws.
  */
-export function* preparation(): Generator<undefined> {
+export function* preparation(place: Place): Generator<undefined> {
   if (graphics() === "none") return;
   yield* prepareGeometry(QUALITY_LEVELS[firstLevel()]!.detail);
   yield;
   try {
-    yield* Screen.prepare();
+    yield* Screen.prepare(place);
   } catch (error) {
     if (askPage() !== "none") throw error;
   }

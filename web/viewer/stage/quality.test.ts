@@ -40,6 +40,12 @@ describe("quality governor", () => {
     expect(governor.level).toBe(QUALITY_LEVELS.length - 1);
   });
 
+  it("decides nothing in the first seconds of a page that is loading", () => {
+    const governor = new QualityGovernor(0, { isLoading: true });
+    expect(draw(governor, 3, 10)).toBe(0);
+    expect(draw(governor, 2, 10)).toBe(1);
+  });
+
   it("asks less of the levels that slow machines end up with", () => {
     const governor = new QualityGovernor(2);
     draw(governor, 20, 30);

@@ -39,6 +39,8 @@ const STILL_FACTOR = 4;
 const FAST = 55;
 /** Length of one measurement, seconds. */
 const WINDOW = 0.5;
+/** Measurements that decide nothing where a page is loading: it draws slowly then, whatever the quality. */
+const WHILE_LOADING = 6;
 /** Slow measurements in a row that lower the quality; a single one may come from other work of the page. */
 const SLOW_TO_LOWER = 3;
 /** Fast measurements in a row that raise it, at first. */
@@ -72,6 +74,7 @@ export class QualityGovernor {
   onFps: ((fps: number) => void) | undefined;
   readonly #best: number;
   #level: number;
+  #undecided: number;
   #elapsed = 0;
   #frames = 0;
   #slow = 0;
@@ -80,9 +83,10 @@ export class QualityGovernor {
   #raised = false;
 
   /** Starts at a level, which is never exceeded; 0 is the best. */
-  constructor(best = 0) {
+  constructor(best = 0, { isLoading = false } = {}) {
     this.#best = best;
     this.#level = best;
+    this.#undecided = isLoading ? WHILE_LOADING : 0;
   }
 
   /** The level in force. */
@@ -109,6 +113,10 @@ export class QualityGovernor {
   }
 
   #judge(fps: number): boolean {
+    if (this.#undecided > 0) {
+      this.#undecided--;
+      return false;
+    }
     this.#slow = fps < QUALITY_LEVELS[this.#level]!.slowest ? this.#slow + 1 : 0;
     this.#fast = fps > FAST ? this.#fast + 1 : 0;
     if (this.#slow >= SLOW_TO_LOWER && this.#level < QUALITY_LEVELS.length - 1) {

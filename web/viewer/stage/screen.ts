@@ -49,6 +49,12 @@ export interface Drawn {
   alone: boolean;
 }
 
+/** Size of the place of a picture, CSS pixels. */
+export interface Place {
+  width: number;
+  height: number;
+}
+
 /** Options of a screen. */
 export interface ScreenOptions {
   /** Whether edges are smoothed by multisampling. */
@@ -64,6 +70,8 @@ export interface ScreenOptions {
   isShared?: boolean;
   /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
   level?: number | undefined;
+  /** Whether it is made while the page is loading. */
+  isLoading?: boolean;
 }
 
 /**
@@ -108,11 +116,11 @@ export class Screen {
     canvas = document.createElement("canvas"),
     context = contextOf(canvas, options),
   ) {
-    const { antialias, keepsMemory, level, isShared = false } = options;
+    const { antialias, keepsMemory, level, isShared = false, isLoading = false } = options;
     this.canvas = canvas;
     this.#isShared = isShared;
     this.#keepsMemory = keepsMemory;
-    this.governor = new QualityGovernor(level ?? firstLevel());
+    this.governor = new QualityGovernor(level ?? firstLevel(), { isLoading });
     this.renderer = new WebGLRenderer({ canvas, context, antialias, stencil: true });
     // three.js takes a context with alpha, as its own are, for a canvas that the page shows through.
     this.renderer.setClearAlpha(1);
@@ -144,9 +152,9 @@ export class Screen {
     return String(this.#gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : this.#gl.RENDERER) ?? "");
   }
 
-  /** Makes ahead what {@link own} gives to the first stage, in steps: making it takes long. */
-  static *prepare(): Generator<undefined> {
-    const options = Screen.#ownOptions(undefined);
+  /** Makes ahead what {@link own} gives to the first stage, in steps, for a picture of this size: making it takes long. */
+  static *prepare(place: Place): Generator<undefined> {
+    const options = { ...Screen.#ownOptions(undefined, place), isLoading: true };
     const canvas = document.createElement("canvas");
     const context = contextOf(canvas, options);
     yield;
@@ -160,13 +168,13 @@ export class Screen {
       Screen.#prepared = undefined;
       return prepared;
     }
-    return new Screen(Screen.#ownOptions(level));
+    return new Screen(Screen.#ownOptions(level, { width: innerWidth, height: innerHeight }));
   }
 
-  static #ownOptions(level: number | undefined): ScreenOptions {
+  static #ownOptions(level: number | undefined, { width, height }: Place): ScreenOptions {
     if (graphics() !== "software") return { antialias: true, keepsMemory: false, level };
-    const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, innerWidth * innerHeight, devicePixelRatio, true);
-    const size = { width: Math.ceil(innerWidth * ratio), height: Math.ceil(innerHeight * ratio) };
+    const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, width * height, devicePixelRatio, true);
+    const size = { width: Math.ceil(width * ratio), height: Math.ceil(height * ratio) };
     return { antialias: level === 0, keepsMemory: true, size, level };
   }
 

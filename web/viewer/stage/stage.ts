@@ -88,7 +88,7 @@ export class Stage implements Drawn {
     this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
     if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
     // Hidden until it has the size of the picture: what is seen must not move.
-    this.canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;touch-action:pan-y;visibility:hidden";
+    this.canvas.style.cssText = `${IN_THE_CORNER};touch-action:pan-y;visibility:hidden`;
     // It takes the arrow keys, which no picture does; its label says what is seen.
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-keyshortcuts", "ArrowLeft ArrowRight ArrowUp ArrowDown + -");
@@ -127,7 +127,7 @@ export class Stage implements Drawn {
     this.#alone = alone;
     const { canvas } = this.#screen;
     if (alone) {
-      canvas.style.cssText = "display:block;position:absolute;left:0;bottom:0;pointer-events:none";
+      canvas.style.cssText = `${IN_THE_CORNER};pointer-events:none`;
       this.#root.prepend(canvas);
       this.onInvalid?.();
     } else {
@@ -388,8 +388,10 @@ export class Stage implements Drawn {
     if (!this.#screen.fits(pixels.width, pixels.height)) this.#screen.resize(pixels.width, pixels.height);
     this.#pixels = pixels;
     if (this.#owns || this.#alone) {
-      canvas.style.width = `${(canvas.width * width) / pixels.width}px`;
-      canvas.style.height = `${(canvas.height * height) / pixels.height}px`;
+      canvas.style.width = `${width}px`;
+      canvas.style.height = `${height}px`;
+      // By a transform: for the browser another size would be a shift of the layout, though nothing moves.
+      canvas.style.transform = `scale(${canvas.width / pixels.width}, ${canvas.height / pixels.height})`;
     }
     if (this.#copy) this.#fitCopy(width, height, pixels);
     this.canvas.style.removeProperty("visibility");
@@ -407,6 +409,8 @@ export class Stage implements Drawn {
   }
 }
 
+/** Style of a canvas of which the lower left part is seen. */
+const IN_THE_CORNER = "display:block;position:absolute;left:0;bottom:0;transform-origin:0 100%";
 /** The view from behind: radians above the ground, metres away. */
 const BEHIND = { elevation: 0.3, distance: 6.4 };
 const GROUND = new Plane(new Vector3(0, 1, 0));
