@@ -160,6 +160,13 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
   it("Crowd: people walk", async () => {
     await goTo("Crowd", "crowd");
     await expect.poll(() => text(".crowd .stage-title")).toMatch(/people/);
+    // The drag of the task before has paused the page; the button works once there are people.
+    const plays = () => page.evaluate(() => window.strut.state.playing);
+    const play = async () => {
+      if (!(await plays())) await click(".crowd button.play");
+      return plays();
+    };
+    await expect.poll(play, { interval: 500 }).toBe(true);
     await expect.poll(() => text(".crowd-figures")).toMatch(/ms per tick.*ms per frame/);
     await picture("crowd");
   });
