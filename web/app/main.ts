@@ -43,9 +43,10 @@ function refuse(root: HTMLElement, sentence: string): void {
 async function loadApp(root: HTMLElement): Promise<typeof App> {
   const [viewer, detected] = await Promise.all([import("../viewer"), startGraphics()]);
   if (detected) viewer.setGraphics(detected);
-  // The page before there is a script has the stage in its place.
-  const { clientWidth: width, clientHeight: height } = root.querySelector(".stage") ?? root;
-  await inSlices(viewer.preparation({ width, height }));
+  // The page before there is a script has the stage in its place, or hides it where a link names another view.
+  const stage = root.querySelector(".stage");
+  const place = { width: stage?.clientWidth || innerWidth, height: stage?.clientHeight || innerHeight };
+  await inSlices(viewer.preparation(place));
   const { App } = await import("./shell/app");
   await otherTasks();
   return App;
