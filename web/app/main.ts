@@ -45,8 +45,8 @@ async function loadApp(root: HTMLElement): Promise<typeof App> {
   if (detected) viewer.setGraphics(detected);
   // The page before there is a script has the stage in its place, or hides it where a link names another view.
   const stage = root.querySelector(".stage");
-  const place = { width: stage?.clientWidth || innerWidth, height: stage?.clientHeight || innerHeight };
-  await inSlices(viewer.preparation(place));
+  const picture = { width: stage?.clientWidth || innerWidth, height: stage?.clientHeight || innerHeight };
+  await inSlices(viewer.preparation(picture));
   const { App } = await import("./shell/app");
   await otherTasks();
   return App;

@@ -49,8 +49,8 @@ export interface Drawn {
   alone: boolean;
 }
 
-/** Size of the place of a picture, CSS pixels. */
-export interface Place {
+/** Size of a picture. */
+export interface Size {
   width: number;
   height: number;
 }
@@ -65,7 +65,7 @@ export interface ScreenOptions {
    */
   keepsMemory: boolean;
   /** Pixels that have memory from the start. */
-  size?: { width: number; height: number };
+  size?: Size;
   /** Whether several stages may draw on it. */
   isShared?: boolean;
   /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
@@ -152,9 +152,9 @@ export class Screen {
     return String(this.#gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : this.#gl.RENDERER) ?? "");
   }
 
-  /** Makes ahead what {@link own} gives to the first stage, in steps, for a picture of this size: making it takes long. */
-  static *prepare(place: Place): Generator<undefined> {
-    const options = { ...Screen.#ownOptions(undefined, place), isLoading: true };
+  /** Makes ahead what {@link own} gives to the first stage, in steps, for a picture of this size in CSS pixels. */
+  static *prepare(picture: Size): Generator<undefined> {
+    const options = { ...Screen.#ownOptions(undefined, picture), isLoading: true };
     const canvas = document.createElement("canvas");
     const context = contextOf(canvas, options);
     yield;
@@ -171,7 +171,7 @@ export class Screen {
     return new Screen(Screen.#ownOptions(level, { width: innerWidth, height: innerHeight }));
   }
 
-  static #ownOptions(level: number | undefined, { width, height }: Place): ScreenOptions {
+  static #ownOptions(level: number | undefined, { width, height }: Size): ScreenOptions {
     if (graphics() !== "software") return { antialias: true, keepsMemory: false, level };
     const ratio = pixelRatio(QUALITY_LEVELS[SOFTWARE_LEVEL]!, width * height, devicePixelRatio, true);
     const size = { width: Math.ceil(width * ratio), height: Math.ceil(height * ratio) };

@@ -11,7 +11,7 @@ import { Labels } from "./labels";
 import { type CameraRange, type CameraView, OrbitCamera } from "./orbit_camera";
 import { onPixelRatio } from "./pixel_ratio";
 import { pixelRatio, QUALITY_LEVELS, type QualityLevel } from "./quality";
-import { type Drawn, Screen } from "./screen";
+import { type Drawn, Screen, type Size } from "./screen";
 import { ShadeMap } from "./shade_map";
 import { otherTasks } from "./tasks";
 
@@ -154,7 +154,7 @@ export class Stage implements Drawn {
   }
 
   /** Size of the picture in CSS pixels. */
-  get size(): Readonly<{ width: number; height: number }> {
+  get size(): Readonly<Size> {
     return this.#size;
   }
 
@@ -363,7 +363,7 @@ export class Stage implements Drawn {
   }
 
   /** Size that the picture should have in pixels of the canvas; nothing while it is hidden. */
-  #wanted(still: boolean): { width: number; height: number } {
+  #wanted(still: boolean): Size {
     const { clientWidth, clientHeight } = this.#root;
     const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, still);
     return { width: Math.floor(clientWidth * ratio), height: Math.floor(clientHeight * ratio) };
@@ -399,7 +399,7 @@ export class Stage implements Drawn {
   }
 
   /** Fits the canvas of the copy; it stays empty, and takes pointers and keys only, while the screen's own is shown. */
-  #fitCopy(width: number, height: number, pixels: { width: number; height: number }): void {
+  #fitCopy(width: number, height: number, pixels: Size): void {
     const { canvas } = this;
     const wanted = this.#alone ? { width: 1, height: 1 } : pixels;
     if (canvas.width !== wanted.width) canvas.width = wanted.width;
