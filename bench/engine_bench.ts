@@ -1,6 +1,7 @@
 /** The engine under a stop-watch. */
 import { batchFor, clockResolution, timed } from "./clock";
 import type { Database, Glue, Instance, Stylizer } from "./engines";
+import { evenStyles, measureMemory, STYLES } from "./memory";
 import { type EngineName, type Mode, type Report, summarise } from "./report";
 import { POSE_FLOATS, type Query, type Workload } from "./workload";
 
@@ -14,8 +15,7 @@ const FINE_CLOCK_MS = 0.001;
 /** Times a database is opened. */
 const OPENINGS = 3;
 
-/** Stage of a frame with this many target styles. */
-const STYLES = 3;
+/** Stage of a frame with several target styles. */
 const STYLED_FRAME = `frame, ${STYLES} styles`;
 
 /** Share of the largest weight from which on a class takes part. */
@@ -38,7 +38,6 @@ function setMode(stylizer: Stylizer, mode: Mode, query: Query): void {
 export class EngineBench {
   private readonly database: Database;
   private readonly classes: number;
-  private readonly styles: number;
   private readonly resolution = clockResolution();
   private readonly samples = new Map<Mode, Map<string, number[]>>();
 
@@ -64,8 +63,7 @@ export class EngineBench {
     };
     const first = open();
     this.classes = first.classes().length / 3;
-    this.styles = first.styles().length;
-    this.measureMemory(first, workload.queries[0]!);
+    report.memory.push(measureMemory(instance, engine, first, workload.queries));
     first.free();
     for (let i = 2; i < OPENINGS; i++) open().free();
     this.database = open();
@@ -96,7 +94,7 @@ export class EngineBench {
     };
     wholeFrames("frame", stylizerFor(glue, this.database, mode, query));
     const styled = stylizerFor(glue, this.database, mode, query);
-    this.setStyles(styled);
+    styled.setStyles(evenStyles(this.database));
     wholeFrames(STYLED_FRAME, styled);
 
     const staged = stylizerFor(glue, this.database, mode, query);
@@ -129,25 +127,6 @@ export class EngineBench {
   finish(): void {
     for (const [mode, samples] of this.samples) for (const [stage, times] of samples) this.add(stage, mode, times);
     this.database.free();
-  }
-
-  /** Memory with one and with more target styles in use; it never shrinks, so this comes first. */
-  private measureMemory(database: Database, query: Query): void {
-    const { glue, memory } = this.instance;
-    const megabytes = () => memory().buffer.byteLength / 1e6;
-    const open_mb = megabytes();
-    const stylizer = new glue.Stylizer(database);
-    const style = () => stylizer.push(query.poses.subarray(0, WARM_UP * POSE_FLOATS));
-    style();
-    const one_style_mb = megabytes();
-    this.setStyles(stylizer);
-    style();
-    this.report.memory.push({ engine: this.engine, open_mb, one_style_mb, three_styles_mb: megabytes() });
-    stylizer.free();
-  }
-
-  private setStyles(stylizer: Stylizer): void {
-    stylizer.setStyles(Float32Array.from({ length: this.styles }, (_, style) => (style < STYLES ? 1 / STYLES : 0)));
   }
 
   private add(stage: string, mode: Mode, samples: number[]): void {

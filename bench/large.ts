@@ -2,7 +2,9 @@
 import { timed } from "./clock";
 import { stylizerFor, WARM_UP } from "./engine_bench";
 import type { Database, Instance } from "./engines";
+import { evenStyles, type Memory, measureMemory } from "./memory";
 import { type Mode, summarise } from "./report";
+import { aligned, memoryTable } from "./table";
 import { makeWorkload, POSE_FLOATS, type Query } from "./workload";
 
 /** Frames of the database that is measured on. */
@@ -11,7 +13,6 @@ export const LARGE_FRAMES = 1_000_000;
 const FEW_FRAMES = 4800;
 /** Times that the file is opened. */
 const OPENINGS = 3;
-const STYLES = 3;
 
 /** What was measured. */
 export interface LargeReport {
@@ -20,18 +21,16 @@ export interface LargeReport {
   /** Median, and the longest, which is the first. */
   open_ms: number;
   first_open_ms: number;
-  /** Linear memory with the database open, with a stylizer, and with one of three styles. */
-  open_mb: number;
-  one_style_mb: number;
-  three_styles_mb: number;
-  /** How long the first frames took, for which the targets of a style are made. */
-  style_ms: number;
+  memory: Memory;
+  /** How long the first {@link WARM_UP} frames took, most of whose targets are computed then. */
+  first_frames_ms: number;
   /** A frame's times by what is known of the input. */
   frame: Record<"labelled" | "unlabelled" | "unlabelled, 3 styles", { median_ms: number; p95_ms: number }>;
 }
 
 /** Measures on a `.strutdb` file of procedural motion. */
-export function measureLarge({ glue, memory, restart }: Instance, bytes: Uint8Array): LargeReport {
+export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport {
+  const { glue, restart } = instance;
   const { queries } = makeWorkload(glue, { frames: FEW_FRAMES });
   const openings: number[] = [];
   let database: Database | undefined;
@@ -44,19 +43,11 @@ export function measureLarge({ glue, memory, restart }: Instance, bytes: Uint8Ar
       }),
     );
   }
-  const megabytes = () => memory().buffer.byteLength / 1e6;
-  const open_mb = megabytes();
   const opened = database!;
-  const stylizer = new glue.Stylizer(opened);
-  const poses = queries[0]!.poses.subarray(0, WARM_UP * POSE_FLOATS);
-  // The targets of a style are made when it is first in use.
-  const style_ms = timed(() => stylizer.push(poses));
-  const one_style_mb = megabytes();
-  const thirds = Float32Array.from(opened.styles(), (_, style) => (style < STYLES ? 1 / STYLES : 0));
-  stylizer.setStyles(thirds);
-  stylizer.push(poses);
-  const three_styles_mb = megabytes();
-  stylizer.free();
+  const first = stylizerFor(glue, opened, "unlabelled", queries[0]!);
+  const first_frames_ms = timed(() => first.push(queries[0]!.poses.subarray(0, WARM_UP * POSE_FLOATS)));
+  first.free();
+  const memory = measureMemory(instance, "wasm-simd", opened, queries);
 
   const framesOf = (mode: Mode, styles?: Float32Array) => summarise(queries.flatMap((q) => timesOf(mode, q, styles)));
   const timesOf = (mode: Mode, query: Query, styles: Float32Array | undefined) => {
@@ -73,14 +64,12 @@ export function measureLarge({ glue, memory, restart }: Instance, bytes: Uint8Ar
     file_mb: bytes.byteLength / 1e6,
     open_ms: sorted[OPENINGS >> 1]!,
     first_open_ms: openings[0]!,
-    open_mb,
-    one_style_mb,
-    three_styles_mb,
-    style_ms,
+    first_frames_ms,
+    memory,
     frame: {
       labelled: framesOf("labelled"),
       unlabelled: framesOf("unlabelled"),
-      "unlabelled, 3 styles": framesOf("unlabelled", thirds),
+      "unlabelled, 3 styles": framesOf("unlabelled", evenStyles(opened)),
     },
   };
   opened.free();
@@ -89,13 +78,13 @@ export function measureLarge({ glue, memory, restart }: Instance, bytes: Uint8Ar
 
 /** The report as lines. */
 export function largeLines(report: LargeReport): string {
-  const { frames, file_mb, open_ms, first_open_ms, open_mb, one_style_mb, three_styles_mb, style_ms } = report;
+  const { frames, file_mb, open_ms, first_open_ms, first_frames_ms, memory } = report;
   const mb = (megabytes: number) => `${megabytes.toFixed(0)} MB`;
   const ms = (milliseconds: number) => `${milliseconds.toFixed(milliseconds < 10 ? 3 : 0)} ms`;
   return [
     `${frames} frames, ${mb(file_mb)} on disk`,
-    `open       ${ms(open_ms)} (first ${ms(first_open_ms)}), a style's targets ${ms(style_ms)}`,
-    `memory     ${mb(open_mb)} open, ${mb(one_style_mb)} with one style, ${mb(three_styles_mb)} with three`,
+    `open       ${ms(open_ms)} (first ${ms(first_open_ms)}), the first ${WARM_UP} frames ${ms(first_frames_ms)}`,
+    aligned(memoryTable([memory])),
     ...Object.entries(report.frame).map(
       ([mode, times]) => `frame      ${ms(times.median_ms)}, 95 % within ${ms(times.p95_ms)}, ${mode}`,
     ),

@@ -1,4 +1,5 @@
 /** What a run of the benchmark finds, as `--json` writes it. */
+import type { Memory } from "./memory";
 
 /** What the engine is told of the input, and how many classes take part (as in `strut bench`). */
 export const MODES = ["labelled", "unlabelled", "all"] as const;
@@ -36,14 +37,6 @@ export interface Agreement {
   largest_duration_difference_ms: number;
   /** Largest difference of the likelihood that a foot is planted. */
   largest_contact_difference: number;
-}
-
-/** Megabytes of WASM memory with the database open, and with so many styles in use. */
-export interface Memory {
-  engine: EngineName;
-  open_mb: number;
-  one_style_mb: number;
-  three_styles_mb: number;
 }
 
 /** The exhaustive search by a graphics processor beside the engine's, as `strut bench --gpu` writes it, too. */

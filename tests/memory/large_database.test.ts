@@ -111,10 +111,10 @@ function fill(left: number): void {
     while (memory.buffer.byteLength + size + BYTES_OF_PAGE <= ADDRESSABLE - left) allocate(size - 64, 8);
 }
 
-/** Takes all of it, what was given back before as well. */
+/** Takes all of it, what was given back before as well, but for pieces too small for the targets of 16 rows. */
 function exhaust(): void {
   const { __wbindgen_malloc: allocate } = instance();
-  for (let size = 2 ** 29; size >= BYTES_OF_PAGE; size /= 2) {
+  for (let size = 2 ** 29; size >= 2 ** 11; size /= 2) {
     try {
       for (;;) allocate(size - 64, 8);
     } catch {

@@ -17,7 +17,7 @@ pub(crate) struct Pairs<'a> {
     /// Index of the style.
     pub(crate) style: u16,
     /// How long each y lasts, seconds.
-    step_secs: &'a [f32],
+    step_secs: Vec<f32>,
     /// Rows that follow each other in time: one range a clip, of two rows at least.
     pub(crate) segments: Vec<Range<usize>>,
 }
@@ -25,11 +25,11 @@ pub(crate) struct Pairs<'a> {
 impl<'a> Pairs<'a> {
     /// The pairs of some classes. Classes without the style are left out, unless that leaves none: their
     /// targets are their own rows.
-    pub(crate) fn new(catalogue: &'a Catalogue, targets: &'a TargetTable, classes: &[usize]) -> Self {
-        let any = classes.iter().any(|&c| targets.class_has_target[c]);
+    pub(crate) fn new(catalogue: &'a Catalogue, targets: &TargetTable, classes: &[usize]) -> Self {
+        let any = classes.iter().any(|&c| targets.class_has_target(c));
         let segments = classes
             .iter()
-            .filter(|&&c| targets.class_has_target[c] || !any)
+            .filter(|&&c| targets.class_has_target(c) || !any)
             .flat_map(|&c| catalogue.clips[catalogue.classes()[c].clips.clone()].iter())
             .map(crate::database::Clip::rows)
             .filter(|rows| rows.len() >= 2)
@@ -37,9 +37,9 @@ impl<'a> Pairs<'a> {
         Self {
             catalogue,
             inputs: catalogue.rows().to_vec(),
-            targets: targets.pose.to_vec(),
-            style: targets.style,
-            step_secs: &targets.step_secs,
+            targets: (0..catalogue.frames()).map(|row| targets.pose(row)).collect(),
+            style: targets.style(),
+            step_secs: (0..catalogue.frames()).map(|row| targets.step_secs(row)).collect(),
             segments,
         }
     }

@@ -2,6 +2,7 @@
 
 use super::quantised::QuantisedRows;
 use super::runtime::Catalogue;
+use super::target_table::TargetTable;
 use crate::database::Clip;
 use crate::search::Index;
 
@@ -59,8 +60,8 @@ impl CatalogueSize {
             .fold(QuantisedRows::bytes(self.frames), u64::saturating_add)
     }
 
-    /// Bytes of the [table of targets](super::TargetTable) of a style.
+    /// Bytes of the [table of targets](super::TargetTable) of a style once every target has been read.
     pub fn table_bytes(&self) -> u64 {
-        QuantisedRows::bytes(self.frames).saturating_add(self.frames.saturating_mul(4 + 4))
+        TargetTable::bytes(self.frames)
     }
 }

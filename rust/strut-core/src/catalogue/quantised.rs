@@ -25,40 +25,31 @@ impl Rows for [PoseRow] {
     }
 }
 
-/// Rows, quantised.
+/// A row as integers.
+pub(super) type Steps = [i16; ROW];
+
+/// The integers of values within a range.
 #[derive(Clone, Debug)]
-pub struct QuantisedRows {
+pub(super) struct Quantiser {
     middle: PoseRow,
     step: PoseRow,
     /// The step; infinite where it is zero.
     divisor: PoseRow,
-    /// In parts of [`PART`] rows, the last of which may hold fewer.
-    parts: Vec<Vec<[i16; ROW]>>,
 }
 
-/// Rows of a part: small enough that parts find room where larger data have been freed.
-const PART: usize = 4096;
-
-impl QuantisedRows {
-    /// Room for `capacity` rows between the least and the greatest values of `range`.
-    pub(super) fn with_range([least, greatest]: &[PoseRow; 2], capacity: usize) -> Self {
+impl Quantiser {
+    /// For values between the least and the greatest of `range`.
+    pub(super) fn new([least, greatest]: &[PoseRow; 2]) -> Self {
         let step: PoseRow = std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX)));
         Self {
             middle: std::array::from_fn(|d| 0.5 * (least[d] + greatest[d])),
             divisor: step.map(|step| if step > 0.0 { step } else { f32::INFINITY }),
             step,
-            parts: Vec::with_capacity(capacity.div_ceil(PART)),
         }
     }
 
-    /// Bytes of so many rows.
-    pub(super) fn bytes(rows: u64) -> u64 {
-        let part = PART as u64;
-        rows.div_ceil(part).saturating_mul(part * size_of::<[i16; ROW]>() as u64)
-    }
-
     #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
-    pub(super) fn push(&mut self, row: &PoseRow) {
+    pub(super) fn quantised(&self, row: &PoseRow) -> Steps {
         let mut steps = [0; ROW];
         for (l, four) in steps.chunks_exact_mut(WIDTH).enumerate() {
             let exact = (Lane::of(row, l) - Lane::of(&self.middle, l)) / Lane::of(&self.divisor, l);
@@ -69,6 +60,46 @@ impl QuantisedRows {
                 *steps = ((limited + 65_536.5) as i32 - 65_536) as i16;
             }
         }
+        steps
+    }
+
+    /// The row of these integers.
+    pub(super) fn row(&self, steps: &Steps) -> PoseRow {
+        std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
+    }
+
+    /// The numbers 4 `l` … of the row of these integers.
+    #[inline]
+    pub(super) fn lane(&self, steps: &Steps, l: usize) -> Lane {
+        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(steps, l)
+    }
+}
+
+/// Rows, quantised.
+#[derive(Clone, Debug)]
+pub struct QuantisedRows {
+    quantiser: Quantiser,
+    /// In parts of [`PART`] rows, the last of which may hold fewer.
+    parts: Vec<Vec<Steps>>,
+}
+
+/// Rows of a part: small enough that parts find room where larger data have been freed.
+const PART: usize = 4096;
+
+impl QuantisedRows {
+    /// Room for `capacity` rows between the least and the greatest values of `range`.
+    pub(super) fn with_range(range: &[PoseRow; 2], capacity: usize) -> Self {
+        Self { quantiser: Quantiser::new(range), parts: Vec::with_capacity(capacity.div_ceil(PART)) }
+    }
+
+    /// Bytes of so many rows.
+    pub(super) fn bytes(rows: u64) -> u64 {
+        let part = PART as u64;
+        rows.div_ceil(part).saturating_mul(part * size_of::<Steps>() as u64)
+    }
+
+    pub(super) fn push(&mut self, row: &PoseRow) {
+        let steps = self.quantiser.quantised(row);
         match self.parts.last_mut() {
             Some(part) if part.len() < PART => part.push(steps),
             _ => {
@@ -79,23 +110,22 @@ impl QuantisedRows {
         }
     }
 
+    /// What makes integers of rows in the same range.
+    pub(super) fn quantiser(&self) -> &Quantiser {
+        &self.quantiser
+    }
+
     /// A row.
     ///
     /// # Panics
     /// If there is no such row.
     pub fn get(&self, row: usize) -> PoseRow {
-        let steps = self.steps(row);
-        std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
+        self.quantiser.row(self.steps(row))
     }
 
     #[inline]
-    fn steps(&self, row: usize) -> &[i16; ROW] {
+    fn steps(&self, row: usize) -> &Steps {
         &self.parts[row / PART][row % PART]
-    }
-
-    #[inline]
-    fn dequantised(&self, steps: &[i16; ROW], l: usize) -> Lane {
-        Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(steps, l)
     }
 
     /// All rows.
@@ -108,14 +138,14 @@ impl QuantisedRows {
 impl Rows for QuantisedRows {
     #[inline]
     fn lane(&self, row: usize, l: usize) -> Lane {
-        self.dequantised(self.steps(row), l)
+        self.quantiser.lane(self.steps(row), l)
     }
 
     #[inline]
     fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
         // Whether the rows exist is checked once for all lanes.
         let [before, at] = [row - 1, row].map(|row| self.steps(row));
-        move |l| [before, at].map(|steps| self.dequantised(steps, l))
+        move |l| [before, at].map(|steps| self.quantiser.lane(steps, l))
     }
 }
 

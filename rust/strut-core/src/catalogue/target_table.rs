@@ -1,73 +1,87 @@
 //! The target of every row of a catalogue in one style.
 
-use super::quantised::QuantisedRows;
+use super::quantised::{Quantiser, Rows, Steps};
 use super::runtime::Catalogue;
+use crate::math::lanes::Lane;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::registration::MAX_COUNTERPARTS;
+use std::sync::{Arc, OnceLock};
 
 /// A counterpart that moves so many rows or more from one frame to the next does not go on: another cycle takes over.
 const JUMP_ROWS: f32 = 4.0;
 
+/// Rows whose targets are computed together. What moves alike is near for a part of a cycle only: with 64 rows, a clip of a
+/// walk needs twice the memory.
+const PART: usize = 16;
+
 /// The registered target of every row in one style: the mean of the poses and contacts at the row's counterparts, and how
-/// long they take for it (`docs/methods/mar.md` §4).
-#[derive(Clone, Debug)]
+/// long they take for it (`docs/methods/mar.md` §4). Targets are computed when they are first read, and kept: most motions
+/// are near a small part of a database.
+#[derive(Debug)]
 pub struct TargetTable {
-    /// Index of the style.
-    pub style: u16,
-    /// Target poses; the row itself where the style has no counterpart.
-    pub pose: QuantisedRows,
-    /// Seconds that the target style takes for the row's input step of one frame: the mean time that the row's
-    /// counterparts advance, or where none goes on, the quotient of their mean duration and the row's own.
-    pub step_secs: Vec<f32>,
-    /// Share of the counterparts whose left and right foot is planted, in 65,535ths.
-    contact: Vec<[u16; 2]>,
-    /// For each class whether its rows have counterparts in this style.
-    pub class_has_target: Vec<bool>,
+    catalogue: Arc<Catalogue>,
+    style: u16,
+    parts: Vec<OnceLock<Box<[Target]>>>,
+}
+
+/// The target of a row.
+#[derive(Clone, Debug)]
+struct Target {
+    pose: Steps,
+    step_secs: f32,
+    /// In 65,535ths.
+    contact: [u16; 2],
 }
 
 impl TargetTable {
-    /// The table of a style. Takes tens of milliseconds for 80,000 rows.
+    /// The table of a style.
     ///
     /// # Panics
     /// If `style` is not one of the catalogue's.
-    pub fn build(of: &Catalogue, style: u16) -> Self {
-        assert!(usize::from(style) < of.styles.len(), "style {style} of {}", of.styles.len());
-        let n = of.frames();
-        let frame_secs = 1.0 / of.rate_hz;
-        let mut table = Self {
-            style,
-            // A mean of rows is within their range.
-            pose: QuantisedRows::with_range(of.observed_range(), n),
-            step_secs: Vec::with_capacity(n),
-            contact: Vec::with_capacity(n),
-            class_has_target: vec![false; of.classes().len()],
-        };
-        for (class, has_target) in of.classes().iter().zip(&mut table.class_has_target) {
-            for clip in &of.clips[class.clips.clone()] {
-                let rows = clip.rows();
-                let slots = |row: usize| rows.contains(&row).then(|| slots_of(of, row, style));
-                for row in rows.clone() {
-                    let mut mean = Mean::default();
-                    for at in of.counterparts(row, style) {
-                        mean.add(of, at);
-                    }
-                    if mean.count > 0.0 {
-                        *has_target = true;
-                        let k = 1.0 / mean.count;
-                        table.pose.push(&mean.pose.map(|v| v * k));
-                        let around = [row.checked_sub(1).and_then(slots), slots(row), slots(row + 1)];
-                        let quotient = || mean.time_step * k / of.time_step(row);
-                        table.step_secs.push(frame_secs * mean_advance(around).unwrap_or_else(quotient));
-                        table.contact.push(mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16));
-                    } else {
-                        table.pose.push(&of.rows().get(row));
-                        table.step_secs.push(frame_secs);
-                        table.contact.push(of.contact(row).map(|planted| u16::from(planted) * u16::MAX));
-                    }
-                }
-            }
-        }
-        table
+    pub fn new(catalogue: Arc<Catalogue>, style: u16) -> Self {
+        assert!(usize::from(style) < catalogue.styles.len(), "style {style} of {}", catalogue.styles.len());
+        Self { style, parts: vec![OnceLock::new(); catalogue.frames().div_ceil(PART)], catalogue }
+    }
+
+    /// Bytes of the table of so many rows once every target has been read.
+    pub(super) fn bytes(rows: u64) -> u64 {
+        // What an allocation takes beside its content.
+        let part = size_of::<OnceLock<Box<[Target]>>>() as u64 + 16;
+        let targets = rows.saturating_mul(size_of::<Target>() as u64);
+        targets.saturating_add(rows.div_ceil(PART as u64).saturating_mul(part))
+    }
+
+    /// Index of the style.
+    pub fn style(&self) -> u16 {
+        self.style
+    }
+
+    /// Whether rows of a class have counterparts in this style.
+    ///
+    /// # Panics
+    /// If there is no such class.
+    #[cfg(feature = "baselines")]
+    pub(crate) fn class_has_target(&self, class: usize) -> bool {
+        let mut rows = self.catalogue.classes()[class].rows.clone();
+        rows.any(|row| self.catalogue.counterparts(row, self.style).next().is_some())
+    }
+
+    /// Target pose of a row; the row itself where the style has no counterpart.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn pose(&self, row: usize) -> PoseRow {
+        self.quantiser().row(&self.target(row).pose)
+    }
+
+    /// Seconds that the target style takes for a row's input step of one frame: the mean time that the row's counterparts
+    /// advance, or where none goes on, the quotient of their mean duration and the row's own.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    #[inline]
+    pub fn step_secs(&self, row: usize) -> f32 {
+        self.target(row).step_secs
     }
 
     /// Share of a row's counterparts whose left and right foot is planted.
@@ -75,7 +89,65 @@ impl TargetTable {
     /// # Panics
     /// If there is no such row.
     pub fn contact(&self, row: usize) -> [f32; 2] {
-        self.contact[row].map(|share| f32::from(share) / f32::from(u16::MAX))
+        self.target(row).contact.map(|share| f32::from(share) / f32::from(u16::MAX))
+    }
+
+    /// A mean of rows is within their range.
+    #[inline]
+    fn quantiser(&self) -> &Quantiser {
+        self.catalogue.rows().quantiser()
+    }
+
+    #[inline]
+    fn target(&self, row: usize) -> &Target {
+        &self.parts[row / PART].get_or_init(|| self.compute_part(row / PART))[row % PART]
+    }
+
+    #[inline(never)]
+    fn compute_part(&self, part: usize) -> Box<[Target]> {
+        let rows = part * PART..self.catalogue.frames().min((part + 1) * PART);
+        rows.map(|row| self.compute(row)).collect()
+    }
+
+    fn compute(&self, row: usize) -> Target {
+        let of = &*self.catalogue;
+        let frame_secs = 1.0 / of.rate_hz;
+        let mut mean = Mean::default();
+        for at in of.counterparts(row, self.style) {
+            mean.add(of, at);
+        }
+        if mean.count == 0.0 {
+            return Target {
+                pose: self.quantiser().quantised(&of.rows().get(row)),
+                step_secs: frame_secs,
+                contact: of.contact(row).map(|planted| u16::from(planted) * u16::MAX),
+            };
+        }
+        let k = 1.0 / mean.count;
+        let of_clip = of.clips[of.clip_of_row(row)].rows();
+        let slots = |row: usize| of_clip.contains(&row).then(|| slots_of(of, row, self.style));
+        let around = [row.checked_sub(1).and_then(slots), slots(row), slots(row + 1)];
+        let quotient = || mean.time_step * k / of.time_step(row);
+        Target {
+            pose: self.quantiser().quantised(&mean.pose.map(|v| v * k)),
+            step_secs: frame_secs * mean_advance(around).unwrap_or_else(quotient),
+            contact: mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16),
+        }
+    }
+}
+
+impl Rows for TargetTable {
+    #[inline]
+    fn lane(&self, row: usize, l: usize) -> Lane {
+        self.quantiser().lane(&self.target(row).pose, l)
+    }
+
+    #[inline]
+    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
+        // Each target is looked up once for all lanes.
+        let [before, at] = [row - 1, row].map(|row| &self.target(row).pose);
+        let quantiser = self.quantiser();
+        move |l| [before, at].map(|steps| quantiser.lane(steps, l))
     }
 }
 

@@ -58,7 +58,7 @@ impl Examples {
             let mut sum = [0.0; ROW];
             let styles = 0..model.catalogue().styles.len();
             for (style, blend) in styles.filter_map(|style| Some((style, blend.filter(|b| b.is_active(style))?))) {
-                let target = model.target_table(style).pose.get(example.row as usize);
+                let target = model.target_table(style).pose(example.row as usize);
                 for d in 0..DOFS {
                     sum[d] += blend.weight(parts[d], style) * target[d];
                 }

@@ -67,7 +67,7 @@ impl StylePrediction {
             return Some(trained.predict(input, &self.previous));
         }
         trained.start(model, neighbours.first().map(|n| n.row as usize));
-        let start = interpolate(|row| self.table.pose.get(row - 1), neighbours);
+        let start = interpolate(|row| self.table.pose(row - 1), neighbours);
         Some(trained.predict(input, &start))
     }
 }
@@ -265,12 +265,12 @@ impl Mixture {
                 let row = if let Some(row) = s.trained_row(model, input, neighbours) {
                     row
                 } else if let Some(moments) = &moments {
-                    let targets = &s.table.pose;
+                    let targets = &*s.table;
                     // A style that begins has no previous output: the neighbours' mean takes its place.
                     let start = if s.started {
                         s.previous
                     } else {
-                        bias.put_on(interpolate(|row| targets.get(row - 1), neighbours))
+                        bias.put_on(interpolate(|row| targets.pose(row - 1), neighbours))
                     };
                     self.targets.fill(targets, neighbours, weights);
                     let samples = Samples { inputs: &self.inputs, targets: &self.targets, weights };
@@ -281,7 +281,7 @@ impl Mixture {
                     output
                 } else {
                     let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
-                    interpolate(|row| s.table.pose.get(row), &neighbours[..nearest])
+                    interpolate(|row| s.table.pose(row), &neighbours[..nearest])
                 };
                 s.now.row.iter_mut().zip(&row).for_each(|(sum, v)| *sum += weight * v);
             }
@@ -323,8 +323,8 @@ impl Mixture {
             for s in styles.iter_mut() {
                 let table = &*s.table;
                 let now = Moment { pose: &s.now.row, previous: if s.started { &s.previous } else { &s.now.row } };
-                model.scales().squared_distances(now, &table.pose, neighbours, of_outputs);
-                let secs = duration(of_inputs, of_outputs, neighbours, weights, &table.step_secs);
+                model.scales().squared_distances(now, table, neighbours, of_outputs);
+                let secs = duration(of_inputs, of_outputs, neighbours, weights, |row| table.step_secs(row));
                 s.now.step_secs += weight * secs.unwrap_or(frame_secs);
                 let contact: [f32; 2] = interpolate(|row| table.contact(row), neighbours);
                 s.now.contact.iter_mut().zip(contact).for_each(|(sum, c)| *sum += weight * c);

@@ -8,10 +8,10 @@ use crate::search::Index;
 use std::sync::Arc;
 
 /// A catalogue with the target tables of the styles in use. Share it in an [`Arc`] between the characters of a scene: a
-/// table is 12 MB for 80,000 frames.
+/// table is up to 12 MB for 80,000 frames.
 #[derive(Debug)]
 pub struct Model {
-    catalogue: Catalogue,
+    catalogue: Arc<Catalogue>,
     tables: TargetTables,
     scales: Scales,
     #[cfg(feature = "baselines")]
@@ -31,7 +31,7 @@ impl Model {
             tables: TargetTables::default(),
             #[cfg(feature = "baselines")]
             baselines: crate::baselines::Baselines::default(),
-            catalogue,
+            catalogue: Arc::new(catalogue),
         }
     }
 
@@ -50,7 +50,7 @@ impl Model {
         self.catalogue.index()
     }
 
-    /// The target of every row in a style. It is built when the style is first used, and kept while anybody has it, or
+    /// The target of every row in a style. The table is made when the style is first used, and kept while anybody has it, or
     /// longer: where tables are small, all are kept.
     ///
     /// # Panics

@@ -64,7 +64,7 @@ impl Stylizer {
     }
 
     /// Sets one weight a style of the database for the whole body; the remainder to a sum of 1 belongs to
-    /// the neutral style. Builds the target table of a style that is new (tens of milliseconds).
+    /// the neutral style.
     ///
     /// # Errors
     /// If there is not one finite weight a style; the former weights then stay.

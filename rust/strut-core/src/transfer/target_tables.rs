@@ -13,19 +13,19 @@ pub(super) struct TargetTables {
 }
 
 impl TargetTables {
-    /// The table of a style, which is built unless it is here. Before, of those that nobody uses the ones that have not been
+    /// The table of a style, which is made unless it is here. Before, of those that nobody uses the ones that have not been
     /// used longest are dropped until those left, but for one, take [`IDLE_BYTES`] at most.
     ///
     /// # Panics
     /// If there is no such style.
-    pub(super) fn of(&self, catalogue: &Catalogue, style: u16) -> Arc<TargetTable> {
+    pub(super) fn of(&self, catalogue: &Arc<Catalogue>, style: u16) -> Arc<TargetTable> {
         let mut tables = self.tables.lock().unwrap_or_else(PoisonError::into_inner);
-        let table = if let Some(at) = tables.iter().position(|table| table.style == style) {
+        let table = if let Some(at) = tables.iter().position(|table| table.style() == style) {
             tables.remove(at)
         } else {
             let most = (IDLE_BYTES / CatalogueSize::of(catalogue).table_bytes().max(1)).max(1) as usize;
             drop_idle(&mut tables, most);
-            Arc::new(TargetTable::build(catalogue, style))
+            Arc::new(TargetTable::new(Arc::clone(catalogue), style))
         };
         tables.push(Arc::clone(&table));
         table
@@ -50,27 +50,26 @@ mod tests {
 
     #[test]
     fn the_longest_idle_tables_are_dropped_first_and_those_in_use_never() {
-        let catalogue = Catalogue::new(database());
-        let table = |style| {
-            let mut table = TargetTable::build(&catalogue, 0);
-            table.style = style;
-            Arc::new(table)
-        };
-        let mut tables: Vec<_> = (0..5).map(table).collect();
+        let catalogue = Arc::new(Catalogue::new(database()));
+        let mut tables: Vec<_> =
+            [0, 1, 0, 1, 0].map(|style| Arc::new(TargetTable::new(Arc::clone(&catalogue), style))).into();
+        let all: Vec<_> = tables.iter().map(Arc::as_ptr).collect();
         let used = Arc::clone(&tables[0]);
-        let styles = |tables: &[Arc<TargetTable>]| tables.iter().map(|table| table.style).collect::<Vec<_>>();
+        let kept = |tables: &[Arc<TargetTable>]| {
+            (0..5).filter(|&i| tables.iter().any(|table| Arc::as_ptr(table) == all[i])).collect::<Vec<_>>()
+        };
         drop_idle(&mut tables, 4);
-        assert_eq!(styles(&tables), [0, 1, 2, 3, 4]);
+        assert_eq!(kept(&tables), [0, 1, 2, 3, 4]);
         drop_idle(&mut tables, 1);
-        assert_eq!(styles(&tables), [0, 4]);
+        assert_eq!(kept(&tables), [0, 4]);
         drop(used);
         drop_idle(&mut tables, 0);
-        assert_eq!(styles(&tables), [0; 0]);
+        assert!(tables.is_empty());
     }
 
     #[test]
-    fn a_table_is_built_once() {
-        let (tables, catalogue) = (TargetTables::default(), Catalogue::new(database()));
+    fn a_table_is_made_once() {
+        let (tables, catalogue) = (TargetTables::default(), Arc::new(Catalogue::new(database())));
         let [first, other, again] = [1, 0, 1].map(|style| tables.of(&catalogue, style));
         assert!(Arc::ptr_eq(&first, &again) && !Arc::ptr_eq(&first, &other));
     }

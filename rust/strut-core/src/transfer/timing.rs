@@ -109,14 +109,14 @@ pub(super) fn duration(
     of_outputs: &[f32],
     neighbours: &[Neighbour],
     weights: &[f32],
-    step_secs: &[f32],
+    step_secs: impl Fn(usize) -> f32,
 ) -> Option<f32> {
     let kernel = Kernel::new(of_inputs, of_outputs);
     let squares = of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
     let (mut sum, mut total) = (0.0, 0.0);
     for ((n, square), &weight) in neighbours.iter().zip(squares).zip(weights) {
         let w = weight * kernel.weight(square);
-        sum += w * step_secs[n.row as usize];
+        sum += w * step_secs(n.row as usize);
         total += w;
     }
     (total > 0.0).then(|| sum / total)
@@ -136,7 +136,7 @@ mod tests {
         let mut distances = Vec::new();
         let scales = Scales::new(&[1.0; ROW], &[1.0; ROW]);
         scales.squared_distances(Moment { pose: &x, previous: &x0 }, &rows[..], &list, &mut distances);
-        duration(&distances, &distances, &list, &[1.0; 9], &secs).unwrap()
+        duration(&distances, &distances, &list, &[1.0; 9], |row| secs[row]).unwrap()
     }
 
     #[test]
@@ -154,6 +154,6 @@ mod tests {
 
     #[test]
     fn there_is_none_without_neighbours() {
-        assert_eq!(duration(&[], &[], &[], &[], &[]), None);
+        assert_eq!(duration(&[], &[], &[], &[], |_| 1.0), None);
     }
 }

@@ -4,6 +4,7 @@
 //! No index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
 #![allow(clippy::needless_range_loop)] // The loops of the formulas.
 
+use std::sync::Arc;
 use strut_core::autoregression::MAX_FEEDBACK;
 use strut_core::catalogue::{Catalogue, TargetTable};
 use strut_core::database::Database;
@@ -101,9 +102,10 @@ impl Naive {
             windows[db.class_of_row(clip.first_frame)].push(row as u32);
         }
         let nearest = vec![Vec::new(); windows.len()];
-        let table = TargetTable::build(&Catalogue::new(db.clone()), style);
-        let targets = (0..db.frames()).map(|row| table.pose.get(row)).collect();
-        let (step_secs, step_sigma, weights) = (table.step_secs, step_deviation(&db), Vec::new());
+        let table = TargetTable::new(Arc::new(Catalogue::new(db.clone())), style);
+        let targets = (0..db.frames()).map(|row| table.pose(row)).collect();
+        let step_secs = (0..db.frames()).map(|row| table.step_secs(row)).collect();
+        let (step_sigma, weights) = (step_deviation(&db), Vec::new());
         Ok(Self { db, targets, step_secs, step_sigma, points, norms, windows, nearest, weights })
     }
 

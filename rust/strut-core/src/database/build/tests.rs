@@ -7,6 +7,7 @@ use crate::math::float_funcs::{cos, sin};
 use crate::parallel::{ParallelMap, Sequential};
 use crate::registration;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 fn clip(action: &str, style: &str, take: u32, motion: HumanoidMotion) -> SourceClip {
     SourceClip {
@@ -95,16 +96,16 @@ fn a_style_added_later_has_nearly_the_counterparts_that_a_build_gives_it() {
     // What every row becomes in the new style, and what the new style's rows become in every other.
     let style = found.style_index("weary").unwrap();
     let new_rows = found.clips[found.clips.len() - 1].rows();
-    let catalogues = [found, &whole].map(|db| Catalogue::new(db.clone()));
+    let catalogues = [found, &whole].map(|db| Arc::new(Catalogue::new(db.clone())));
     for to in 0..found.styles.len() as u16 {
-        let [a, b] = catalogues.each_ref().map(|catalogue| TargetTable::build(catalogue, to));
+        let [a, b] = catalogues.each_ref().map(|catalogue| TargetTable::new(Arc::clone(catalogue), to));
         for row in 0..found.frames() {
             if to != style && !new_rows.contains(&row) {
                 continue;
             }
-            let apart = a.pose.get(row).iter().zip(&b.pose.get(row)).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            let apart = a.pose(row).iter().zip(&b.pose(row)).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             assert!(apart < 0.1, "row {row} in style {to}: {apart}");
-            let pace = a.step_secs[row] / b.step_secs[row];
+            let pace = a.step_secs(row) / b.step_secs(row);
             assert!((pace - 1.0).abs() < 0.15, "row {row} in style {to}: {pace}");
         }
     }
@@ -248,9 +249,9 @@ fn a_gait_is_registered_cycle_by_cycle() {
         }
     }
     // A step of a neutral frame takes 1.2 times as long in the old style.
-    let old = TargetTable::build(&Catalogue::new(db.clone()), 1);
+    let old = TargetTable::new(Arc::new(Catalogue::new(db.clone())), 1);
     let neutral_rows = db.classes()[0].rows.clone();
-    let mean = old.step_secs[neutral_rows.clone()].iter().sum::<f32>() / neutral_rows.len() as f32;
+    let mean = neutral_rows.clone().map(|row| old.step_secs(row)).sum::<f32>() / neutral_rows.len() as f32;
     assert!((mean * 60.0 - 1.2).abs() < 0.02, "{mean}");
 }
 
@@ -313,10 +314,10 @@ fn every_warp_method_registers_a_gait() {
             ..BuildOptions::default()
         };
         let (db, _) = build(&two_styles(), &options, &Sequential, &mut quiet).unwrap();
-        let old = TargetTable::build(&Catalogue::new(db.clone()), 1);
+        let old = TargetTable::new(Arc::new(Catalogue::new(db.clone())), 1);
         // Whole cycles: those at the ends of a clip are not warped where time is linear.
         let rows = || db.clips.iter().filter(|c| c.style == 0).flat_map(|c| c.rows().skip(60).take(180));
-        let mean = rows().map(|row| old.step_secs[row]).sum::<f32>() / rows().count() as f32;
+        let mean = rows().map(|row| old.step_secs(row)).sum::<f32>() / rows().count() as f32;
         assert!((mean * 60.0 - 1.2).abs() < 0.03, "{warp:?}: {mean}");
     }
 }
@@ -348,8 +349,8 @@ fn a_stretch_lasts_as_long_as_its_counterparts_advance() {
         assert!(stretch.len() > 30, "{stretch:?}");
         let ends = [stretch.start, stretch.end].map(|i| &counterparts[i]);
         let advance = ends[0].iter().zip(ends[1]).map(|(a, b)| b - a).sum::<f32>() / ends[0].len() as f32;
-        let old = TargetTable::build(&Catalogue::new(db.clone()), 1);
-        let secs: f32 = stretch.map(|i| old.step_secs[rows.start + i]).sum();
+        let old = TargetTable::new(Arc::new(Catalogue::new(db.clone())), 1);
+        let secs: f32 = stretch.map(|i| old.step_secs(rows.start + i)).sum();
         assert!((secs * db.rate_hz / advance - 1.0).abs() < 0.02, "{secs} s for {advance} frames");
     }
 }

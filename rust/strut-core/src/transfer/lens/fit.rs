@@ -2,7 +2,7 @@
 
 use super::error::{LensError, among};
 use super::{Lens, QueryChange, WeightedNeighbour};
-use crate::catalogue::{QuantisedRows, Rows};
+use crate::catalogue::{Rows, TargetTable};
 use crate::math::float_funcs::{cos, ln};
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::random::SplitMix64;
@@ -149,8 +149,7 @@ impl Lens {
         } else {
             weights.resize(found.len(), 1.0);
         }
-        let targets = model.target_table(style);
-        let table = &targets.pose;
+        let table = &*model.target_table(style);
         let targets_with_noise = NoisyRows { rows: table, dof: settings.dof, deviation: settings.noise };
         let (mut inputs, mut targets) = (Gathered::default(), Gathered::default());
         inputs.fill(model.rows(), &found, &weights);
@@ -160,7 +159,7 @@ impl Lens {
         let samples = Samples { inputs: &inputs, targets: &targets, weights: &weights };
         LaneExamples {
             lane: LaneMoments::new(settings.lane().0, &moments, samples),
-            start: bias.put_on(interpolate(|row| table.get(row - 1), &found)),
+            start: bias.put_on(interpolate(|row| table.pose(row - 1), &found)),
             weight_sum: weights.iter().sum(),
             moments,
             bias,
@@ -186,7 +185,7 @@ pub(super) struct LaneExamples {
 
 /// Rows with noise on one degree of freedom.
 struct NoisyRows<'a> {
-    rows: &'a QuantisedRows,
+    rows: &'a TargetTable,
     dof: usize,
     deviation: f32,
 }

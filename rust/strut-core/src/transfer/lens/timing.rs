@@ -41,17 +41,17 @@ impl Lens {
         model.scales().squared_distances(input, model.rows(), neighbours, &mut of_inputs);
         let table = model.target_table(style);
         let output = Moment { pose: current, previous: before };
-        model.scales().squared_distances(output, &table.pose, neighbours, &mut of_outputs);
+        model.scales().squared_distances(output, &*table, neighbours, &mut of_outputs);
         let kernel = Kernel::new(&of_inputs, &of_outputs);
         let squares: Vec<f32> = of_inputs.iter().zip(&of_outputs).map(|(x, y)| x + y).collect();
-        let secs = |n: &Neighbour| table.step_secs[n.row as usize];
+        let secs = |n: &Neighbour| table.step_secs(n.row as usize);
         Ok(Timing {
             distances: squares.iter().map(|square| square.sqrt()).collect(),
             durations: neighbours.iter().map(secs).collect(),
             kernel: squares.iter().map(|&square| kernel.weight(square)).collect(),
             weights: weights.to_vec(),
             bandwidth: kernel.bandwidth,
-            duration: duration(&of_inputs, &of_outputs, neighbours, weights, &table.step_secs),
+            duration: duration(&of_inputs, &of_outputs, neighbours, weights, |row| table.step_secs(row)),
         })
     }
 }
