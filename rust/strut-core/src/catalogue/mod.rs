@@ -1,6 +1,7 @@
 //! The runtime form of a database: compact, indexed and read-only.
 
 mod builder;
+mod example_rows;
 mod gait_phase;
 mod header;
 mod memory;
@@ -9,6 +10,7 @@ mod runtime;
 mod target_table;
 
 pub use builder::{CatalogueBuilder, RowReader};
+pub(crate) use example_rows::ExampleRows;
 pub use gait_phase::GaitPhase;
 pub use header::Header;
 pub use memory::CatalogueSize;

@@ -123,8 +123,9 @@ impl QuantisedRows {
         self.quantiser.row(self.steps(row))
     }
 
+    /// A row's integers; it exists.
     #[inline]
-    fn steps(&self, row: usize) -> &Steps {
+    pub(super) fn steps(&self, row: usize) -> &Steps {
         &self.parts[row / PART][row % PART]
     }
 
@@ -135,23 +136,10 @@ impl QuantisedRows {
     }
 }
 
-impl Rows for QuantisedRows {
-    #[inline]
-    fn lane(&self, row: usize, l: usize) -> Lane {
-        self.quantiser.lane(self.steps(row), l)
-    }
-
-    #[inline]
-    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
-        // Whether the rows exist is checked once for all lanes.
-        let [before, at] = [row - 1, row].map(|row| self.steps(row));
-        move |l| [before, at].map(|steps| self.quantiser.lane(steps, l))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue::ExampleRows;
     use crate::pose_vector::LANES;
     use proptest::prelude::*;
 
@@ -180,7 +168,7 @@ mod tests {
                     let step = (range[1][d] - range[0][d]) / 65_534.0;
                     prop_assert!((found[d] - row[d]).abs() <= 0.51 * step + 1e-6 * row[d].abs(), "{} {}", found[d], row[d]);
                 }
-                let by_lanes: Vec<f32> = (0..LANES).flat_map(|l| quantised.lane(i, l).to_array()).collect();
+                let by_lanes: Vec<f32> = (0..LANES).flat_map(|l| ExampleRows::Inputs(&quantised).lane(i, l).to_array()).collect();
                 prop_assert_eq!(&by_lanes[..], &found[..]);
             }
         }

@@ -1,8 +1,7 @@
 //! The target of every row of a catalogue in one style.
 
-use super::quantised::{Quantiser, Rows, Steps};
+use super::quantised::{Quantiser, Steps};
 use super::runtime::Catalogue;
-use crate::math::lanes::Lane;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::registration::MAX_COUNTERPARTS;
 use std::sync::{Arc, OnceLock};
@@ -21,11 +20,11 @@ const PART: usize = 16;
 pub struct TargetTable {
     catalogue: Arc<Catalogue>,
     style: u16,
-    parts: Vec<OnceLock<Box<[Target]>>>,
+    parts: Vec<OnceLock<Vec<Target>>>,
 }
 
 /// The target of a row.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Target {
     pose: Steps,
     step_secs: f32,
@@ -40,13 +39,14 @@ impl TargetTable {
     /// If `style` is not one of the catalogue's.
     pub fn new(catalogue: Arc<Catalogue>, style: u16) -> Self {
         assert!(usize::from(style) < catalogue.styles.len(), "style {style} of {}", catalogue.styles.len());
-        Self { style, parts: vec![OnceLock::new(); catalogue.frames().div_ceil(PART)], catalogue }
+        let parts = std::iter::repeat_with(OnceLock::new).take(catalogue.frames().div_ceil(PART)).collect();
+        Self { catalogue, style, parts }
     }
 
     /// Bytes of the table of so many rows once every target has been read.
     pub(super) fn bytes(rows: u64) -> u64 {
         // What an allocation takes beside its content.
-        let part = size_of::<OnceLock<Box<[Target]>>>() as u64 + 16;
+        let part = size_of::<OnceLock<Vec<Target>>>() as u64 + 16;
         let targets = rows.saturating_mul(size_of::<Target>() as u64);
         targets.saturating_add(rows.div_ceil(PART as u64).saturating_mul(part))
     }
@@ -94,17 +94,23 @@ impl TargetTable {
 
     /// A mean of rows is within their range.
     #[inline]
-    fn quantiser(&self) -> &Quantiser {
+    pub(super) fn quantiser(&self) -> &Quantiser {
         self.catalogue.rows().quantiser()
     }
 
+    /// A row's target pose as integers; the row exists.
     #[inline]
+    pub(super) fn steps(&self, row: usize) -> &Steps {
+        &self.target(row).pose
+    }
+
+    #[inline(never)] // It is read once for all lanes, in many places.
     fn target(&self, row: usize) -> &Target {
         &self.parts[row / PART].get_or_init(|| self.compute_part(row / PART))[row % PART]
     }
 
     #[inline(never)]
-    fn compute_part(&self, part: usize) -> Box<[Target]> {
+    fn compute_part(&self, part: usize) -> Vec<Target> {
         let rows = part * PART..self.catalogue.frames().min((part + 1) * PART);
         rows.map(|row| self.compute(row)).collect()
     }
@@ -133,21 +139,6 @@ impl TargetTable {
             step_secs: frame_secs * mean_advance(around).unwrap_or_else(quotient),
             contact: mean.contact.map(|v| (v * k * f32::from(u16::MAX) + 0.5) as u16),
         }
-    }
-}
-
-impl Rows for TargetTable {
-    #[inline]
-    fn lane(&self, row: usize, l: usize) -> Lane {
-        self.quantiser().lane(&self.target(row).pose, l)
-    }
-
-    #[inline]
-    fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
-        // Each target is looked up once for all lanes.
-        let [before, at] = [row - 1, row].map(|row| &self.target(row).pose);
-        let quantiser = self.quantiser();
-        move |l| [before, at].map(|steps| quantiser.lane(steps, l))
     }
 }
 
@@ -215,6 +206,18 @@ impl Mean {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::database;
+
+    #[test]
+    fn only_targets_beside_those_that_are_read_are_computed() {
+        let table = TargetTable::new(Arc::new(Catalogue::new(database())), 1);
+        let computed = || table.parts.iter().flat_map(OnceLock::get).map(Vec::len).sum::<usize>();
+        assert_eq!(computed(), 0);
+        let first = table.pose(PART);
+        assert_eq!((table.pose(PART), computed()), (first, PART));
+        let all: Vec<PoseRow> = (0..table.catalogue.frames()).map(|row| table.pose(row)).collect();
+        assert_eq!((all[PART], computed()), (first, all.len()));
+    }
 
     /// A row of which two counterparts are known.
     fn of(a: f32, b: f32) -> Slots {

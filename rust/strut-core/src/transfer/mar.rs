@@ -12,7 +12,7 @@ use super::phase_lock::{PhaseLock, SeenPhase};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::Trained;
-use crate::catalogue::TargetTable;
+use crate::catalogue::{ExampleRows, TargetTable};
 use crate::math::float_funcs::half_life_share;
 use crate::math::order::sort_pairs;
 use crate::pose_vector::{PoseRow, ROW};
@@ -249,7 +249,7 @@ impl Mixture {
             let ridge = options.lambda * weights.iter().sum::<f32>();
             let regresses = matches!(options.method, Method::Mar | Method::LocalAr);
             let moments = regresses.then(|| {
-                self.inputs.fill(model.rows(), neighbours, weights);
+                self.inputs.fill(&ExampleRows::Inputs(model.rows()), neighbours, weights);
                 InputMoments::new(&self.inputs, weights)
             });
             let bias = match (&moments, options.method) {
@@ -272,7 +272,7 @@ impl Mixture {
                     } else {
                         bias.put_on(interpolate(|row| targets.pose(row - 1), neighbours))
                     };
-                    self.targets.fill(targets, neighbours, weights);
+                    self.targets.fill(&ExampleRows::Targets(targets), neighbours, weights);
                     let samples = Samples { inputs: &self.inputs, targets: &self.targets, weights };
                     let u =
                         Regressors { previous_input: input.previous, input: input.current, previous_output: &start };
@@ -319,11 +319,11 @@ impl Mixture {
             let nearest = if options.method == Method::NearestNeighbour { 1 } else { neighbours.len() };
             let (neighbours, weights) = (&neighbours[..nearest], component.neighbour_weights.as_slice());
             seen.add(db.gait_phase(), weight, neighbours, weights);
-            model.scales().squared_distances(now, model.rows(), neighbours, of_inputs);
+            model.scales().squared_distances(now, &ExampleRows::Inputs(model.rows()), neighbours, of_inputs);
             for s in styles.iter_mut() {
                 let table = &*s.table;
                 let now = Moment { pose: &s.now.row, previous: if s.started { &s.previous } else { &s.now.row } };
-                model.scales().squared_distances(now, table, neighbours, of_outputs);
+                model.scales().squared_distances(now, &ExampleRows::Targets(table), neighbours, of_outputs);
                 let secs = duration(of_inputs, of_outputs, neighbours, weights, |row| table.step_secs(row));
                 s.now.step_secs += weight * secs.unwrap_or(frame_secs);
                 let contact: [f32; 2] = interpolate(|row| table.contact(row), neighbours);

@@ -2,7 +2,7 @@
 
 use super::error::{LensError, among};
 use super::{Lens, QueryChange, WeightedNeighbour};
-use crate::catalogue::{Rows, TargetTable};
+use crate::catalogue::{ExampleRows, Rows};
 use crate::math::float_funcs::{cos, ln};
 use crate::math::lanes::{Lane, WIDTH};
 use crate::math::random::SplitMix64;
@@ -150,9 +150,10 @@ impl Lens {
             weights.resize(found.len(), 1.0);
         }
         let table = &*model.target_table(style);
-        let targets_with_noise = NoisyRows { rows: table, dof: settings.dof, deviation: settings.noise };
+        let targets_with_noise =
+            NoisyRows { rows: ExampleRows::Targets(table), dof: settings.dof, deviation: settings.noise };
         let (mut inputs, mut targets) = (Gathered::default(), Gathered::default());
-        inputs.fill(model.rows(), &found, &weights);
+        inputs.fill(&ExampleRows::Inputs(model.rows()), &found, &weights);
         targets.fill(&targets_with_noise, &found, &weights);
         let moments = InputMoments::new(&inputs, &weights);
         let bias = Bias::new(input, &moments.statistics, model.catalogue().sigma(), kappa, rho);
@@ -185,7 +186,7 @@ pub(super) struct LaneExamples {
 
 /// Rows with noise on one degree of freedom.
 struct NoisyRows<'a> {
-    rows: &'a TargetTable,
+    rows: ExampleRows<'a>,
     dof: usize,
     deviation: f32,
 }

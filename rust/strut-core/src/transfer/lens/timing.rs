@@ -2,6 +2,7 @@
 
 use super::Lens;
 use super::error::{LensError, among};
+use crate::catalogue::ExampleRows;
 use crate::search::Neighbour;
 use crate::transfer::timing::{Kernel, Moment, duration};
 
@@ -38,10 +39,10 @@ impl Lens {
         let (neighbours, weights) = (mixture.heaviest_neighbours(), mixture.heaviest_neighbour_weights());
         let (mut of_inputs, mut of_outputs) = (Vec::new(), Vec::new());
         let input = Moment { pose: &self.now, previous: &self.previous };
-        model.scales().squared_distances(input, model.rows(), neighbours, &mut of_inputs);
+        model.scales().squared_distances(input, &ExampleRows::Inputs(model.rows()), neighbours, &mut of_inputs);
         let table = model.target_table(style);
         let output = Moment { pose: current, previous: before };
-        model.scales().squared_distances(output, &*table, neighbours, &mut of_outputs);
+        model.scales().squared_distances(output, &ExampleRows::Targets(&table), neighbours, &mut of_outputs);
         let kernel = Kernel::new(&of_inputs, &of_outputs);
         let squares: Vec<f32> = of_inputs.iter().zip(&of_outputs).map(|(x, y)| x + y).collect();
         let secs = |n: &Neighbour| table.step_secs(n.row as usize);
