@@ -1,6 +1,5 @@
 /** docs/performance.md: every figure with the machine and the command that gave it. */
 import { CARDS, type Card } from "./cards";
-import { WARM_UP } from "./engine_bench";
 import type { LargeReport } from "./large";
 import { MODES, type Report, type Row } from "./report";
 import { agreementTable, type Cells, markdown, memoryTable, milliseconds, ratioTable, stageTable } from "./table";
@@ -54,10 +53,10 @@ const MEMORY =
   "WASM memory with the database open, after one clip has been styled with one style and with three, and after a clip of every class has been (targets are computed when they are first read, and kept):";
 
 function largeSection({ command, report }: Measured<LargeReport>): string[] {
-  const { frames, file_mb, open_ms, first_open_ms, first_frames_ms, memory, frame } = report;
+  const { frames, file_mb, open_ms, first_open_ms, memory, frame } = report;
   return [
     "## A large database in WebAssembly",
-    `${thousands(frames)} procedural frames, a file of ${file_mb.toFixed(0)} MB; the same machine; \`${command}\`. It opens in ${milliseconds(open_ms)} ms (the first time ${milliseconds(first_open_ms)}), once its bytes are in memory; the first ${WARM_UP} frames, most of whose targets are computed then, take ${milliseconds(first_frames_ms)} ms.`,
+    `${thousands(frames)} procedural frames, a file of ${file_mb.toFixed(0)} MB; the same machine; \`${command}\`. It opens in ${milliseconds(open_ms)} ms (the first time ${milliseconds(first_open_ms)}), once its bytes are in memory.`,
     MEMORY,
     markdown(memoryTable([memory])),
     markdown([

@@ -22,8 +22,6 @@ export interface LargeReport {
   open_ms: number;
   first_open_ms: number;
   memory: Memory;
-  /** How long the first {@link WARM_UP} frames took, most of whose targets are computed then. */
-  first_frames_ms: number;
   /** A frame's times by what is known of the input. */
   frame: Record<"labelled" | "unlabelled" | "unlabelled, 3 styles", { median_ms: number; p95_ms: number }>;
 }
@@ -44,9 +42,6 @@ export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport
     );
   }
   const opened = database!;
-  const first = stylizerFor(glue, opened, "unlabelled", queries[0]!);
-  const first_frames_ms = timed(() => first.push(queries[0]!.poses.subarray(0, WARM_UP * POSE_FLOATS)));
-  first.free();
   const memory = measureMemory(instance, "wasm-simd", opened, queries);
 
   const framesOf = (mode: Mode, styles?: Float32Array) => summarise(queries.flatMap((q) => timesOf(mode, q, styles)));
@@ -64,7 +59,6 @@ export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport
     file_mb: bytes.byteLength / 1e6,
     open_ms: sorted[OPENINGS >> 1]!,
     first_open_ms: openings[0]!,
-    first_frames_ms,
     memory,
     frame: {
       labelled: framesOf("labelled"),
@@ -78,12 +72,12 @@ export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport
 
 /** The report as lines. */
 export function largeLines(report: LargeReport): string {
-  const { frames, file_mb, open_ms, first_open_ms, first_frames_ms, memory } = report;
+  const { frames, file_mb, open_ms, first_open_ms, memory } = report;
   const mb = (megabytes: number) => `${megabytes.toFixed(0)} MB`;
   const ms = (milliseconds: number) => `${milliseconds.toFixed(milliseconds < 10 ? 3 : 0)} ms`;
   return [
     `${frames} frames, ${mb(file_mb)} on disk`,
-    `open       ${ms(open_ms)} (first ${ms(first_open_ms)}), the first ${WARM_UP} frames ${ms(first_frames_ms)}`,
+    `open       ${ms(open_ms)} (first ${ms(first_open_ms)})`,
     aligned(memoryTable([memory])),
     ...Object.entries(report.frame).map(
       ([mode, times]) => `frame      ${ms(times.median_ms)}, 95 % within ${ms(times.p95_ms)}, ${mode}`,
