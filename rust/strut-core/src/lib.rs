@@ -25,6 +25,7 @@ pub mod math;
 pub mod metrics;
 pub mod motion;
 pub mod motion_statistics;
+pub mod note;
 pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
