@@ -15,13 +15,16 @@ use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
 use strut_tasks::files::{self, Outputs};
+use strut_tasks::note_report::NoteReport;
 
 /// Output of `--json`.
 const JSON_HELP: &str = "\
 The report of --json on a BVH file:
   file, kind (\"bvh\"), frames, frame_time_secs, rate_hz, duration_secs
   joints         [{name, parent (index), offset, channels, end_site, role}]
-  humanoid       {confidence, metres_per_unit, leg_length_m, travel_m, unmapped, notes}, or null
+  humanoid       {confidence, metres_per_unit, up, floor_m, mirrored, leg_length_m, travel_m, unmapped,
+                 notes}, or null
+  notes          [{code, text}]: what may be wrong; empty for a clean file
   not_humanoid   why the skeleton is no humanoid, or null
   contacts       [[left, right]] for every frame, 1 while the foot is planted
   planted_share  [left, right]
@@ -78,6 +81,8 @@ struct BvhReport {
     rate_hz: f64,
     duration_secs: f64,
     humanoid: Option<HumanoidReport>,
+    /// What may be wrong.
+    notes: Vec<NoteReport>,
     not_humanoid: Option<String>,
     contacts: Vec<[u8; 2]>,
     planted_share: [f32; 2],
@@ -98,6 +103,12 @@ struct JointReport {
 struct HumanoidReport {
     confidence: f32,
     metres_per_unit: f32,
+    /// The file's up axis.
+    up: &'static str,
+    /// Height of the ground along it.
+    floor_m: f32,
+    /// Whether left and right are exchanged in the file.
+    mirrored: bool,
     leg_length_m: f32,
     /// Way of the hips over the ground.
     travel_m: f32,
@@ -124,6 +135,7 @@ fn bvh_report(path: String, bytes: &[u8]) -> Result<BvhReport, bvh::BvhError> {
         rate_hz: 1.0 / file.frame_time_secs,
         duration_secs: motion.duration_secs(),
         humanoid,
+        notes: binding.as_ref().map(|b| NoteReport::of(&b.doubts)).unwrap_or_default(),
         not_humanoid,
         planted_share: planted_share(&contacts),
         steps: [0, 1].map(|side| contacts.windows(2).filter(|w| w[0][side] < w[1][side]).count()),
@@ -154,6 +166,9 @@ fn describe_humanoid(motion: &Motion, binding: &Binding) -> (HumanoidReport, Vec
     let report = HumanoidReport {
         confidence: binding.confidence,
         metres_per_unit: binding.metres_per_unit,
+        up: binding.up.name(),
+        floor_m: binding.floor_metres,
+        mirrored: binding.is_mirrored,
         leg_length_m: binding.proportions.leg_length(),
         travel_m: body.poses.windows(2).map(|w| over_ground(w).length()).sum(),
         unmapped: binding.unmapped.iter().map(|&j| motion.skeleton.joints()[j].name.clone()).collect(),
@@ -202,8 +217,11 @@ impl BvhReport {
                     self.steps[0], percent[0], self.steps[1], percent[1]
                 ),
             );
-            for note in &h.notes {
-                line(&mut out, format_args!("  note      {note}"));
+            for fact in &h.notes {
+                line(&mut out, format_args!("  reading   {fact}"));
+            }
+            for note in &self.notes {
+                line(&mut out, format_args!("  note      {}", note.text));
             }
         }
         if let Some(reason) = &self.not_humanoid {

@@ -231,10 +231,9 @@ impl Pose {
     /// The mirror image at the plane x = 0: left and right change places.
     #[must_use]
     pub fn mirrored(&self) -> Self {
-        let reflected = |q: Quat| Quat::from_xyzw(q.x, -q.y, -q.z, q.w);
         Self {
             root: Vec3::new(-self.root.x, self.root.y, self.root.z),
-            rotations: Role::ALL.map(|role| reflected(self.rotations[role.mirrored().index()])),
+            rotations: Role::ALL.map(|role| self.rotations[role.mirrored().index()].mirrored()),
         }
     }
 

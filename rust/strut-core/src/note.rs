@@ -53,8 +53,6 @@ note_codes! {
     Root = "root",
     /// The body is hardly that of a human.
     NotHuman = "not-human",
-    /// The unit of length is none of the usual ones.
-    Unit = "unit",
     /// The database holds nothing like this motion.
     Unfamiliar = "unfamiliar",
     /// The file announces another number of frames than it has.

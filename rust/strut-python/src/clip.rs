@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::Arc;
 use strut_core::humanoid::{JOINTS, Role};
 use strut_core::motion;
-use strut_core::retarget::Binding;
+use strut_core::retarget::{Binding, ReadAs};
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_tasks::suggestion::unknown;
@@ -63,12 +63,8 @@ impl Known {
             let roles = roles.get_or_insert_with(|| Binding::likely_roles(motion));
             roles[role.index()] = index.transpose()?;
         }
-        let binding = match (self.metres_per_unit, &roles) {
-            (Some(unit), roles) => Binding::with_unit(motion, unit, roles.as_ref()),
-            (None, Some(roles)) => Binding::with_roles(motion, roles),
-            (None, None) => Binding::detect(motion),
-        };
-        binding.map_err(|reason| reason.to_string())
+        let read_as = ReadAs { joints: roles, metres_per_unit: self.metres_per_unit, ..ReadAs::default() };
+        Binding::read(motion, &read_as).map_err(|reason| reason.to_string())
     }
 
     /// The roles as Python's values.

@@ -12,6 +12,7 @@ pub mod evaluate;
 pub mod files;
 pub mod gather;
 pub mod key_styles;
+pub mod note_report;
 pub mod progress;
 pub mod recordings;
 pub mod search;

@@ -2,7 +2,7 @@
 
 use strut_core::humanoid::JOINTS;
 use strut_core::motion::Motion;
-use strut_core::retarget::{BindError, Binding, to_humanoid};
+use strut_core::retarget::{BindError, Binding, ReadAs, to_humanoid};
 use strut_formats::bvh;
 use strut_wasm_common::{EngineError, floats_of, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -98,7 +98,7 @@ pub(crate) fn bind(motion: &Motion, roles: Option<&[i32]>) -> Result<Binding, Bi
     for (joint, role) in joint_of_role.iter_mut().zip(roles) {
         *joint = usize::try_from(*role).ok();
     }
-    Binding::with_roles(motion, &joint_of_role)
+    Binding::read(motion, &ReadAs { joints: Some(joint_of_role), ..ReadAs::default() })
 }
 
 fn index(joint: Option<usize>) -> i32 {

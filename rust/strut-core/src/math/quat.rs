@@ -120,6 +120,12 @@ impl Quat {
         }
     }
 
+    /// The mirror image of the rotation at the plane x = 0.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self::from_xyzw(self.x, -self.y, -self.z, self.w)
+    }
+
     /// The inverse rotation.
     pub fn inverse(self) -> Self {
         Self { x: -self.x, y: -self.y, z: -self.z, w: self.w }

@@ -1,13 +1,15 @@
 //! How a file's skeleton maps to the canonical humanoid.
 
+use super::axes::{UpAxis, is_mirrored, up_axis};
 use super::find_roles::find_roles;
+use super::floor::floor_of;
 use super::rest_pose::{RestPose, positions, rest_pose};
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, PARENTS, Proportions, Role};
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
+use crate::note::{Note, NoteCode};
 use crate::skeleton::Skeleton;
-use std::f32::consts::FRAC_PI_2;
 use thiserror::Error;
 
 /// Roles that a skeleton must have; the others may be missing.
@@ -43,6 +45,25 @@ const ANKLE_HEIGHT_PER_DROP: f32 = 1.55;
 /// The same for skeletons without toes or with level feet: share of the leg, the mannequin's.
 const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
 
+/// A floor is noted where it lies farther than this from height 0, metres: those of recordings lie within a third of it.
+const NOTED_FLOOR: f32 = 0.05;
+
+/// What a person says of a file, in place of what is read from the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadAs {
+    /// The joint of each role.
+    pub joints: Option<[Option<usize>; JOINTS]>,
+    /// Metres per unit of length; finite and above 0.
+    pub metres_per_unit: Option<f32>,
+    /// The file's up axis.
+    pub up: Option<UpAxis>,
+    /// Height of the floor along the up axis, metres; finite.
+    pub floor_metres: Option<f32>,
+    /// Whether left and right are the other way round than they are read: a mirror image is taken as it is, any other file
+    /// as a mirror image.
+    pub swap_sides: bool,
+}
+
 /// What is known of a rigged character.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CharacterFacts {
@@ -67,8 +88,15 @@ pub struct Binding {
     pub confidence: f32,
     /// World rotation of each file joint in the T-pose facing +Z, +Y up.
     pub rest_world_rotations: Vec<Quat>,
+    /// The file's up axis.
+    pub up: UpAxis,
     /// Rotation from the file's world to ours: the identity for files with +Y up.
     pub world_from_file: Quat,
+    /// Whether the file is a mirror image, as left-handed programs write it: it is read mirrored at its plane x = 0, and
+    /// written back so.
+    pub is_mirrored: bool,
+    /// Height of the ground in the file along its up axis, metres; 0 for a character.
+    pub floor_metres: f32,
     /// Metres per unit of length of the file.
     pub metres_per_unit: f32,
     /// The body as canonical humanoid, metres. A role without a joint lies between its neighbours.
@@ -77,6 +105,8 @@ pub struct Binding {
     pub unmapped: Vec<usize>,
     /// Sentences for users on what was matched and assumed.
     pub notes: Vec<String>,
+    /// What may be wrong; empty for a clean clip.
+    pub doubts: Vec<Note>,
     /// Parent of each file joint.
     pub(super) parents: Vec<Option<usize>>,
 }
@@ -137,66 +167,94 @@ fn joint_word(role: Role) -> &'static str {
 }
 
 impl Binding {
-    /// Finds roles, rest pose, unit and axes of a clip's skeleton.
+    /// Finds roles, rest pose, unit, axes and floor of a clip.
     ///
     /// # Errors
     /// See [`BindError`]; its messages are shown to users.
     pub fn detect(motion: &Motion) -> Result<Self, BindError> {
-        let sample = Sample::of(motion);
-        if sample.is_empty() {
-            return Err(BindError::NoFrames);
-        }
-        let found = find_roles(&motion.skeleton, &sample);
-        if found.joint_of_role.iter().all(Option::is_none) {
-            return Err(BindError::NotHumanoid);
-        }
-        Self::of(&motion.skeleton, &sample, &found.joint_of_role, found.confidence, None)
+        Self::read(motion, &ReadAs::default())
     }
 
     /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
     /// unsure or fails. All `None` for a clip without frames.
     pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
-        let sample = Sample::of(motion);
+        let sample = Sample::of(motion, false);
         if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
     }
 
-    /// A binding with joints chosen by the user; confidence 1.
+    /// A binding of a clip of which a person says something; the rest is detected. The confidence in joints that were given
+    /// is 1.
     ///
     /// # Errors
     /// See [`BindError`].
-    pub fn with_roles(motion: &Motion, joint_of_role: &[Option<usize>; JOINTS]) -> Result<Self, BindError> {
-        let sample = Sample::of(motion);
+    pub fn read(motion: &Motion, read_as: &ReadAs) -> Result<Self, BindError> {
+        let mut sample = Sample::of(motion, false);
         if sample.is_empty() {
             return Err(BindError::NoFrames);
         }
-        Self::of(&motion.skeleton, &sample, joint_of_role, 1.0, None)
-    }
-
-    /// A binding of a clip whose unit of length is known, with joints chosen by the user or as they are detected.
-    ///
-    /// # Errors
-    /// See [`BindError`].
-    pub fn with_unit(
-        motion: &Motion,
-        metres_per_unit: f32,
-        joint_of_role: Option<&[Option<usize>; JOINTS]>,
-    ) -> Result<Self, BindError> {
-        let sample = Sample::of(motion);
-        if sample.is_empty() {
-            return Err(BindError::NoFrames);
-        }
-        let (roles, confidence) = joint_of_role.map_or_else(
+        let (roles, confidence) = read_as.joints.map_or_else(
             || {
                 let found = find_roles(&motion.skeleton, &sample);
                 (found.joint_of_role, found.confidence)
             },
-            |roles| (*roles, 1.0),
+            |joints| (joints, 1.0),
         );
         if roles.iter().all(Option::is_none) {
             return Err(BindError::NotHumanoid);
         }
-        let facts = CharacterFacts { metres_per_unit, sole_height: None, roles };
-        Self::of(&motion.skeleton, &sample, &roles, confidence, Some(&facts))
+        check_roles(&motion.skeleton, &roles)?;
+        let found_mirrored = is_mirrored(&roles, &sample);
+        let mirrored = found_mirrored != read_as.swap_sides;
+        if mirrored {
+            sample = Sample::of(motion, true);
+        }
+        let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
+        binding.is_mirrored = mirrored;
+        if found_mirrored {
+            binding.doubts.push(Note::new(NoteCode::Mirrored, if mirrored {
+                "Left and right are exchanged in this file, as its toes and knees show; it was read as a mirror image and is \
+                 written back so."
+            } else {
+                "Toes and knees point backwards if left and right are as this file names them."
+            }));
+        }
+        binding.find_floor(motion, read_as.floor_metres);
+        Ok(binding)
+    }
+
+    /// Measures where the ground of a clip is, or takes what a person says.
+    fn find_floor(&mut self, motion: &Motion, said: Option<f32>) {
+        if let Some(height) = said {
+            self.floor_metres = height;
+            return;
+        }
+        let floor = floor_of(motion, self);
+        self.floor_metres = floor.height;
+        let cm = |metres: f32| (100.0 * metres.abs()).round();
+        let side = if floor.height < 0.0 { "below" } else { "above" };
+        if !floor.is_seen {
+            self.doubts.push(Note::new(
+                NoteCode::NoFloor,
+                format!(
+                    "No foot rests in this clip. The floor was taken where the soles are lowest, {} cm {side} height 0.",
+                    cm(floor.height)
+                ),
+            ));
+        } else if floor.height.abs() > NOTED_FLOOR {
+            self.doubts.push(Note::new(
+                NoteCode::Floor,
+                format!("The feet stand {} cm {side} height 0; the floor was taken there.", cm(floor.height)),
+            ));
+        }
+        if floor.highest_level > 0.0 {
+            self.doubts.push(Note::new(
+                NoteCode::FloorChanges,
+                format!(
+                    "Feet stand up to {} cm above the lowest floor. One floor was taken for the whole clip.",
+                    cm(floor.highest_level)
+                ),
+            ));
+        }
     }
 
     /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
@@ -216,9 +274,10 @@ impl Binding {
             translations: offsets,
             rotations: vec![Quat::IDENTITY; skeleton.len()],
         };
-        let sample = Sample::of(&zero_pose);
+        let sample = Sample::of(&zero_pose, false);
+        let of = |roles, confidence| Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default());
         if REQUIRED.iter().all(|role| facts.roles[role.index()].is_some()) {
-            return Self::of(skeleton, &sample, &facts.roles, 1.0, Some(facts));
+            return of(&facts.roles, 1.0);
         }
         let found = find_roles(skeleton, &sample);
         let mut roles = found.joint_of_role;
@@ -232,7 +291,7 @@ impl Binding {
         if roles.iter().all(Option::is_none) {
             return Err(BindError::NotHumanoid);
         }
-        Self::of(skeleton, &sample, &roles, found.confidence, Some(facts))
+        of(&roles, found.confidence)
     }
 
     /// Whether a skeleton has the hierarchy that was bound, so that its motions may use this binding.
@@ -246,6 +305,7 @@ impl Binding {
         joint_of_role: &[Option<usize>; JOINTS],
         confidence: f32,
         facts: Option<&CharacterFacts>,
+        read_as: &ReadAs,
     ) -> Result<Self, BindError> {
         check_roles(skeleton, joint_of_role)?;
         let rest = rest_pose(skeleton, joint_of_role, sample);
@@ -262,33 +322,47 @@ impl Binding {
         if !leg.is_finite() {
             return Err(BindError::NotHumanoid);
         }
-        let unit = match facts {
-            Some(facts) => UNITS.iter().find(|(unit, _)| *unit == facts.metres_per_unit),
+        let known_unit = facts.map(|facts| facts.metres_per_unit).or(read_as.metres_per_unit);
+        let unit = match known_unit {
+            Some(known) => UNITS.iter().find(|(unit, _)| *unit == known),
             None => UNITS.iter().find(|(unit, _)| LEG_RANGE.contains(&(leg * unit))),
         };
-        let metres_per_unit =
-            facts.map_or_else(|| unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit), |facts| facts.metres_per_unit);
+        let metres_per_unit = known_unit.unwrap_or_else(|| unit.map_or(USUAL_LEG / leg, |(unit, _)| *unit));
         for offset in &mut proportions.offsets {
             *offset *= metres_per_unit;
         }
         let ankle = facts.and_then(|f| ankle_over_sole(f, skeleton, sample, joint_of_role, &rest));
         let ankle = ankle.unwrap_or_else(|| usual_ankle_height(joint_of_role, &proportions));
         proportions.offsets[0] = Vec3::new(0.0, leg_drop(&proportions) + ankle, 0.0);
-        if facts.is_some() && !proportions.is_valid() {
+        if known_unit.is_some() && !proportions.is_valid() {
             return Err(BindError::Size);
         }
         let unmapped: Vec<usize> = (0..skeleton.len()).filter(|j| !joint_of_role.contains(&Some(*j))).collect();
-        let world_from_file = world_from_file(joint_of_role, sample, &rest);
-        let notes = notes(skeleton, &unmapped, &rest, unit.map(|(_, word)| *word), metres_per_unit, world_from_file);
+        let found = up_axis(joint_of_role, sample, rest.zero_up);
+        let up = read_as.up.unwrap_or(found.axis);
+        let mut doubts = Vec::new();
+        if let (Some(axis), None) = (found.doubt, read_as.up) {
+            doubts.push(Note::new(
+                NoteCode::UpUnsure,
+                format!("The body lies along {axis}, or {axis} is up in this file; {up} was taken for up."),
+            ));
+        } else if up != UpAxis::Y && facts.is_none() {
+            doubts.push(Note::new(NoteCode::Up, format!("Up is {up} in this file.")));
+        }
+        let notes = notes(skeleton, &unmapped, &rest, unit.map(|(_, word)| *word), metres_per_unit, up);
         Ok(Self {
             joint_of_role: *joint_of_role,
             confidence,
             rest_world_rotations: rest.world_rotations,
-            world_from_file,
+            up,
+            world_from_file: up.to_y(),
+            is_mirrored: false,
+            floor_metres: 0.0,
             metres_per_unit,
             proportions,
             unmapped,
             notes,
+            doubts,
             parents: skeleton.joints().iter().map(|j| j.parent).collect(),
         })
     }
@@ -401,24 +475,13 @@ fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS],
     }
 }
 
-/// Rotation from the file's axes to ours. If the body is mostly upright along +Z, the file's up axis is +Z, unless the
-/// zero pose stands along +Y: then the body lies down.
-fn world_from_file(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> Quat {
-    let at = |r: Role| roles[r.index()].unwrap_or(0);
-    let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);
-    let (left, right) = (at(Role::LeftFoot), at(Role::RightFoot));
-    let up = sample.mean(|w| (w[top].0 - 0.5 * (w[left].0 + w[right].0)).normalize_or_zero());
-    let zero_is_y_up = rest.zero_up.is_some_and(|z| z.y > 0.8);
-    if up.z > 0.7 && !zero_is_y_up { Quat::from_rotation_x(-FRAC_PI_2) } else { Quat::IDENTITY }
-}
-
 fn notes(
     skeleton: &Skeleton,
     unmapped: &[usize],
     rest: &RestPose,
     unit: Option<&str>,
     metres_per_unit: f32,
-    world_from_file: Quat,
+    up: UpAxis,
 ) -> Vec<String> {
     let mut notes = Vec::new();
     let all = skeleton.len();
@@ -435,8 +498,8 @@ fn notes(
     if !rest.from_zero_pose {
         notes.push("The zero pose is no T-pose; the rest pose was worked out from the motion.".to_owned());
     }
-    if world_from_file != Quat::IDENTITY {
-        notes.push("Up is +Z in this file.".to_owned());
+    if up != UpAxis::Y {
+        notes.push(format!("Up is {up} in this file."));
     }
     notes
 }

@@ -1,6 +1,7 @@
 //! From the canonical humanoid back to a file's skeleton.
 
 use super::Binding;
+use super::sample::local;
 use super::scale::BodyScale;
 use super::stance::{SolePoint, Stance};
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
@@ -92,6 +93,21 @@ impl FromHumanoid {
     /// # Panics
     /// If there are fewer transforms than joints.
     pub fn frame(&mut self, pose: &Pose, translations: &mut [Vec3], rotations: &mut [Quat]) {
+        self.mirror(translations, rotations);
+        self.write_frame(pose, translations, rotations);
+        self.mirror(translations, rotations);
+    }
+
+    /// From a mirrored file to its mirror image, or back.
+    fn mirror(&self, translations: &mut [Vec3], rotations: &mut [Quat]) {
+        if self.binding.is_mirrored {
+            for (translation, rotation) in translations.iter_mut().zip(rotations) {
+                (*translation, *rotation) = local(*translation, *rotation, true);
+            }
+        }
+    }
+
+    fn write_frame(&mut self, pose: &Pose, translations: &mut [Vec3], rotations: &mut [Quat]) {
         let world = world_from_local(&self.body, pose);
         self.turn_joints(&world, translations, rotations);
         self.move_body(&world, translations);
@@ -101,7 +117,7 @@ impl FromHumanoid {
             let ankle = hip + self.scale.leg_to_file(i, world.positions[ankle.index()] - hip);
             let scaled = self.scale.to_file(ankle);
             let placed = self.stance.as_ref().map_or(scaled, |stance| stance.ankle(i, &world, scaled));
-            self.reach(&world, leg, self.in_file(placed), rotations);
+            self.reach(&world, leg, self.place_in_file(placed), rotations);
         }
         for (i, arm) in Limb::ARMS.into_iter().enumerate() {
             let [shoulder, _, wrist] = arm.roles();
@@ -114,6 +130,11 @@ impl FromHumanoid {
     /// A vector in metres and our axes in the file's unit and axes.
     fn in_file(&self, v: Vec3) -> Vec3 {
         self.binding.world_from_file.inv_mul_vec3(v) / self.binding.metres_per_unit
+    }
+
+    /// A place over our ground in the file's unit and axes.
+    fn place_in_file(&self, place: Vec3) -> Vec3 {
+        self.in_file(place + Vec3::Y * self.binding.floor_metres)
     }
 
     /// Joint of a required role.
@@ -149,7 +170,7 @@ impl FromHumanoid {
         let (left, right) = (Role::LeftUpperLeg, Role::RightUpperLeg);
         let canonical = 0.5 * (world.positions[left.index()] + world.positions[right.index()]);
         let current = 0.5 * (self.positions[self.joint(left)] + self.positions[self.joint(right)]);
-        let shift = self.in_file(self.scale.to_file(canonical)) - current;
+        let shift = self.place_in_file(self.scale.to_file(canonical)) - current;
         let above = self.binding.parents[self.mover].map_or(Quat::IDENTITY, |p| self.rotations[p]);
         translations[self.mover] += above.inv_mul_vec3(shift);
         // Later joints that do not descend from the mover have no role, and their positions are not used below.

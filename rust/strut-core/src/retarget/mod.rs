@@ -5,9 +5,11 @@
 //! in Monzani et al. 2000, which the paper uses. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
 //! [`to_humanoid`] and [`from_humanoid`] convert whole clips.
 
+mod axes;
 mod between_bodies;
 mod binding;
 mod find_roles;
+mod floor;
 mod from_humanoid;
 mod names;
 mod rest_pose;
@@ -16,8 +18,9 @@ mod scale;
 mod stance;
 mod to_humanoid;
 
+pub use axes::UpAxis;
 pub use between_bodies::{BetweenBodies, between_bodies};
-pub use binding::{BindError, Binding, CharacterFacts};
+pub use binding::{BindError, Binding, CharacterFacts, ReadAs};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
 pub use stance::SolePoint;
 pub use to_humanoid::{ToHumanoid, to_humanoid};

@@ -17,12 +17,13 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// Samples a motion that has at least one frame; an empty one gives an empty sample.
-    pub(super) fn of(motion: &Motion) -> Self {
+    /// Samples a motion that has at least one frame, or its mirror image; an empty one gives an empty sample.
+    pub(super) fn of(motion: &Motion, mirrored: bool) -> Self {
         let count = motion.frames().min(MAX_FRAMES);
         let indices: Vec<usize> = (0..count).map(|i| i * (motion.frames() - 1) / (count - 1).max(1)).collect();
-        let frames = indices.iter().map(|&f| world_transforms(motion, f)).collect();
-        let translations = (0..motion.skeleton.len()).map(|j| usual_translation(motion, &indices, j)).collect();
+        let frames = indices.iter().map(|&f| world_transforms(motion, f, mirrored)).collect();
+        let translations =
+            (0..motion.skeleton.len()).map(|j| usual_translation(motion, &indices, j, mirrored)).collect();
         let parents = motion.skeleton.joints().iter().map(|j| j.parent).collect();
         Self { parents, frames, translations }
     }
@@ -30,6 +31,11 @@ impl Sample {
     /// Whether the clip had no frames.
     pub(super) fn is_empty(&self) -> bool {
         self.frames.is_empty()
+    }
+
+    /// A value of each frame; `f` gets the joints' world positions and rotations.
+    pub(super) fn each<T>(&self, f: impl Fn(&[(Vec3, Quat)]) -> T) -> impl Iterator<Item = T> {
+        self.frames.iter().map(move |frame| f(frame))
     }
 
     /// Mean of a vector over the frames; `f` gets the joints' world positions and rotations.
@@ -54,11 +60,17 @@ impl Sample {
     }
 }
 
-fn world_transforms(motion: &Motion, frame: usize) -> Vec<(Vec3, Quat)> {
+/// A local transform of a file, or of the file's mirror image at the plane x = 0.
+pub(super) fn local(translation: Vec3, rotation: Quat, mirrored: bool) -> (Vec3, Quat) {
+    if mirrored { (translation * Vec3::new(-1.0, 1.0, 1.0), rotation.mirrored()) } else { (translation, rotation) }
+}
+
+fn world_transforms(motion: &Motion, frame: usize, mirrored: bool) -> Vec<(Vec3, Quat)> {
     let mut world: Vec<(Vec3, Quat)> = Vec::with_capacity(motion.skeleton.len());
     let locals = motion.translations_at(frame).iter().zip(motion.rotations_at(frame));
     for (joint, (&t, &r)) in motion.skeleton.joints().iter().zip(locals) {
         let (p, q) = joint.parent.map_or((Vec3::ZERO, Quat::IDENTITY), |p| world[p]);
+        let (t, r) = local(t, r, mirrored);
         world.push((p + q * t, q * r));
     }
     world
@@ -66,7 +78,12 @@ fn world_transforms(motion: &Motion, frame: usize) -> Vec<(Vec3, Quat)> {
 
 /// The offset where the position channels agree with it to 1 %, so that rounding in a clip does not
 /// change the binding; their median otherwise.
-fn usual_translation(motion: &Motion, frames: &[usize], joint: usize) -> Vec3 {
+fn usual_translation(motion: &Motion, frames: &[usize], joint: usize, mirrored: bool) -> Vec3 {
+    let of_file = usual_translation_of_file(motion, frames, joint);
+    local(of_file, Quat::IDENTITY, mirrored).0
+}
+
+fn usual_translation_of_file(motion: &Motion, frames: &[usize], joint: usize) -> Vec3 {
     let offset = motion.skeleton.joints()[joint].offset;
     if frames.is_empty() {
         return offset;

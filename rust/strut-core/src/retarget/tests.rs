@@ -256,13 +256,19 @@ fn missing_joints_are_named() {
     let file = rigged(&walk(), &Rig::default());
     let mut roles = Binding::detect(&file).unwrap().joint_of_role;
     roles[Role::LeftLowerLeg.index()] = None;
-    let error = Binding::with_roles(&file, &roles).unwrap_err();
+    let error = Binding::read(&file, &ReadAs { joints: Some(roles), ..ReadAs::default() }).unwrap_err();
     let sentence = "This skeleton has no left knee that we can find. Choose the joint, or drop another file.";
     assert_eq!(error.to_string(), sentence);
     roles[Role::LeftLowerLeg.index()] = Some(Role::Head.index());
-    assert!(matches!(Binding::with_roles(&file, &roles), Err(BindError::Misplaced { .. })));
+    assert!(matches!(
+        Binding::read(&file, &ReadAs { joints: Some(roles), ..ReadAs::default() }),
+        Err(BindError::Misplaced { .. })
+    ));
     roles[Role::LeftLowerLeg.index()] = Some(1000);
-    assert!(matches!(Binding::with_roles(&file, &roles), Err(BindError::Misplaced { .. })));
+    assert!(matches!(
+        Binding::read(&file, &ReadAs { joints: Some(roles), ..ReadAs::default() }),
+        Err(BindError::Misplaced { .. })
+    ));
 }
 
 #[test]
@@ -273,7 +279,7 @@ fn a_body_without_toes_shoulders_chest_and_neck_is_bound() {
     for role in optional {
         roles[role.index()] = None;
     }
-    let binding = Binding::with_roles(&full, &roles).unwrap();
+    let binding = Binding::read(&full, &ReadAs { joints: Some(roles), ..ReadAs::default() }).unwrap();
     let humanoid = to_humanoid(&full, &binding, &Proportions::default());
     for pose in &humanoid.poses {
         assert!(pose.is_finite());

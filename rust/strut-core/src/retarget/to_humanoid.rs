@@ -1,6 +1,7 @@
 //! From a file's skeleton to the canonical humanoid.
 
 use super::Binding;
+use super::sample::local;
 use super::scale::BodyScale;
 use crate::humanoid::{HumanoidMotion, JOINTS, PARENTS, Pose, Proportions, Role};
 use crate::math::{Quat, Vec3};
@@ -14,6 +15,9 @@ pub struct ToHumanoid {
     /// From a role's T-pose frame (the world's) to its joint's: inverse rest rotations.
     joint_from_rest: [Quat; JOINTS],
     world_from_file: Quat,
+    is_mirrored: bool,
+    /// Where the file's origin lies over the ground, metres.
+    origin: Vec3,
     metres_per_unit: f32,
     target: Proportions,
     scale: BodyScale,
@@ -32,6 +36,8 @@ impl ToHumanoid {
                 .joint_of_role
                 .map(|joint| joint.map_or(Quat::IDENTITY, |j| binding.rest_world_rotations[j].inverse())),
             world_from_file: binding.world_from_file,
+            is_mirrored: binding.is_mirrored,
+            origin: Vec3::new(0.0, -binding.floor_metres, 0.0),
             metres_per_unit: binding.metres_per_unit,
             target: *target,
             scale: BodyScale::between(&binding.proportions, target),
@@ -74,9 +80,9 @@ impl ToHumanoid {
     /// World transforms of the file's joints in our axes, metres.
     fn update_world(&mut self, translations: &[Vec3], rotations: &[Quat]) {
         for (joint, parent) in self.parents.iter().enumerate() {
-            let (position, rotation) = parent.map_or((Vec3::ZERO, self.world_from_file), |p| self.world[p]);
-            let offset = translations[joint] * self.metres_per_unit;
-            self.world[joint] = (position + rotation * offset, rotation * rotations[joint]);
+            let (position, rotation) = parent.map_or((self.origin, self.world_from_file), |p| self.world[p]);
+            let (translation, turn) = local(translations[joint], rotations[joint], self.is_mirrored);
+            self.world[joint] = (position + rotation * (translation * self.metres_per_unit), rotation * turn);
         }
     }
 }

@@ -1,0 +1,171 @@
+//! Which way is up in a file, and whether the file is a mirror image: read from the body, as no file says it.
+
+use super::sample::Sample;
+use crate::humanoid::{JOINTS, Role};
+use crate::math::{Quat, Vec3};
+use std::f32::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+/// A body stands along an axis that its direction from feet to head is nearer to than this: cosine of 45°.
+const STANDS: f32 = 0.7;
+/// A body goes over the ground if its hips travel this far across its up axis, in lengths of its legs, and at most a third
+/// of it along the axis.
+const TRAVEL: f32 = 0.7;
+/// Toes point, and knees bend, backwards where the cosine with the way forward is below this.
+const BACKWARDS: f32 = -0.2;
+
+/// An up axis of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum UpAxis {
+    X,
+    NegX,
+    Y,
+    NegY,
+    Z,
+    NegZ,
+}
+
+impl UpAxis {
+    /// All of them with their spelling on command lines and in JSON.
+    pub const ALL: [(UpAxis, &'static str); 6] = [
+        (UpAxis::X, "x"),
+        (UpAxis::NegX, "-x"),
+        (UpAxis::Y, "y"),
+        (UpAxis::NegY, "-y"),
+        (UpAxis::Z, "z"),
+        (UpAxis::NegZ, "-z"),
+    ];
+
+    /// The axis of this spelling.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(_, n)| n.eq_ignore_ascii_case(name)).map(|(axis, _)| *axis)
+    }
+
+    /// Spelling on command lines and in JSON.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(axis, _)| *axis == self).map_or("y", |(_, name)| *name)
+    }
+
+    /// The direction in the file's axes.
+    pub fn direction(self) -> Vec3 {
+        match self {
+            UpAxis::X => Vec3::X,
+            UpAxis::NegX => Vec3::NEG_X,
+            UpAxis::Y => Vec3::Y,
+            UpAxis::NegY => Vec3::NEG_Y,
+            UpAxis::Z => Vec3::Z,
+            UpAxis::NegZ => Vec3::NEG_Z,
+        }
+    }
+
+    /// Rotation from the file's axes to ours, which takes this axis to +Y by the least turn.
+    pub fn to_y(self) -> Quat {
+        match self {
+            UpAxis::X => Quat::from_rotation_z(FRAC_PI_2),
+            UpAxis::NegX => Quat::from_rotation_z(-FRAC_PI_2),
+            UpAxis::Y => Quat::IDENTITY,
+            UpAxis::NegY => Quat::from_rotation_x(PI),
+            UpAxis::Z => Quat::from_rotation_x(-FRAC_PI_2),
+            UpAxis::NegZ => Quat::from_rotation_x(FRAC_PI_2),
+        }
+    }
+
+    fn of(direction: Vec3) -> Option<Self> {
+        Self::ALL.into_iter().map(|(axis, _)| axis).find(|axis| axis.direction().dot(direction) > STANDS)
+    }
+}
+
+impl fmt::Display for UpAxis {
+    /// As in a sentence: `+Z`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (sign, letter) = match self.name().strip_prefix('-') {
+            Some(letter) => ('−', letter),
+            None => ('+', self.name()),
+        };
+        write!(f, "{sign}{}", letter.to_ascii_uppercase())
+    }
+}
+
+/// The up axis of a clip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Up {
+    pub(super) axis: UpAxis,
+    /// The axis along which the body lies or stands most of the time, where it was not taken for up.
+    pub(super) doubt: Option<UpAxis>,
+}
+
+/// Reads the up axis from the body. `zero_up` is the direction of the body's up axis in the zero pose, where that is a
+/// person who stands.
+///
+/// The axis along which the body stands in most frames is up, if the zero pose stands along it too: then all of the file is
+/// turned. If the zero pose stands along another axis, the root alone is turned, or the body lies down: it stands if
+/// it goes over the ground across that axis. Where the zero pose says nothing, the frames alone decide.
+pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, zero_up: Option<Vec3>) -> Up {
+    let at = |r: Role| roles[r.index()].unwrap_or(0);
+    let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);
+    let (left, right) = (at(Role::LeftFoot), at(Role::RightFoot));
+    let axes: Vec<Option<UpAxis>> =
+        sample.each(|w| UpAxis::of((w[top].0 - 0.5 * (w[left].0 + w[right].0)).normalize_or_zero())).collect();
+    let votes = |axis: UpAxis| axes.iter().filter(|vote| **vote == Some(axis)).count();
+    let most = UpAxis::ALL.into_iter().map(|(axis, _)| axis).find(|axis| 2 * votes(*axis) > axes.len());
+    let known = |axis: UpAxis| Up { axis, doubt: None };
+    match (most, zero_up.and_then(UpAxis::of)) {
+        (None | Some(UpAxis::Y), _) => known(UpAxis::Y),
+        (Some(axis), None) => known(axis),
+        (Some(axis), Some(zero)) if zero == axis || travels_across(axis, roles, sample) => known(axis),
+        (Some(axis), Some(_)) => Up { axis: UpAxis::Y, doubt: Some(axis) },
+    }
+}
+
+/// Whether the hips travel over the ground that lies across an axis, and not along the axis.
+fn travels_across(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample) -> bool {
+    let at = |r: Role| roles[r.index()].unwrap_or(0);
+    let [hips, hip, knee, ankle] = [Role::Hips, Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].map(at);
+    let leg = sample.mean(|w| Vec3::splat((w[knee].0 - w[hip].0).length() + (w[ankle].0 - w[knee].0).length())).x;
+    let places: Vec<Vec3> = sample.each(|w| w[hips].0).collect();
+    let Some(first) = places.first() else { return false };
+    let up = axis.direction();
+    let along = places.iter().map(|p| (*p - *first).dot(up).abs()).fold(0.0, f32::max);
+    let across = places.iter().map(|p| (*p - *first) - up * (*p - *first).dot(up)).map(Vec3::length);
+    let across = across.fold(0.0, f32::max);
+    across > TRAVEL * leg && along < across / 3.0
+}
+
+/// Whether toes point and knees bend backwards, as the sides are named: the file is a mirror image, as left-handed programs
+/// write it.
+pub(super) fn is_mirrored(roles: &[Option<usize>; JOINTS], sample: &Sample) -> bool {
+    let at = |r: Role| roles[r.index()];
+    let Some(top) = [Role::Neck, Role::Head, Role::Chest, Role::Spine].into_iter().find_map(at) else { return false };
+    let legs = [
+        [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot],
+        [Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot],
+    ];
+    let [Some(left), Some(right)] = legs.map(|leg| Some([at(leg[0])?, at(leg[1])?, at(leg[2])?])) else { return false };
+    let toes = [Role::LeftToes, Role::RightToes].map(at);
+    let turned = sample.mean(|w| {
+        let hips = 0.5 * (w[left[0]].0 + w[right[0]].0);
+        let ahead = (w[left[0]].0 - w[right[0]].0).cross(w[top].0 - hips).normalize_or_zero();
+        let foot = |leg: [usize; 3], toes: Option<usize>| toes.map_or(Vec3::ZERO, |t| w[t].0 - w[leg[2]].0);
+        let toes = (foot(left, toes[0]) + foot(right, toes[1])).normalize_or_zero();
+        let bend = |[hip, knee, ankle]: [usize; 3]| 2.0 * w[knee].0 - w[hip].0 - w[ankle].0;
+        let knees = (bend(left) + bend(right)).normalize_or_zero();
+        Vec3::new(toes.dot(ahead), knees.dot(ahead), 0.0)
+    });
+    let (toes, knees) = (turned.x, turned.y);
+    if toes == 0.0 { knees < BACKWARDS } else { toes < BACKWARDS && knees < 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_axis_is_taken_to_y_and_has_a_name() {
+        for (axis, name) in UpAxis::ALL {
+            assert!((axis.to_y() * axis.direction() - Vec3::Y).length() < 1e-6, "{axis}");
+            assert_eq!((UpAxis::from_name(name), axis.name()), (Some(axis), name));
+        }
+        assert_eq!(UpAxis::NegZ.to_string(), "−Z");
+    }
+}

@@ -1,0 +1,150 @@
+//! The floor of a clip: the height at which the soles rest while they rest.
+//!
+//! No standard puts the ground at height 0 of a file: optical systems leave it where they were calibrated, body models
+//! export their hips at the origin. A body that stands 5 cm off the floor bends its knees 15° more on another body.
+
+use super::Binding;
+use super::sample::local;
+use crate::humanoid::{Proportions, Role};
+use crate::kinematics::{Sole, Soles};
+use crate::math::{Quat, Vec3};
+use crate::motion::Motion;
+
+/// Leg length that the lengths and speeds below were measured on, metres.
+const REFERENCE_LEG: f32 = 0.8;
+/// A sole rests below this speed, m/s: the threshold of contacts (`crate::contact`).
+const RESTING_SPEED: f32 = 0.45;
+/// Speeds are differences over about this time.
+const SPEED_SECS: f64 = 1.0 / 60.0;
+/// The lowest resting soles are those at this share of all their heights from below …
+const LOWEST_SHARE: f32 = 0.1;
+/// … and up to this height above, metres: the floor is their median.
+const NEAR_LOWEST: f32 = 0.03;
+/// Soles must rest for this long in all, seconds, or the clip has no floor of its own.
+const LEAST_REST_SECS: f32 = 0.1;
+/// A floor nearer to 0 than this is 0, metres: the error of the estimate, and `f32` numbers stay as they are.
+const ZERO: f32 = 0.005;
+/// Shortest rest that counts as standing on another level, seconds, and its height over the floor, metres.
+const LEVEL_SECS: f32 = 0.25;
+const LEVEL_HEIGHT: f32 = 0.15;
+
+/// Where the ground of a clip is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Floor {
+    /// Height in our axes, metres.
+    pub(super) height: f32,
+    /// Whether a sole rests on it; otherwise it is the lowest that a sole comes.
+    pub(super) is_seen: bool,
+    /// How far above it a foot stands on another level, metres; 0 where none does.
+    pub(super) highest_level: f32,
+}
+
+/// The floor of a clip whose skeleton was bound.
+pub(super) fn floor_of(motion: &Motion, binding: &Binding) -> Floor {
+    let soles = soles_of(motion, binding);
+    let scale = (binding.proportions.leg_length() / REFERENCE_LEG).clamp(0.4, 2.5);
+    let rests = |side: usize, frame: usize| speed(motion, &soles, side, frame) < RESTING_SPEED * scale;
+    let lowest = |side: usize, frame: usize| soles[frame][side].lowest();
+    let resting: Vec<[bool; 2]> = (0..soles.len()).map(|frame| [0, 1].map(|side| rests(side, frame))).collect();
+
+    let frames_and_sides = (0..soles.len()).flat_map(|frame| [(0, frame), (1, frame)]);
+    let heights = |f: &dyn Fn(usize, usize) -> bool| {
+        let chosen = frames_and_sides.clone().filter(|&(side, frame)| f(side, frame));
+        sorted(chosen.map(|(side, frame)| lowest(side, frame)))
+    };
+    let at_rest = heights(&|side, frame| resting[frame][side]);
+    let least = (f64::from(LEAST_REST_SECS) / motion.frame_time_secs).ceil() as usize;
+    if at_rest.len() < least.min(soles.len()).max(1) {
+        let all = heights(&|_, _| true);
+        return Floor { height: snapped(at_share(&all, 0.0)), is_seen: false, highest_level: 0.0 };
+    }
+    let near = at_share(&at_rest, LOWEST_SHARE) + NEAR_LOWEST * scale;
+    let on_floor = &at_rest[..at_rest.partition_point(|&height| height <= near)];
+    let height = at_share(on_floor, 0.5);
+    let shortest = (f64::from(LEVEL_SECS) / motion.frame_time_secs).ceil() as usize;
+    let highest_level = [0, 1].into_iter().flat_map(|side| levels(&soles, &resting, side, shortest));
+    let highest_level = highest_level.map(|level| level - height).filter(|above| *above > LEVEL_HEIGHT * scale);
+    Floor { height: snapped(height), is_seen: true, highest_level: highest_level.fold(0.0, f32::max) }
+}
+
+fn snapped(height: f32) -> f32 {
+    if height.abs() < ZERO { 0.0 } else { height }
+}
+
+fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
+    let mut sorted: Vec<f32> = values.filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f32::total_cmp);
+    sorted
+}
+
+/// The value below which a share of sorted numbers lies; 0 if there are none.
+fn at_share(sorted: &[f32], share: f32) -> f32 {
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((share * last as f32).round() as usize).copied().unwrap_or(0.0)
+}
+
+/// Lowest height of each rest of a foot that is long enough to stand on.
+fn levels<'a>(
+    soles: &'a [[Sole; 2]],
+    resting: &'a [[bool; 2]],
+    side: usize,
+    shortest: usize,
+) -> impl Iterator<Item = f32> + 'a {
+    let frames: Vec<usize> = (0..soles.len()).collect();
+    let rests: Vec<Vec<usize>> = frames
+        .chunk_by(|a, b| resting[*a][side] == resting[*b][side])
+        .filter(|run| run.len() >= shortest && run.iter().all(|frame| resting[*frame][side]))
+        .map(<[usize]>::to_vec)
+        .collect();
+    rests.into_iter().map(move |run| run.iter().map(|frame| soles[*frame][side].lowest()).fold(f32::MAX, f32::min))
+}
+
+/// Speed of the lower point of a sole at a frame, m/s: a central difference, one-sided at the ends.
+fn speed(motion: &Motion, soles: &[[Sole; 2]], side: usize, frame: usize) -> f32 {
+    let half = ((SPEED_SECS / motion.frame_time_secs).round() as usize).max(1);
+    let (before, after) = (frame.saturating_sub(half), (frame + half).min(soles.len() - 1));
+    let [a, b, here] = [before, after, frame].map(|f| soles[f][side]);
+    let way = if here.heel.y < here.ball.y { b.heel - a.heel } else { b.ball - a.ball };
+    way.length() / ((after - before).max(1) as f64 * motion.frame_time_secs) as f32
+}
+
+/// Ground points of both feet in every frame, in our axes, metres.
+fn soles_of(motion: &Motion, binding: &Binding) -> Vec<[Sole; 2]> {
+    let proportions: &Proportions = &binding.proportions;
+    let soles = Soles::new(proportions);
+    let of_role = |role: Role| binding.joint_of_role[role.index()];
+    // Only what leads to the feet is worked out.
+    let mut leads = vec![false; motion.skeleton.len()];
+    for joint in Soles::JOINTS.iter().flatten().filter_map(|&role| of_role(role)) {
+        std::iter::successors(Some(joint), |&j| binding.parents[j]).for_each(|j| leads[j] = true);
+    }
+    let joints: Vec<usize> = (0..leads.len()).filter(|&j| leads[j]).collect();
+    let mut world = vec![(Vec3::ZERO, binding.world_from_file); leads.len()];
+    let frames = (0..motion.frames()).map(|frame| {
+        let (translations, rotations) = (motion.translations_at(frame), motion.rotations_at(frame));
+        for &joint in &joints {
+            let above = binding.parents[joint].map_or((Vec3::ZERO, binding.world_from_file), |p| world[p]);
+            let (translation, rotation) = local(translations[joint], rotations[joint], binding.is_mirrored);
+            world[joint] = (above.0 + above.1 * (translation * binding.metres_per_unit), above.1 * rotation);
+        }
+        Soles::JOINTS.map(|[foot, toes]| {
+            let turned = |joint: usize| world[joint].1 * binding.rest_world_rotations[joint].inverse();
+            let ankle = of_role(foot).map_or((Vec3::ZERO, Quat::IDENTITY), |j| (world[j].0, turned(j)));
+            let toes = of_role(toes).map_or_else(
+                || (ankle.0 + ankle.1 * proportions.offsets[toes.index()], ankle.1),
+                |j| (world[j].0, turned(j)),
+            );
+            (ankle, toes)
+        })
+    });
+    frames
+        .map(|feet| {
+            [0, 1].map(|side| {
+                let (ankle, toes) = feet[side];
+                let sole = soles.from_ankle(side, [ankle.1, toes.1], Vec3::ZERO);
+                // `from_ankle` places both points relative to the ankle; the ball belongs to the toe joint.
+                Sole { heel: ankle.0 + sole.heel, ball: toes.0 + sole.ball }
+            })
+        })
+        .collect()
+}
