@@ -81,7 +81,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let Driven { log, styled, arrived } = drive(&mut driver, stylizer, &orders, args.secs, rate_hz);
 
     let proportions = model.catalogue().proportions;
-    let styled = StyledMotion { proportions, frames: styled };
+    let styled = StyledMotion::new(proportions, styled);
     let finished = styled.resampled(rate_hz).motion;
     let report = report(&clips, driver.speeds(), &log, (&styled.frames, &finished), &orders, arrived);
     let mut outputs = Outputs::default();

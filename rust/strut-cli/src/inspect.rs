@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::manners::{self, TwoMannersEntry};
 use crate::print::print;
+use crate::read_args::ReadArgs;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -13,6 +14,7 @@ use strut_core::math::Vec3;
 use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::bvh::{self, Bvh};
+use strut_formats::joints::Reading;
 use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::note_report::NoteReport;
@@ -44,6 +46,8 @@ The report of --json on a database:
 pub(crate) struct Args {
     /// A .bvh file or a database
     file: PathBuf,
+    #[command(flatten)]
+    reading: ReadArgs,
     /// Write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -59,7 +63,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         let report = database_report(path, &bytes).map_err(|e| Failure::in_file(&args.file, e))?;
         (serde_json::to_vec_pretty(&report), report.text())
     } else {
-        let report = bvh_report(path, &bytes).map_err(|e| Failure::in_file(&args.file, e))?;
+        let report = bvh_report(path, &bytes, &args.reading.reading()?).map_err(|e| Failure::in_file(&args.file, e))?;
         (serde_json::to_vec_pretty(&report), report.text())
     };
     if let Some(target) = &args.json {
@@ -117,10 +121,10 @@ struct HumanoidReport {
     notes: Vec<String>,
 }
 
-fn bvh_report(path: String, bytes: &[u8]) -> Result<BvhReport, bvh::BvhError> {
+fn bvh_report(path: String, bytes: &[u8], reading: &Reading) -> Result<BvhReport, bvh::BvhError> {
     let file = bvh::parse(bytes)?;
     let motion = file.to_motion()?;
-    let (binding, not_humanoid) = match Binding::detect(&motion) {
+    let (binding, not_humanoid) = match reading.bind(&motion) {
         Ok(binding) => (Some(binding), None),
         Err(reason) => (None, Some(reason.to_string())),
     };

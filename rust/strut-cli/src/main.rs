@@ -25,6 +25,7 @@ mod manners;
 mod model;
 mod print;
 mod progress;
+mod read_args;
 mod reference;
 mod style_args;
 mod stylize;

@@ -2,21 +2,26 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::model::read_model;
-use crate::print::print;
+use crate::print::{print, print_warnings};
 use crate::progress::Bar;
+use crate::read_args::ReadArgs;
 use crate::style_args::StyleArgs;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use serde::Serialize;
+use std::collections::BTreeMap;
 use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use strut_core::transfer::Model;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_tasks::TaskError;
 use strut_tasks::files::Outputs;
 use strut_tasks::gather::{self, Source, gather};
+use strut_tasks::note_report::NoteReport;
 use strut_tasks::progress::unwatched;
-use strut_tasks::stylize::{self, Spread, StyleSettings, Styled, Styling, TraceLog};
+use strut_tasks::stylize::{Spread, StyleSettings, Styled, Styling, TraceLog};
 use strut_tasks::weights::StyleWeights;
 
 /// Give BVH files another style
@@ -40,16 +45,21 @@ pub(crate) struct Args {
     output: PathBuf,
     #[command(flatten)]
     options: StyleArgs,
+    #[command(flatten)]
+    reading: ReadArgs,
     /// Write how every frame of a single input was computed, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
+    /// Write what was made of every input, and notes on what may be wrong, as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
     /// Threads that work; one a processor unless given. The outputs do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<NonZero<usize>>,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    let settings = args.options.settings(args.style.clone())?;
+    let settings = StyleSettings { reading: args.reading.reading()?, ..args.options.settings(args.style.clone())? };
     use_threads(args.threads)?;
     match &args.input[..] {
         [input] if !gather::holds_several(input) => style_one(args, &settings, input),
@@ -64,11 +74,12 @@ fn use_threads(threads: Option<NonZero<usize>>) -> Outcome {
 }
 
 fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
-    Outputs::check([Some(args.output.as_path()), args.trace.as_deref()].into_iter().flatten())?;
+    let also = [args.trace.as_deref(), args.json.as_deref()];
+    Outputs::check([Some(args.output.as_path())].into_iter().chain(also).flatten())?;
     let source = Source::file(input);
-    let clip = stylize::read(&source)?;
     let model = Arc::new(read_model(&args.db, settings.search)?);
-    let styling = Styling::new(settings.stylizer(&model, &args.db)?);
+    let styling = styling_of(args, settings, &model)?;
+    let clip = styling.read(&source.path, &source.bytes()?)?;
     let mut log = args.trace.as_ref().map(|_| TraceLog::new(model.catalogue(), styling.classes()));
     let styled =
         Bar::watching(|on_progress| styling.style(&source.path, &clip, log.as_mut(), Spread::Frames, on_progress))?;
@@ -77,14 +88,54 @@ fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
     if let (Some(log), Some(target)) = (log, &args.trace) {
         outputs.stage(target, &log.into_json_lines(&styled.motion.frames).map_err(Failure::new)?)?;
     }
+    let report = StyledReport::new(&source, &args.output, &styled, &styling);
+    outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;
     print(&text(&args.output, &clip, &styled, &styling));
+    report.print_notes();
     Ok(())
+}
+
+/// What was made of an input.
+#[derive(Serialize)]
+struct StyledReport {
+    input: String,
+    output: String,
+    frames: usize,
+    duration_secs: f64,
+    /// What the input was read as: the mean weight of each class, "action/style".
+    class_weights: BTreeMap<String, f64>,
+    /// What may be wrong; empty for a clean clip.
+    notes: Vec<NoteReport>,
+}
+
+impl StyledReport {
+    fn new(source: &Source, target: &Path, styled: &Styled, styling: &Styling) -> Self {
+        Self {
+            input: source.path.clone(),
+            output: target.display().to_string(),
+            frames: styled.file.frames,
+            duration_secs: styled.file.frames as f64 * styled.file.frame_time_secs,
+            class_weights: styling.classes().iter().cloned().zip(styled.summary.mean_weights()).collect(),
+            notes: NoteReport::of(&styled.notes),
+        }
+    }
+
+    /// Notes go where errors go, so that they are seen also where the text is read by a program.
+    fn print_notes(&self) {
+        for note in &self.notes {
+            print_warnings(&format!("note: {}: {}\n", self.input, note.text));
+        }
+    }
+}
+
+fn styling_of(args: &Args, settings: &StyleSettings, model: &Arc<Model>) -> Outcome<Styling> {
+    Ok(Styling::new(settings.stylizer(model, &args.db)?).with_reading(&settings.reading))
 }
 
 /// What there is to say of a clip.
 fn text(target: &Path, clip: &Clip, styled: &Styled, styling: &Styling) -> String {
-    styled.summary.text(target, clip, &styled.file, &styled.motion, styling.classes())
+    styled.summary.text(target, clip, &styled.file, styling.classes())
 }
 
 /// Styles all inputs, or none if one cannot be styled.
@@ -98,48 +149,55 @@ fn style_several(args: &Args, settings: &StyleSettings) -> Outcome {
     if is_new {
         fs::create_dir(folder).map_err(|e| TaskError::io(folder, &e))?;
     }
-    let texts = style_into(args, settings, &sources, folder);
-    if texts.is_err() && is_new {
+    let styled = style_into(args, settings, &sources, folder);
+    if styled.is_err() && is_new {
         // The failure is what there is to report.
         let _ = fs::remove_dir(folder);
     }
-    print(&texts?.concat());
+    let (texts, reports): (Vec<String>, Vec<StyledReport>) = styled?.into_iter().unzip();
+    let mut outputs = Outputs::default();
+    outputs.stage_json(args.json.as_deref(), &reports)?;
+    outputs.commit()?;
+    print(&texts.concat());
+    reports.iter().for_each(StyledReport::print_notes);
     Ok(())
 }
 
 /// Styles all sources into an existing folder; what there is to say of each.
-fn style_into(args: &Args, settings: &StyleSettings, sources: &[Source], folder: &Path) -> Outcome<Vec<String>> {
+fn style_into(
+    args: &Args,
+    settings: &StyleSettings,
+    sources: &[Source],
+    folder: &Path,
+) -> Outcome<Vec<(String, StyledReport)>> {
     if !folder.is_dir() {
         return Err(Failure::in_file(folder, "a folder for the outputs of several inputs was expected"));
     }
     let targets: Vec<PathBuf> = sources.iter().map(|s| folder.join(s.file_name())).collect();
-    Outputs::check(targets.iter().map(PathBuf::as_path))?;
+    Outputs::check(targets.iter().chain(&args.json).map(PathBuf::as_path))?;
     if let Some(target) = sources.iter().zip(&targets).find_map(|(s, target)| s.is_at(target).then_some(target)) {
         return Err(Failure::in_file(target, "this is an input; another folder was expected"));
     }
     let model = Arc::new(read_model(&args.db, settings.search)?);
-    let styling = Styling::new(settings.stylizer(&model, &args.db)?);
+    let styling = styling_of(args, settings, &model)?;
     let bar = Bar::new("styling", sources.len());
     // Whole clips keep all threads busy where there are as many; frames do where there are fewer.
     let few = sources.len() < rayon::current_num_threads();
     let spread = if few { Spread::Frames } else { Spread::Clips };
-    let style = |(source, target): &(&Source, &PathBuf)| -> Outcome<(Outputs, String)> {
-        let clip = stylize::read(source)?;
+    let style = |(source, target): &(&Source, &PathBuf)| -> Outcome<(Outputs, (String, StyledReport))> {
+        let clip = styling.read(&source.path, &source.bytes()?)?;
         let styled = styling.style(&source.path, &clip, None, spread, &unwatched)?;
         let mut outputs = Outputs::default();
         outputs.stage(target, bvh::write(&styled.file).as_bytes())?;
         bar.step();
-        Ok((outputs, text(target, &clip, &styled, &styling)))
+        let report = StyledReport::new(source, target, &styled, &styling);
+        Ok((outputs, (text(target, &clip, &styled, &styling), report)))
     };
     // One by one: clips differ in length.
     let pairs: Vec<(&Source, &PathBuf)> = sources.iter().zip(&targets).collect();
-    let styled: Vec<Outcome<(Outputs, String)>> = pairs.par_iter().with_max_len(1).map(style).collect();
+    let styled: Vec<Outcome<_>> = pairs.par_iter().with_max_len(1).map(style).collect();
     // The first failure in the order of the inputs, whichever came first.
     let styled = styled.into_iter().collect::<Outcome<Vec<_>>>()?;
-    let mut texts = Vec::with_capacity(styled.len());
-    for (outputs, text) in styled {
-        outputs.commit()?;
-        texts.push(text);
-    }
-    Ok(texts)
+    let commit = |(outputs, said): (Outputs, _)| outputs.commit().map(|()| said).map_err(Failure::from);
+    styled.into_iter().map(commit).collect()
 }

@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
+use crate::read_args::ReadArgs;
 use crate::style_args::StyleArgs;
 use clap::ArgGroup;
 use std::fmt::Write;
@@ -12,6 +13,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use strut_tasks::batch::{BatchReport, BatchRequest, Retry, Shard, Status, Variant, read_variants, run as run_batch};
 use strut_tasks::files::Outputs;
+use strut_tasks::stylize::StyleSettings;
 use strut_tasks::weights::StyleWeights;
 
 /// Most problems that are printed; the manifest has all.
@@ -24,8 +26,8 @@ Outputs: DIR/VARIANT/PATH.bvh, where PATH is the input's below the folder or in 
 the names of the long ones here, and an empty cell leaves one as it is given beside the table.
 
 DIR/manifest.jsonl has a line for every job that ended: job, key (SHA-256 of version, database, options and input), input,
-input_sha256, variant, output, output_sha256, bytes, frames, repaired, status, code, message, version, time_ms. The latest
-line of a job counts. The same command again does what is not done: after Ctrl-C, a crash or new inputs.
+input_sha256, variant, output, output_sha256, bytes, frames, repaired, notes, status, code, message, version, time_ms. The
+latest line of a job counts. The same command again does what is not done: after Ctrl-C, a crash or new inputs.
 
 Jobs end done; skipped, if the input cannot be styled; or failed, if the system or the program failed: input or output twice,
 a panic, or three starts without an end. None stops the others. --retry does those of a kind again.
@@ -59,6 +61,8 @@ pub(crate) struct Args {
     output: PathBuf,
     #[command(flatten)]
     options: StyleArgs,
+    #[command(flatten)]
+    reading: ReadArgs,
     /// Do one of several shares of the jobs
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
@@ -109,7 +113,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
 }
 
 fn variants(args: &Args) -> Outcome<Vec<Variant>> {
-    let settings = |styles| args.options.settings(styles);
+    let reading = args.reading.reading()?;
+    let settings = |styles| Ok(StyleSettings { reading: reading.clone(), ..args.options.settings(styles)? });
     if let Some(table) = &args.variants {
         return Ok(read_variants(table, settings)?);
     }

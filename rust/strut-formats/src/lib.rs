@@ -4,6 +4,7 @@
 pub mod bvh;
 pub mod container;
 pub mod corpus;
+pub mod joints;
 pub mod key_style_model;
 mod quotation;
 pub mod strutdb;

@@ -227,7 +227,7 @@ impl Motion {
     fn input(&self, py: Python<'_>, db: &Database) -> PyResult<HumanoidMotion> {
         watched(py, None, |_| {
             let fail = |reason| TaskError::in_file(Path::new(&self.named.name), reason);
-            input_of(&self.named.clip, db.shared.model.catalogue()).map_err(fail)
+            input_of(&self.named.clip, db.shared.model.catalogue()).map(|input| input.motion).map_err(fail)
         })
     }
 }

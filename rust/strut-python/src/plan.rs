@@ -198,6 +198,7 @@ fn record_of(row: &Bound<'_, PyAny>) -> PyResult<Record> {
         bytes: field(row, "bytes")?,
         frames: field(row, "frames")?,
         repaired: field(row, "repaired")?,
+        notes: Vec::new(),
         status: Status::from_name(&status).ok_or_else(unlike)?,
         code: field(row, "code")?,
         message: field(row, "message")?,

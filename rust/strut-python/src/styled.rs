@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
 use std::path::{Path, PathBuf};
 use strut_core::humanoid::HumanoidMotion;
+use strut_core::note::Note;
 use strut_core::transfer;
 use strut_formats::bvh::{self, Bvh};
 use strut_tasks::files::Outputs;
@@ -33,6 +34,7 @@ pub(crate) struct StyledMotion {
     frames: Frames,
     file: Bvh,
     class_weights: Vec<(String, f64)>,
+    notes: Vec<Note>,
     rate_hz: f32,
     /// Lines of JSON.
     trace: Option<Vec<u8>>,
@@ -41,10 +43,10 @@ pub(crate) struct StyledMotion {
 impl StyledMotion {
     /// What a styling made of a clip.
     pub(crate) fn new(styled: Styled, styling: &Styling, trace: Option<Vec<u8>>) -> Self {
-        let Styled { motion, file, summary } = styled;
+        let Styled { motion, file, summary, notes } = styled;
         let class_weights = styling.classes().iter().cloned().zip(summary.mean_weights()).collect();
         let rate_hz = styling.catalogue().rate_hz;
-        Self { frames: Frames::Styled(motion), file, class_weights, rate_hz, trace }
+        Self { frames: Frames::Styled(motion), file, class_weights, notes, rate_hz, trace }
     }
 
     /// What a model made.
@@ -54,7 +56,8 @@ impl StyledMotion {
     pub(crate) fn made(motion: HumanoidMotion, planted: Vec<[bool; 2]>) -> Outcome<Self> {
         let file = Bvh::from_humanoid(&motion).map_err(TaskError::new)?;
         let rate_hz = motion.rate_hz;
-        Ok(Self { frames: Frames::Even(motion, planted), file, class_weights: Vec::new(), rate_hz, trace: None })
+        let frames = Frames::Even(motion, planted);
+        Ok(Self { frames, file, class_weights: Vec::new(), notes: Vec::new(), rate_hz, trace: None })
     }
 
     fn len(&self) -> usize {
@@ -103,6 +106,18 @@ impl StyledMotion {
         let weights = PyDict::new(py);
         self.class_weights.iter().try_for_each(|(class, weight)| weights.set_item(class, weight))?;
         Ok(weights)
+    }
+
+    /// What may be wrong, as dicts of a code and a text; empty for a clean clip.
+    #[getter]
+    fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let dict_of = |note: &Note| {
+            let dict = PyDict::new(py);
+            dict.set_item("code", note.code.name())?;
+            dict.set_item("text", &*note.text)?;
+            Ok(dict)
+        };
+        PyList::new(py, self.notes.iter().map(dict_of).collect::<PyResult<Vec<_>>>()?)
     }
 
     /// Length, seconds.

@@ -1,13 +1,13 @@
 //! Notes in reports.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use strut_core::note::Note;
 
 /// A note as JSON.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoteReport {
     /// What it is about; `docs/reference/notes.md` lists the codes.
-    pub code: &'static str,
+    pub code: String,
     /// The sentence.
     pub text: String,
 }
@@ -15,7 +15,7 @@ pub struct NoteReport {
 impl NoteReport {
     /// Notes in their order.
     pub fn of<'a>(notes: impl IntoIterator<Item = &'a Note>) -> Vec<Self> {
-        let report = |note: &Note| Self { code: note.code.name(), text: note.text.clone().into_owned() };
+        let report = |note: &Note| Self { code: note.code.name().to_owned(), text: note.text.clone().into_owned() };
         notes.into_iter().map(report).collect()
     }
 }

@@ -70,7 +70,7 @@ pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled 
             let mut live = stylizer.clone();
             live.reset(None);
             let frames = input.poses.iter().map(|p| *live.push(p)).collect();
-            let finished = StyledMotion { proportions: input.proportions, frames };
+            let finished = StyledMotion::new(input.proportions, frames);
             let output = finished.resampled(input.rate_hz).motion;
             Styled { predicted, finished, output }
         }

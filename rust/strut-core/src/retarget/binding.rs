@@ -131,6 +131,14 @@ pub enum BindError {
         /// The joint's name, or its index if there is no such joint.
         joint: String,
     },
+    /// A name of a chosen joint that the skeleton lacks.
+    #[error("This skeleton has no joint '{joint}', which was chosen as the {}.", joint_word(*.role))]
+    UnknownJoint {
+        /// The role.
+        role: Role,
+        /// The name.
+        joint: String,
+    },
     /// A limb bone without length.
     #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
     NoLength(Role),
@@ -178,7 +186,7 @@ impl Binding {
     /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
     /// unsure or fails. All `None` for a clip without frames.
     pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
-        let sample = Sample::of(motion, false);
+        let sample = Sample::of(motion);
         if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
     }
 
@@ -188,7 +196,7 @@ impl Binding {
     /// # Errors
     /// See [`BindError`].
     pub fn read(motion: &Motion, read_as: &ReadAs) -> Result<Self, BindError> {
-        let mut sample = Sample::of(motion, false);
+        let mut sample = Sample::of(motion);
         if sample.is_empty() {
             return Err(BindError::NoFrames);
         }
@@ -206,7 +214,7 @@ impl Binding {
         let found_mirrored = is_mirrored(&roles, &sample);
         let mirrored = found_mirrored != read_as.swap_sides;
         if mirrored {
-            sample = Sample::of(motion, true);
+            sample = Sample::of_mirror_image(motion);
         }
         let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
         binding.is_mirrored = mirrored;
@@ -274,7 +282,7 @@ impl Binding {
             translations: offsets,
             rotations: vec![Quat::IDENTITY; skeleton.len()],
         };
-        let sample = Sample::of(&zero_pose, false);
+        let sample = Sample::of(&zero_pose);
         let of = |roles, confidence| Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default());
         if REQUIRED.iter().all(|role| facts.roles[role.index()].is_some()) {
             return of(&facts.roles, 1.0);

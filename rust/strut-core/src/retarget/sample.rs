@@ -17,8 +17,17 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// Samples a motion that has at least one frame, or its mirror image; an empty one gives an empty sample.
-    pub(super) fn of(motion: &Motion, mirrored: bool) -> Self {
+    /// Samples a motion that has at least one frame; an empty one gives an empty sample.
+    pub(super) fn of(motion: &Motion) -> Self {
+        Self::seen(motion, false)
+    }
+
+    /// The same of a motion's mirror image.
+    pub(super) fn of_mirror_image(motion: &Motion) -> Self {
+        Self::seen(motion, true)
+    }
+
+    fn seen(motion: &Motion, mirrored: bool) -> Self {
         let count = motion.frames().min(MAX_FRAMES);
         let indices: Vec<usize> = (0..count).map(|i| i * (motion.frames() - 1) / (count - 1).max(1)).collect();
         let frames = indices.iter().map(|&f| world_transforms(motion, f, mirrored)).collect();

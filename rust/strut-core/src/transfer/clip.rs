@@ -2,6 +2,7 @@
 
 use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
+use super::clip_input::ClipInput;
 use super::contact_likelihood::{smoothed, stands};
 use super::found::FoundFrame;
 use super::frame::{NoClock, StageClock, StyledFrame, Trace};
@@ -9,7 +10,7 @@ use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::motion::Motion;
 use crate::retarget::{Binding, between_bodies, from_humanoid};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 /// A styled clip: frames at uneven output times.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +19,10 @@ pub struct StyledMotion {
     pub proportions: Proportions,
     /// One frame for each frame of the input.
     pub frames: Vec<StyledFrame>,
+    /// Frames that begin anew after a cut, ascending: nothing lies between one and the frame before it.
+    pub cuts: Vec<usize>,
+    /// Number of first frames that are a calibration pose: they are the input's.
+    pub calibration: usize,
 }
 
 /// A styled clip at an even rate.
@@ -35,13 +40,23 @@ pub struct ClipJob {
     stylizer: Stylizer,
     /// Frames so far, before contacts are smoothed and feet planted.
     frames: Vec<StyledFrame>,
+    /// As in [`StyledMotion`].
+    cuts: Vec<usize>,
+    calibration: usize,
+    /// Where the times and the count of repaired frames go on after a cut.
+    before_cut: StyledFrame,
 }
 
 impl ClipJob {
     /// Begins a clip with the stylizer's styles and options; its past is forgotten.
     pub fn new(mut stylizer: Stylizer) -> Self {
         stylizer.reset(None);
-        Self { stylizer, frames: Vec::new() }
+        Self { stylizer, frames: Vec::new(), cuts: Vec::new(), calibration: 0, before_cut: StyledFrame::default() }
+    }
+
+    /// Begins a clip whose cuts and calibration pose are known: after a cut the output begins anew at the input's place.
+    pub fn of_input(stylizer: Stylizer, input: &ClipInput) -> Self {
+        Self { cuts: input.cuts.clone(), calibration: input.calibration, ..Self::new(stylizer) }
     }
 
     /// Changes the styles of the whole body from the next frame on, as a style track does.
@@ -63,8 +78,21 @@ impl ClipJob {
     }
 
     fn push_searched(&mut self, pose: &Pose, found: Option<&FoundFrame<'_>>, clock: &mut impl StageClock) -> Trace<'_> {
-        self.frames.push(*self.stylizer.predict_frame(pose, found, clock));
-        if let [.., before, _] = self.frames.as_mut_slice() {
+        let index = self.frames.len();
+        let is_cut = self.cuts.binary_search(&index).is_ok();
+        if let (true, Some(last)) = (is_cut, self.frames.last()) {
+            self.before_cut = *last;
+            self.stylizer.reset(None);
+        }
+        let mut frame = *self.stylizer.predict_frame(pose, found, clock);
+        if self.cuts.first().is_some_and(|first| *first <= index) {
+            self.go_on_after_cut(&mut frame, is_cut);
+        }
+        if index < self.calibration {
+            frame.pose = *pose;
+        }
+        self.frames.push(frame);
+        if let ([.., before, _], false) = (self.frames.as_mut_slice(), is_cut) {
             let contact = self.stylizer.contact_before();
             // Half of the output's likelihood is the input's.
             let gained = contact.iter().zip(before.contact).map(|(c, was)| c - was);
@@ -74,6 +102,17 @@ impl ClipJob {
         self.stylizer.trace()
     }
 
+    /// Has the times of a frame, which count from the last cut, count from the beginning of the clip.
+    fn go_on_after_cut(&self, frame: &mut StyledFrame, is_cut: bool) {
+        let frame_secs = 1.0 / self.stylizer.model().catalogue().rate_hz;
+        if is_cut {
+            frame.dt_secs = frame_secs;
+        }
+        frame.time_in_secs += self.before_cut.time_in_secs + f64::from(frame_secs);
+        frame.time_out_secs += self.before_cut.time_out_secs + f64::from(frame_secs);
+        frame.repaired_total += self.before_cut.repaired_total;
+    }
+
     /// The frames so far, before contacts are smoothed and feet planted.
     pub fn frames(&self) -> &[StyledFrame] {
         &self.frames
@@ -81,14 +120,17 @@ impl ClipJob {
 
     /// Ends the clip: smooths contacts and plants feet, both with knowledge of later frames.
     pub fn finish(self) -> StyledMotion {
-        let Self { stylizer, mut frames } = self;
-        let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
-        let of_output = smoothed(&frames.iter().map(|f| f.contact_out).collect::<Vec<_>>());
-        for (frame, (input, output)) in frames.iter_mut().zip(of_input.into_iter().zip(of_output)) {
-            (frame.contact, frame.contact_out) = (input, output);
-        }
+        let Self { stylizer, frames, cuts, calibration, .. } = self;
         let db = stylizer.model().catalogue();
-        let mut styled = StyledMotion { proportions: db.proportions, frames };
+        let mut styled = StyledMotion { proportions: db.proportions, frames, cuts, calibration };
+        for part in styled.parts() {
+            let frames = &mut styled.frames[part];
+            let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
+            let of_output = smoothed(&frames.iter().map(|f| f.contact_out).collect::<Vec<_>>());
+            for (frame, (input, output)) in frames.iter_mut().zip(of_input.into_iter().zip(of_output)) {
+                (frame.contact, frame.contact_out) = (input, output);
+            }
+        }
         if stylizer.options().footplant {
             styled.plant_feet(db.rate_hz);
         }
@@ -117,32 +159,52 @@ pub fn stylize_clip(
 }
 
 impl StyledMotion {
+    /// Of frames without a cut.
+    pub fn new(proportions: Proportions, frames: Vec<StyledFrame>) -> Self {
+        Self { proportions, frames, cuts: Vec::new(), calibration: 0 }
+    }
+
     /// Length of the output time axis, seconds: each frame counts with the time to the next, the last one
     /// with its own.
     pub fn duration_secs(&self) -> f64 {
         self.frames.last().map_or(0.0, |f| f.time_out_secs + f64::from(f.dt_secs))
     }
 
+    /// The frames between cuts.
+    fn parts(&self) -> Vec<Range<usize>> {
+        let starts = std::iter::once(0).chain(self.cuts.iter().copied());
+        let ends = self.cuts.iter().copied().chain(std::iter::once(self.frames.len()));
+        starts.zip(ends).map(|(start, end)| start.min(self.frames.len())..end.min(self.frames.len())).collect()
+    }
+
     /// The clip on another body and at an even rate: how it is written to a file. Feet that are held here are
     /// held there as well, where other legs and soles would have let them slide.
     pub fn on_body(&self, body: &Proportions, rate_hz: f32) -> Resampled {
-        let mut even = self.resampled(rate_hz);
+        self.placed_on(body, self.resampled(rate_hz))
+    }
+
+    fn placed_on(&self, body: &Proportions, mut even: Resampled) -> Resampled {
         if *body != self.proportions {
             even.motion = between_bodies(&even.motion, body);
         }
         let held: Vec<[bool; 2]> = even.input_frame.iter().map(|&f| self.frames[f.round() as usize].planted).collect();
-        if held.iter().flatten().any(|&held| held) {
-            plant_feet(&mut even.motion, &held);
+        for part in self.parts() {
+            let first = even.input_frame.partition_point(|&f| f < part.start as f64);
+            let end = even.input_frame.partition_point(|&f| f < part.end as f64);
+            if held[first..end].iter().flatten().any(|&held| held) {
+                plant_part(&mut even.motion, first..end, &held[first..end]);
+            }
         }
         even
     }
 
-    /// The clip on the skeleton and at the rate of the file that it was made of; `rate_hz` is that of the frames which
-    /// were styled. Joints without a role keep the file's motion.
+    /// The clip on the skeleton and at the rate of the file that it was made of, to the file's last frame; `rate_hz` is that
+    /// of the frames which were styled. Joints without a role keep the file's motion.
     pub fn on_skeleton(&self, rate_hz: f32, file: &Motion, binding: &Binding) -> Motion {
         let file_rate_hz = 1.0 / file.frame_time_secs;
-        let even = self.on_body(&binding.proportions, file_rate_hz as f32);
         let file_frames_per_frame = file_rate_hz / f64::from(rate_hz);
+        let end = file.frames().saturating_sub(1) as f64 / file_frames_per_frame;
+        let even = self.placed_on(&binding.proportions, self.resampled_to(file_rate_hz, end));
         let file_frames: Vec<f64> = even.input_frame.iter().map(|f| f * file_frames_per_frame).collect();
         // Exactly the file's own frame time, which f32 cannot hold.
         Motion { frame_time_secs: file.frame_time_secs, ..from_humanoid(&even.motion, file, binding, &file_frames) }
@@ -160,33 +222,50 @@ impl StyledMotion {
                 state
             })
             .collect();
-        let span = self.frames.last().map_or(0.0, |f| f.time_out_secs);
-        let rate_hz = if span > 0.0 { ((self.frames.len() - 1) as f64 / span) as f32 } else { rate_hz };
-        let poses = self.frames.iter().map(|f| f.pose).collect();
-        let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses };
-        let held = plant_feet(&mut motion, &stands);
-        for (frame, (pose, held)) in self.frames.iter_mut().zip(motion.poses.into_iter().zip(held)) {
-            (frame.pose, frame.planted) = (pose, held);
+        for part in self.parts().into_iter().filter(|part| part.start >= self.calibration) {
+            let frames = &mut self.frames[part.clone()];
+            let [Some(first), Some(last)] = [frames.first(), frames.last()] else { continue };
+            let span = last.time_out_secs - first.time_out_secs;
+            let rate_hz = if span > 0.0 { ((frames.len() - 1) as f64 / span) as f32 } else { rate_hz };
+            let poses = frames.iter().map(|f| f.pose).collect();
+            let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses };
+            let held = plant_feet(&mut motion, &stands[part]);
+            for (frame, (pose, held)) in frames.iter_mut().zip(motion.poses.into_iter().zip(held)) {
+                (frame.pose, frame.planted) = (pose, held);
+            }
         }
     }
 
     /// The clip at an even rate on the output time axis, from the first frame to the last.
     pub fn resampled(&self, rate_hz: f32) -> Resampled {
+        let end_secs = self.frames.last().map_or(0.0, |last| last.time_out_secs);
+        let count = (end_secs * f64::from(rate_hz) + 1e-6).floor() as usize + 1;
+        self.at_times(rate_hz, (0..count).map(|n| n as f64 / f64::from(rate_hz)))
+    }
+
+    /// The same to a fractional frame of the input, which the last frame shows: as many frames as fit best.
+    fn resampled_to(&self, rate_hz: f64, end: f64) -> Resampled {
+        let Some(last) = self.frames.len().checked_sub(1) else { return self.resampled(rate_hz as f32) };
+        let whole = (end.floor() as usize).min(last);
+        let [before, after] = [whole, (whole + 1).min(last)].map(|i| self.frames[i].time_out_secs);
+        let end_secs = before + (after - before) * (end - whole as f64).clamp(0.0, 1.0);
+        let count = (end_secs * rate_hz).round() as usize;
+        let times = (0..count).map(|n| n as f64 / rate_hz).chain(std::iter::once(end_secs));
+        self.at_times(rate_hz as f32, times)
+    }
+
+    /// The clip at ascending times on the output time axis.
+    fn at_times(&self, rate_hz: f32, times: impl Iterator<Item = f64>) -> Resampled {
         let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses: Vec::new() };
         let mut input_frame = Vec::new();
-        if let Some(last) = self.frames.last() {
-            let step = 1.0 / f64::from(rate_hz);
-            let count = (last.time_out_secs / step + 1e-6).floor() as usize + 1;
-            let mut i = 0;
-            for n in 0..count {
-                let time = n as f64 * step;
-                while i + 1 < self.frames.len() && self.frames[i + 1].time_out_secs <= time {
-                    i += 1;
-                }
-                let (pose, at) = self.between(i, time);
-                motion.poses.push(pose);
-                input_frame.push(at);
+        let mut i = 0;
+        for time in times.filter(|_| !self.frames.is_empty()) {
+            while i + 1 < self.frames.len() && self.frames[i + 1].time_out_secs <= time {
+                i += 1;
             }
+            let (pose, at) = self.between(i, time);
+            motion.poses.push(pose);
+            input_frame.push(at);
         }
         Resampled { motion, input_frame }
     }
@@ -194,10 +273,19 @@ impl StyledMotion {
     /// Pose and fractional frame at a time from frame `i` on.
     fn between(&self, i: usize, time: f64) -> (Pose, f64) {
         let a = &self.frames[i];
-        let Some(b) = self.frames.get(i + 1) else { return (a.pose, i as f64) };
+        let after = self.frames.get(i + 1).filter(|_| self.cuts.binary_search(&(i + 1)).is_err());
+        let Some(b) = after else { return (a.pose, i as f64) };
         let share = ((time - a.time_out_secs) / (b.time_out_secs - a.time_out_secs)).clamp(0.0, 1.0);
         (a.pose.lerp(&b.pose, share as f32), i as f64 + share)
     }
+}
+
+/// Holds feet in a part of a clip.
+fn plant_part(motion: &mut HumanoidMotion, frames: Range<usize>, held: &[[bool; 2]]) {
+    let poses = motion.poses[frames.clone()].to_vec();
+    let mut part = HumanoidMotion { proportions: motion.proportions, rate_hz: motion.rate_hz, poses };
+    plant_feet(&mut part, held);
+    motion.poses[frames].copy_from_slice(&part.poses);
 }
 
 #[cfg(test)]

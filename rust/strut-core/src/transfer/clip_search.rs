@@ -6,6 +6,7 @@
 //! exceeds [`greatest_distance`](super::mixture::greatest_distance) of the least so far. That grows with the least, so
 //! that the class has no weight by its true distance either; nor can it be the nearest, from which the others are weighed.
 
+use super::clip_input::ClipInput;
 use super::contact_likelihood::VOTERS;
 use super::found::Found;
 use super::input_stream::InputStream;
@@ -26,6 +27,8 @@ pub struct ClipSearch<'a> {
     model: Arc<Model>,
     options: Options,
     poses: &'a [Pose],
+    /// Frames that begin anew after a cut, ascending.
+    cuts: &'a [usize],
     /// Frames of a portion; the last may have fewer.
     length: usize,
     /// The input before each portion.
@@ -36,22 +39,30 @@ pub struct ClipSearch<'a> {
 impl<'a> ClipSearch<'a> {
     /// Of a clip at the database's rate, with a stylizer's options.
     pub fn new(stylizer: &Stylizer, poses: &'a [Pose]) -> Self {
-        Self::in_portions(stylizer, poses, PORTION)
+        Self::in_portions(stylizer, poses, &[], PORTION)
     }
 
-    /// [`ClipSearch::new`] with portions of so many frames, at least 1.
-    fn in_portions(stylizer: &Stylizer, poses: &'a [Pose], length: usize) -> Self {
+    /// Of a clip whose cuts are known.
+    pub fn of_input(stylizer: &Stylizer, input: &'a ClipInput) -> Self {
+        Self::in_portions(stylizer, &input.motion.poses, &input.cuts, PORTION)
+    }
+
+    /// With portions of so many frames, at least 1.
+    fn in_portions(stylizer: &Stylizer, poses: &'a [Pose], cuts: &'a [usize], length: usize) -> Self {
         let model = Arc::clone(stylizer.model());
         let mut input = InputStream::new(model.index().window_length());
-        let inputs = poses.chunks(length).map(|portion| {
+        let inputs = poses.chunks(length).enumerate().map(|(portion, poses)| {
             let before = input.clone();
-            for pose in portion {
+            for (frame, pose) in (portion * length..).zip(poses) {
+                if cuts.binary_search(&frame).is_ok() {
+                    input.reset();
+                }
                 input.push(model.catalogue(), pose);
             }
             before
         });
         let inputs = inputs.collect();
-        Self { options: *stylizer.options(), mixture: stylizer.mixture().clone(), model, poses, length, inputs }
+        Self { options: *stylizer.options(), mixture: stylizer.mixture().clone(), model, poses, cuts, length, inputs }
     }
 
     /// Number of portions, one after the other.
@@ -76,7 +87,11 @@ impl<'a> ClipSearch<'a> {
         let Self { model, options, .. } = self;
         let (mut input, mut mixture) = (self.inputs[portion].clone(), self.mixture.clone());
         let (mut found, mut voters) = (Found::default(), Neighbours::with_capacity(VOTERS));
-        for pose in self.poses(portion) {
+        for (frame, pose) in (portion * self.length..).zip(self.poses(portion)) {
+            if self.cuts.binary_search(&frame).is_ok() {
+                input.reset();
+                mixture.forget_input();
+            }
             input.push(model.catalogue(), pose);
             mixture.search(model, options, input.window());
             mixture.weigh(model, options);
@@ -129,7 +144,7 @@ mod tests {
     /// The portions searched last one first.
     fn in_portions(options: Options, poses: &[Pose], length: usize) -> (StyledMotion, Vec<String>) {
         let stylizer = stylizer(options);
-        let search = ClipSearch::in_portions(&stylizer, poses, length);
+        let search = ClipSearch::in_portions(&stylizer, poses, &[], length);
         let mut found: Vec<Found> = (0..search.portions()).rev().map(|portion| search.find(portion)).collect();
         found.reverse();
         styled(ClipJob::new(stylizer), |job, traces| {
@@ -203,7 +218,7 @@ mod tests {
     fn what_was_found_for_other_frames_is_not_ignored() {
         let poses = poses(60.0);
         let stylizer = stylizer(Options::DEFAULT);
-        let found = ClipSearch::in_portions(&stylizer, &poses, 90).find(0);
+        let found = ClipSearch::in_portions(&stylizer, &poses, &[], 90).find(0);
         let mut job = ClipJob::new(stylizer);
         for (pose, found) in poses.iter().zip(found.frames().skip(1)) {
             job.push_found(pose, &found);

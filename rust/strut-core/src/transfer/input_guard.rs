@@ -42,6 +42,16 @@ impl InputGuard {
         let Some(last) = self.last else {
             return match normalised(pose) {
                 Some(pose) if root_is_usable => self.begin(&pose, Admitted::Good),
+                // Joints that are unusable from the first frame on are at rest until they are not.
+                None if root_is_usable && pose.rotations.iter().any(|q| usable(*q).is_some()) => {
+                    let mut at_rest = *pose;
+                    at_rest.rotations = pose.rotations.map(|q| usable(q).unwrap_or(Quat::IDENTITY));
+                    let admitted = self.begin(&at_rest, Admitted::Repaired);
+                    for (held, q) in self.held_joints.iter_mut().zip(&pose.rotations) {
+                        *held = if usable(*q).is_some() { 0 } else { MAX_HELD };
+                    }
+                    admitted
+                }
                 // A default pose in place of a bad first frame says nothing about the next frame.
                 _ => Admitted::Repaired(Pose::default()),
             };
@@ -142,6 +152,24 @@ mod tests {
             assert!(matches!(guard.admit(&moved, DT), Admitted::Repaired(_)));
         }
         assert_eq!(guard.admit(&moved, DT), Admitted::Good(moved));
+    }
+
+    #[test]
+    fn a_joint_that_is_unusable_from_the_first_frame_on_stays_at_rest() {
+        let mut guard = InputGuard::default();
+        let mut pose = at(0.0);
+        pose.rotations[5] = Quat::from_rotation_x(0.4);
+        pose.rotations[9] = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
+        let mut expected = pose;
+        expected.rotations[9] = Quat::IDENTITY;
+        for frame in 0..20 {
+            pose.root.x = 0.02 * frame as f32;
+            expected.root.x = pose.root.x;
+            assert_eq!(guard.admit(&pose, DT), Admitted::Repaired(expected), "frame {frame}");
+        }
+        // As soon as it is usable it is taken, however it is turned.
+        pose.rotations[9] = Quat::from_rotation_z(3.0);
+        assert_eq!(guard.admit(&pose, DT), Admitted::Good(pose));
     }
 
     #[test]

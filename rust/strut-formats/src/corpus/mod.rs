@@ -13,6 +13,7 @@ pub use pattern::{LabelError, Labels, Pattern, PatternError};
 pub use table::{Table, TableError, assign};
 
 use crate::bvh::{self, Bvh, BvhError};
+use crate::joints::Reading;
 use std::collections::{BTreeMap, HashMap};
 use strut_core::database::build::SourceClip;
 use strut_core::humanoid::Proportions;
@@ -56,6 +57,14 @@ impl Clip {
     /// See [`ClipError`].
     pub fn parse(bytes: &[u8]) -> Result<Self, ClipError> {
         Self::with_binding(bytes, Binding::detect)
+    }
+
+    /// The clip in these bytes, read as a person says.
+    ///
+    /// # Errors
+    /// See [`ClipError`].
+    pub fn read(bytes: &[u8], reading: &Reading) -> Result<Self, ClipError> {
+        Self::with_binding(bytes, |motion| reading.bind(motion))
     }
 
     /// The clip in these bytes, bound by `bind` instead of by detection.

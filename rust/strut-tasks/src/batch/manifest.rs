@@ -5,6 +5,7 @@
 
 use super::shard::Shard;
 use crate::error::{Outcome, TaskError};
+use crate::note_report::NoteReport;
 use fs4::fs_std::FileExt;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -67,6 +68,9 @@ pub struct Record {
     pub frames: Option<u64>,
     /// Unusable frames of the input that were replaced.
     pub repaired: Option<u64>,
+    /// What may be wrong with the output.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<NoteReport>,
     /// How it ended.
     pub status: Status,
     /// Kind of the error.
@@ -214,6 +218,7 @@ mod tests {
             bytes: Some(1),
             frames: None,
             repaired: None,
+            notes: Vec::new(),
             status: Status::Done,
             code: None,
             message: None,

@@ -8,12 +8,12 @@ use super::workers::Ending;
 use crate::digest::sha256_hex;
 use crate::error::{Code, Outcome, TaskError};
 use crate::gather::Source;
+use crate::note_report::NoteReport;
 use crate::progress::OnProgress;
 use crate::stylize::{Spread, Styling};
 use std::path::Path;
 use strut_formats::GENERATOR;
 use strut_formats::bvh;
-use strut_formats::corpus::Clip;
 
 /// What all jobs of a batch share.
 pub(super) struct Performer<'a> {
@@ -36,6 +36,7 @@ pub(super) struct Written {
     pub(super) frames: u64,
     /// Frames of the input that were replaced.
     pub(super) repaired: u64,
+    pub(super) notes: Vec<NoteReport>,
 }
 
 /// What is known of a job's input, however the job ends.
@@ -83,7 +84,7 @@ impl Performer<'_> {
         styling: &Styling,
         on_progress: &OnProgress<'_>,
     ) -> Outcome<Written> {
-        let clip = Clip::parse(bytes).map_err(|e| TaskError::in_file(Path::new(&source.path), e))?;
+        let clip = styling.read(&source.path, bytes)?;
         let styled = styling.style(&source.path, &clip, None, Spread::Clips, on_progress)?;
         let text = bvh::write(&styled.file);
         outputs::write(self.folder, output, &self.manifest, text.as_bytes())?;
@@ -92,6 +93,7 @@ impl Performer<'_> {
             bytes: text.len() as u64,
             frames: styled.file.frames as u64,
             repaired: styled.motion.frames.last().map_or(0, |frame| u64::from(frame.repaired_total)),
+            notes: NoteReport::of(&styled.notes),
         })
     }
 }
@@ -114,6 +116,7 @@ pub(super) fn record((output, input, variant): (&str, &str, &str), known: Known,
         bytes: written.as_ref().map(|written| written.bytes),
         frames: written.as_ref().map(|written| written.frames),
         repaired: written.as_ref().map(|written| written.repaired),
+        notes: written.map(|written| written.notes).unwrap_or_default(),
         status,
         code: error.as_ref().map(|error| error.code.name().to_owned()),
         message: error.map(|error| error.to_string()),

@@ -38,7 +38,7 @@ pub(super) fn stylings(
             models.push((settings.search, Arc::clone(&model)));
             model
         };
-        let styling = Styling::new(settings.stylizer(&model, &request.database)?);
+        let styling = Styling::new(settings.stylizer(&model, &request.database)?).with_reading(&settings.reading);
         Ok(VariantStyling { name: name.clone(), styling, digests: Digests::new(sha256, &settings.canonical()?) })
     };
     request.variants.iter().map(&mut of).collect()

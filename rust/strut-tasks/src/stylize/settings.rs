@@ -10,6 +10,7 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 use strut_core::transfer::{Method, Model, Options, Stylizer};
+use strut_formats::joints::Reading;
 
 /// Names that [`Method::from_name`] knows.
 pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
@@ -49,6 +50,8 @@ pub struct StyleSettings {
     pub input_style: Option<String>,
     /// How neighbours are found.
     pub search: Search,
+    /// What is said of the inputs, in place of what is read from the bodies in them.
+    pub reading: Reading,
     /// All other options; the labels among them come from the names above.
     pub options: Options,
 }
@@ -61,6 +64,8 @@ struct Canonical<'a> {
     action: &'a Option<String>,
     input_style: &'a Option<String>,
     search: Search,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reading: Option<String>,
     /// Numbers are written so that they read back as the same; also those that JSON lacks.
     options: String,
 }
@@ -87,7 +92,7 @@ impl StyleSettings {
     /// The defaults, in these styles.
     pub fn new(styles: StyleWeights) -> Self {
         let (parts, search, options) = (Vec::new(), Search::Exact, Options::DEFAULT);
-        Self { styles, parts, action: None, input_style: None, search, options }
+        Self { styles, parts, action: None, input_style: None, search, reading: Reading::default(), options }
     }
 
     /// Sets an option by the command's long name for it, from the text that the command takes.
@@ -170,9 +175,10 @@ impl StyleSettings {
     /// # Errors
     /// None that settings can cause.
     pub fn canonical(&self) -> Outcome<String> {
-        let Self { styles, parts, action, input_style, search, options } = self;
+        let Self { styles, parts, action, input_style, search, reading, options } = self;
+        let reading = (*reading != Reading::default()).then(|| format!("{reading:?}"));
         let options = format!("{options:?}");
-        let canonical = Canonical { styles, parts, action, input_style, search: *search, options };
+        let canonical = Canonical { styles, parts, action, input_style, search: *search, reading, options };
         serde_json::to_string(&canonical).map_err(|e| TaskError::of(crate::Code::Fault, e))
     }
 }

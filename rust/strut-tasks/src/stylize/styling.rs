@@ -5,16 +5,16 @@ use super::summary::Summary;
 use super::trace::{StageTimer, TraceLog, class_names};
 use super::track::StyleTrack;
 use crate::error::{Outcome, TaskError};
-use crate::gather::Source;
 use crate::progress::{Counter, OnProgress};
 use std::path::Path;
 use strut_core::catalogue::Catalogue;
 use strut_core::database::build::MIN_CLIP_FRAMES;
-use strut_core::humanoid::HumanoidMotion;
+use strut_core::note::{Note, NoteCode};
 use strut_core::retarget::to_humanoid;
-use strut_core::transfer::{ClipJob, ClipSearch, NoClock, StyledMotion, Stylizer, Trace};
+use strut_core::transfer::{ClipInput, ClipJob, ClipSearch, NoClock, StyledMotion, Stylizer, Trace};
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
+use strut_formats::joints::Reading;
 
 /// What is spread over threads, with the same result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +33,8 @@ pub struct Styled {
     pub file: bvh::Bvh,
     /// What there is to say of it.
     pub summary: Summary,
+    /// What may be wrong; empty for a clean clip.
+    pub notes: Vec<Note>,
 }
 
 /// Styles clips alike.
@@ -41,27 +43,32 @@ pub struct Styling {
     /// Names of the database's classes.
     classes: Vec<String>,
     track: Option<StyleTrack>,
-}
-
-/// The clip in a source.
-///
-/// # Errors
-/// If it cannot be read.
-pub fn read(source: &Source) -> Outcome<Clip> {
-    let fail = |reason| TaskError::in_file(Path::new(&source.path), reason);
-    Clip::parse(&source.bytes()?).map_err(fail)
+    reading: Reading,
 }
 
 impl Styling {
     /// With the styles and options of a stylizer.
     pub fn new(stylizer: Stylizer) -> Self {
         let classes = class_names(stylizer.model().catalogue());
-        Self { stylizer, classes, track: None }
+        Self { stylizer, classes, track: None, reading: Reading::default() }
     }
 
     /// With styles that change over time in place of the stylizer's.
     pub fn with_track(self, track: StyleTrack) -> Self {
         Self { track: Some(track), ..self }
+    }
+
+    /// With inputs that are read as a person says.
+    pub fn with_reading(self, reading: &Reading) -> Self {
+        Self { reading: reading.clone(), ..self }
+    }
+
+    /// The clip of this name in these bytes.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn read(&self, name: &str, bytes: &[u8]) -> Outcome<Clip> {
+        Clip::read(bytes, &self.reading).map_err(|reason| TaskError::in_file(Path::new(name), reason))
     }
 
     /// Names of the database's classes.
@@ -89,8 +96,9 @@ impl Styling {
         let db = self.catalogue();
         let input = input_of(clip, db).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
         let mut summary = Summary::new(self.classes.len());
-        let mut job = ClipJob::new(self.stylizer.clone());
-        let counter = Counter::new("styling", input.poses.len(), on_progress);
+        let mut job = ClipJob::of_input(self.stylizer.clone(), &input);
+        let poses = &input.motion.poses;
+        let counter = Counter::new("styling", poses.len(), on_progress);
         counter.check()?;
         let mut on_frame = |trace: &Trace<'_>| {
             summary.add(trace.class_weights);
@@ -102,23 +110,26 @@ impl Styling {
         };
         if let Some(log) = log {
             let mut timer = StageTimer::default();
-            for (frame, pose) in input.poses.iter().enumerate() {
+            for (frame, pose) in poses.iter().enumerate() {
                 follow(&mut job, frame)?;
                 let trace = job.push(pose, &mut timer);
                 on_frame(&trace)?;
                 log.push(&trace, timer.take());
             }
         } else if spread == Spread::Frames && rayon::current_num_threads() > 1 && self.track.is_none() {
-            style_frames(&mut job, &ClipSearch::new(&self.stylizer, &input.poses), on_frame)?;
+            style_frames(&mut job, &ClipSearch::of_input(&self.stylizer, &input), on_frame)?;
         } else {
-            for (frame, pose) in input.poses.iter().enumerate() {
+            for (frame, pose) in poses.iter().enumerate() {
                 follow(&mut job, frame)?;
                 on_frame(&job.push(pose, &mut NoClock))?;
             }
         }
         let motion = job.finish();
         let file = output_of(clip, db, &motion).map_err(TaskError::new)?;
-        Ok(Styled { motion, file, summary })
+        let mut notes = clip.binding.doubts.clone();
+        notes.extend(input.notes());
+        notes.extend(repaired(motion.frames.last().map_or(0, |frame| frame.repaired_total)));
+        Ok(Styled { motion, file, summary, notes })
     }
 }
 
@@ -126,10 +137,10 @@ impl Styling {
 ///
 /// # Errors
 /// A sentence why it cannot be styled.
-pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<HumanoidMotion, String> {
-    let input =
-        to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz).map_err(|e| e.to_string())?;
-    if input.poses.len() < MIN_CLIP_FRAMES {
+pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
+    let on_body = to_humanoid(&clip.motion, &clip.binding, &db.proportions);
+    let input = ClipInput::new(on_body, db.rate_hz).map_err(|e| e.to_string())?;
+    if input.motion.poses.len() < MIN_CLIP_FRAMES {
         let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
         return Err(format!(
             "the motion has {frames} ({:.2} s); at least {:.2} s are needed",
@@ -138,6 +149,16 @@ pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<HumanoidMotion, String> {
         ));
     }
     Ok(input)
+}
+
+/// What there is to say of frames that were unusable on the database's body.
+fn repaired(frames: u32) -> Option<Note> {
+    let text = match frames {
+        0 => return None,
+        1 => String::from("1 input frame was unusable and was replaced."),
+        n => format!("{n} input frames were unusable and were replaced."),
+    };
+    Some(Note::new(NoteCode::Repaired, text))
 }
 
 /// The styled clip on the input's skeleton and at its rate.

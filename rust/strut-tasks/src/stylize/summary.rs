@@ -1,7 +1,6 @@
 //! What `strut stylize` says of a clip when it is styled.
 
 use std::path::Path;
-use strut_core::transfer::StyledMotion;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 
@@ -31,25 +30,14 @@ impl Summary {
     }
 
     /// The text, of a clip that is written to a path.
-    pub fn text(
-        &self,
-        path: &Path,
-        clip: &Clip,
-        output: &bvh::Bvh,
-        styled: &StyledMotion,
-        classes: &[String],
-    ) -> String {
+    pub fn text(&self, path: &Path, clip: &Clip, output: &bvh::Bvh, classes: &[String]) -> String {
         let seconds = |file: &bvh::Bvh| file.frames as f64 * file.frame_time_secs;
         let (out, before) = (seconds(output), seconds(&clip.file));
         let mut ranked: Vec<(&String, f64)> = classes.iter().zip(self.mean_weights()).collect();
         ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
         let reads_as: Vec<String> = ranked.iter().take(3).map(|(name, w)| format!("{name} {w:.2}")).collect();
-        let repaired = match styled.frames.last().map_or(0, |f| f.repaired_total) {
-            0 => String::new(),
-            n => format!("note: {n} input frames were unusable and were replaced\n"),
-        };
         format!(
-            "{}: {} frames, {out:.2} s ({:.2} of the input's); the input reads as {}\n{repaired}",
+            "{}: {} frames, {out:.2} s ({:.2} of the input's); the input reads as {}\n",
             path.display(),
             output.frames,
             out / before,
