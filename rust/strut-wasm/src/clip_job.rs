@@ -29,7 +29,7 @@ impl ClipJob {
     /// Begins the input with a stylizer's styles and options.
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
-        let job = transfer::ClipJob::new(stylizer.core().clone());
+        let job = transfer::ClipJob::of_input(stylizer.core().clone(), input.clip());
         Self {
             poses: input.humanoid().poses.clone(),
             class_weights: Vec::new(),

@@ -5,6 +5,8 @@ use crate::database::{Database, unpackable};
 use crate::input_file::InputFile;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
+use strut_core::note::Note;
+use strut_core::transfer::ClipInput;
 #[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
 use strut_formats::strutdb::packed;
@@ -17,9 +19,11 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct Input {
-    humanoid: HumanoidMotion,
+    clip: ClipInput,
     /// On the match of the skeletons; empty if there is nothing to say.
     note: String,
+    /// What may be wrong.
+    notes: Vec<Note>,
     #[cfg(feature = "files")]
     file: Option<InputFile>,
 }
@@ -53,7 +57,7 @@ impl Input {
 
     /// Number of frames.
     pub fn frames(&self) -> usize {
-        self.humanoid.poses.len()
+        self.clip.motion.poses.len()
     }
 
     /// Notes on the match of the skeletons; empty if there are none.
@@ -61,14 +65,26 @@ impl Input {
         self.note.clone()
     }
 
+    /// Codes of the notes on what may be wrong.
+    #[wasm_bindgen(js_name = noteCodes)]
+    pub fn note_codes(&self) -> Vec<String> {
+        self.notes.iter().map(|note| note.code.name().to_owned()).collect()
+    }
+
+    /// Sentences of the notes, in the same order.
+    #[wasm_bindgen(js_name = noteTexts)]
+    pub fn note_texts(&self) -> Vec<String> {
+        self.notes.iter().map(|note| note.text.clone().into_owned()).collect()
+    }
+
     /// The poses.
     pub fn poses(&self) -> Vec<f32> {
-        floats_of(self.humanoid.poses.iter())
+        floats_of(self.clip.motion.poses.iter())
     }
 
     /// Foot contacts of the input, left and right interleaved, 1 while planted.
     pub fn contacts(&self) -> Vec<u8> {
-        contact::label(&self.humanoid).into_iter().flat_map(|c| c.map(u8::from)).collect()
+        contact::label(&self.clip.motion).into_iter().flat_map(|c| c.map(u8::from)).collect()
     }
 }
 
@@ -89,12 +105,18 @@ impl Input {
 impl Input {
     fn from_file(database: &Database, file: InputFile) -> Result<Self, EngineError> {
         let db = database.model().catalogue();
-        let humanoid = file.on_body(&db.proportions).resampled(db.rate_hz).map_err(too_long)?;
-        Ok(Self { humanoid, note: file.note(), file: Some(file) })
+        let clip = ClipInput::new(file.on_body(&db.proportions), db.rate_hz).map_err(too_long)?;
+        let mut notes = file.doubts().to_vec();
+        notes.extend(clip.notes());
+        Ok(Self { clip, note: file.note(), notes, file: Some(file) })
+    }
+
+    pub(crate) fn clip(&self) -> &ClipInput {
+        &self.clip
     }
 
     pub(crate) fn humanoid(&self) -> &HumanoidMotion {
-        &self.humanoid
+        &self.clip.motion
     }
 
     /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
@@ -103,7 +125,7 @@ impl Input {
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.
     pub(crate) fn export(&self, styled: &StyledMotion) -> Result<String, EngineError> {
-        let HumanoidMotion { proportions, rate_hz, .. } = &self.humanoid;
+        let HumanoidMotion { proportions, rate_hz, .. } = &self.clip.motion;
         match &self.file {
             None => bvh_of(&styled.on_body(proportions, *rate_hz).motion),
             Some(file) => file.export(styled, *rate_hz),
@@ -115,8 +137,9 @@ impl Input {
     /// A motion that came from no file.
     fn of_motion(humanoid: HumanoidMotion) -> Self {
         Self {
-            humanoid,
+            clip: ClipInput::whole(humanoid),
             note: String::new(),
+            notes: Vec::new(),
             #[cfg(feature = "files")]
             file: None,
         }
@@ -128,7 +151,7 @@ impl Input {
     /// If it is too long at the database's rate.
     #[cfg(feature = "files")]
     fn on_another_body(database: &Database, motion: &HumanoidMotion) -> Result<Self, EngineError> {
-        Ok(Self::of_motion(Self::from_file(database, InputFile::of_motion(motion)?)?.humanoid))
+        Ok(Self::of_motion(Self::from_file(database, InputFile::of_motion(motion)?)?.clip.motion))
     }
 
     #[cfg(not(feature = "files"))]
@@ -148,7 +171,7 @@ impl Input {
 
     #[cfg(feature = "parity")]
     pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
-        &mut self.humanoid.poses
+        &mut self.clip.motion.poses
     }
 }
 

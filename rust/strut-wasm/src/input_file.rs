@@ -2,6 +2,7 @@
 
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::motion::Motion;
+use strut_core::note::Note;
 use strut_core::retarget::{Binding, to_humanoid};
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
@@ -56,6 +57,11 @@ impl InputFile {
     /// Notes on the match of the skeletons; empty if there are none.
     pub(crate) fn note(&self) -> String {
         self.binding.notes.join(" ")
+    }
+
+    /// What may be wrong with how it was read.
+    pub(crate) fn doubts(&self) -> &[Note] {
+        &self.binding.doubts
     }
 
     /// A styled motion of `rate_hz` on its skeleton and at its own rate.

@@ -1,5 +1,6 @@
 //! How a file's skeleton maps to the canonical humanoid.
 
+use super::anatomy::{FourLegs, four_legs};
 use super::axes::{UpAxis, is_mirrored, up_axis};
 use super::find_roles::find_roles;
 use super::floor::floor_of;
@@ -139,6 +140,13 @@ pub enum BindError {
         /// The name.
         joint: String,
     },
+    /// A body that is not human.
+    #[error(
+        "This body stands on four legs: its hands are on the ground like its feet, and its arms are {:.2} times as long as its \
+         legs. Strut moves people. Choose the joints to have it moved all the same.",
+        .0.arms_per_leg
+    )]
+    NotHuman(FourLegs),
     /// A limb bone without length.
     #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
     NoLength(Role),
@@ -200,7 +208,7 @@ impl Binding {
         if sample.is_empty() {
             return Err(BindError::NoFrames);
         }
-        let (roles, confidence) = read_as.joints.map_or_else(
+        let (mut roles, confidence) = read_as.joints.map_or_else(
             || {
                 let found = find_roles(&motion.skeleton, &sample);
                 (found.joint_of_role, found.confidence)
@@ -211,12 +219,21 @@ impl Binding {
             return Err(BindError::NotHumanoid);
         }
         check_roles(&motion.skeleton, &roles)?;
+        leave_out_toes_without_length(&sample, &mut roles);
         let found_mirrored = is_mirrored(&roles, &sample);
         let mirrored = found_mirrored != read_as.swap_sides;
         if mirrored {
             sample = Sample::of_mirror_image(motion);
         }
         let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
+        match four_legs(&roles, &sample, &binding.proportions) {
+            Some(four_legs) if read_as.joints.is_none() => return Err(BindError::NotHuman(four_legs)),
+            Some(_) => binding.doubts.push(Note::new(
+                NoteCode::NotHuman,
+                "This body stands on four legs; it is moved as a human by the joints that were chosen.",
+            )),
+            None => {}
+        }
         binding.is_mirrored = mirrored;
         if found_mirrored {
             binding.doubts.push(Note::new(NoteCode::Mirrored, if mirrored {
@@ -283,7 +300,14 @@ impl Binding {
             rotations: vec![Quat::IDENTITY; skeleton.len()],
         };
         let sample = Sample::of(&zero_pose);
-        let of = |roles, confidence| Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default());
+        let of = |roles: &[Option<usize>; JOINTS], confidence| {
+            let binding = Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default())?;
+            let chosen = facts.roles.iter().any(Option::is_some);
+            match four_legs(roles, &sample, &binding.proportions) {
+                Some(four_legs) if !chosen => Err(BindError::NotHuman(four_legs)),
+                _ => Ok(binding),
+            }
+        };
         if REQUIRED.iter().all(|role| facts.roles[role.index()].is_some()) {
             return of(&facts.roles, 1.0);
         }
@@ -393,6 +417,19 @@ fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(
         }
     }
     Ok(())
+}
+
+/// Toes that lie at the ankle say nothing about the foot: it is as if there were none.
+fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
+    let at = |roles: &[Option<usize>; JOINTS], role: Role| roles[role.index()];
+    for [knee, foot, toes] in
+        [[Role::LeftLowerLeg, Role::LeftFoot, Role::LeftToes], [Role::RightLowerLeg, Role::RightFoot, Role::RightToes]]
+    {
+        let (Some(knee), Some(foot), Some(toe)) = (at(roles, knee), at(roles, foot), at(roles, toes)) else { continue };
+        if sample.mean_local(foot, toe).length() <= 1e-3 * sample.mean_local(knee, foot).length() {
+            roles[toes.index()] = None;
+        }
+    }
 }
 
 /// Positions of all roles in the T-pose, file units; a role without a joint lies between its neighbours.

@@ -282,6 +282,10 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
         hips = parent;
     }
     let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
+    if !tree.is_ancestor(hips, bearer) {
+        // A pelvis of its own between hips and legs: the way to the arms parts above it.
+        hips = tree.lowest_common_ancestor(hips, bearer);
+    }
     if bearer == hips || !tree.is_ancestor(hips, bearer) {
         roles[Role::Hips.index()] = Some(hips);
         return;

@@ -5,6 +5,7 @@
 //! in Monzani et al. 2000, which the paper uses. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
 //! [`to_humanoid`] and [`from_humanoid`] convert whole clips.
 
+mod anatomy;
 mod axes;
 mod between_bodies;
 mod binding;
@@ -18,6 +19,7 @@ mod scale;
 mod stance;
 mod to_humanoid;
 
+pub use anatomy::FourLegs;
 pub use axes::UpAxis;
 pub use between_bodies::{BetweenBodies, between_bodies};
 pub use binding::{BindError, Binding, CharacterFacts, ReadAs};

@@ -105,6 +105,26 @@ const WORDS: &[(&str, &[(Part, f32)])] = &[
     ("foot", &[(Part::Foot, 0.9), (Part::Toes, 0.2)]),
     ("toe", &[(Part::Toes, 1.0)]),
     ("toes", &[(Part::Toes, 1.0)]),
+    ("toebase", &[(Part::Toes, 1.0)]),
+    ("toesbase", &[(Part::Toes, 1.0)]),
+    ("forefoot", &[(Part::Toes, 0.9)]),
+    ("football", &[(Part::Toes, 0.9)]),
+    ("shoulders", &[(Part::Shoulder, 0.9), (Part::UpperArm, 0.5)]),
+    ("scapula", &[(Part::Shoulder, 0.8)]),
+    ("ulna", &[(Part::LowerArm, 0.9)]),
+    // MikuMikuDance; what stands for the side is cut off before.
+    ("腰", &[(Part::Hips, 1.0)]),
+    ("上半身", &[(Part::Trunk, 1.0)]),
+    ("首", &[(Part::Neck, 1.0)]),
+    ("頭", &[(Part::Head, 1.0)]),
+    ("肩", &[(Part::Shoulder, 1.0)]),
+    ("腕", &[(Part::UpperArm, 1.0)]),
+    ("ひじ", &[(Part::LowerArm, 1.0)]),
+    ("手首", &[(Part::Hand, 1.0)]),
+    ("足", &[(Part::UpperLeg, 1.0)]),
+    ("ひざ", &[(Part::LowerLeg, 1.0)]),
+    ("足首", &[(Part::Foot, 1.0)]),
+    ("つま先", &[(Part::Toes, 1.0)]),
     ("ball", &[(Part::Toes, 0.9)]),
 ];
 
@@ -129,6 +149,14 @@ const FILLERS: &[&str] = &[
     "sk",
     "skel",
     "jt",
+    // Daz halves its limbs: `ThighBend` moves the thigh, `ThighTwist` only turns its skin.
+    "bend",
+    "m",
+    "avatar",
+    "root",
+    "human",
+    "humanoid",
+    "main",
 ];
 
 /// Words of joints that have no role, even where another word of their name has one.
@@ -172,6 +200,18 @@ const OTHERS: &[&str] = &[
     "nose",
     "brow",
     "lip",
+    "volume",
+    "muscle",
+    "corrective",
+    "fix",
+    "null",
+    "locator",
+    "metatarsal",
+    "metatarsals",
+    "carpal",
+    "heel",
+    "pectoral",
+    "latissimus",
 ];
 
 /// Evidence in a name.
@@ -204,9 +244,14 @@ impl NameHint {
         if let Some(parts) = look_up(&rest) {
             return Self { side, parts };
         }
-        for (prefix, glued_side) in
-            [("left", Side::Left), ("right", Side::Right), ("l", Side::Left), ("r", Side::Right)]
-        {
+        for (prefix, glued_side) in [
+            ("left", Side::Left),
+            ("right", Side::Right),
+            ("左", Side::Left),
+            ("右", Side::Right),
+            ("l", Side::Left),
+            ("r", Side::Right),
+        ] {
             let bare = rest.strip_prefix(prefix).or_else(|| rest.strip_suffix(prefix).filter(|_| prefix.len() > 1));
             if let Some(parts) = bare.and_then(look_up) {
                 return Self { side: side.or(Some(glued_side)), parts };
@@ -305,6 +350,12 @@ mod tests {
             ("lradius", Some(Side::Left), Part::LowerArm),
             ("Neck1", None, Part::Neck),
             ("J_Bip_C_Head", None, Part::Head),
+            ("l_toebase_JNT", Some(Side::Left), Part::Toes),
+            ("lShldrBend", Some(Side::Left), Part::UpperArm),
+            ("rForearmBend", Some(Side::Right), Part::LowerArm),
+            ("mKneeLeft", Some(Side::Left), Part::LowerLeg),
+            ("右ひざ", Some(Side::Right), Part::LowerLeg),
+            ("左足首", Some(Side::Left), Part::Foot),
         ] {
             assert_eq!(strongest(name), Some((side, part)), "{name}");
         }

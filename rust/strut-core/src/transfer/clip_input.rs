@@ -66,6 +66,11 @@ impl ClipInput {
         })
     }
 
+    /// Of a clip that is at the database's rate and has no cuts.
+    pub fn whole(motion: HumanoidMotion) -> Self {
+        Self { motion, cuts: Vec::new(), calibration: 0, bridged: 0 }
+    }
+
     /// What there is to say of it.
     pub fn notes(&self) -> Vec<Note> {
         let secs = |frame: usize| f64::from(frame as f32 / self.motion.rate_hz);
