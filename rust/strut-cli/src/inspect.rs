@@ -122,12 +122,13 @@ struct HumanoidReport {
 }
 
 fn bvh_report(path: String, bytes: &[u8], reading: &Reading) -> Result<BvhReport, bvh::BvhError> {
-    let file = bvh::parse(bytes)?;
+    let (file, mut doubts) = bvh::parse_noted(bytes)?;
     let motion = file.to_motion()?;
     let (binding, not_humanoid) = match reading.bind(&motion) {
         Ok(binding) => (Some(binding), None),
         Err(reason) => (None, Some(reason.to_string())),
     };
+    doubts.extend(binding.iter().flat_map(|b| b.doubts.iter().cloned()));
     let (humanoid, contacts) = binding.as_ref().map(|b| describe_humanoid(&motion, b)).unzip();
     let contacts = contacts.unwrap_or_default();
     Ok(BvhReport {
@@ -139,7 +140,7 @@ fn bvh_report(path: String, bytes: &[u8], reading: &Reading) -> Result<BvhReport
         rate_hz: 1.0 / file.frame_time_secs,
         duration_secs: motion.duration_secs(),
         humanoid,
-        notes: binding.as_ref().map(|b| NoteReport::of(&b.doubts)).unwrap_or_default(),
+        notes: NoteReport::of(&doubts),
         not_humanoid,
         planted_share: planted_share(&contacts),
         steps: [0, 1].map(|side| contacts.windows(2).filter(|w| w[0][side] < w[1][side]).count()),

@@ -22,6 +22,7 @@ fn generated() -> Bvh {
     let channels = JOINTS * channels.len();
     let value = |i: usize| (double::sin(i as f64 * 0.37) * 180e6).round() / 1e6;
     Bvh {
+        added_positions: false,
         joints: joints.collect(),
         frame_time_secs: 1.0 / 60.0,
         frames: FRAMES,

@@ -78,10 +78,11 @@ impl Known {
 impl Named {
     pub(crate) fn new(name: String, bytes: Vec<u8>, known: Known) -> Outcome<Self> {
         let clip = || -> Result<Clip, String> {
-            let file = bvh::parse(&bytes).map_err(|e| e.to_string())?;
+            let (file, mut notes) = bvh::parse_noted(&bytes).map_err(|e| e.to_string())?;
             let motion = file.to_motion().map_err(|e| e.to_string())?;
             let binding = known.bind(&motion)?;
-            Ok(Clip { file, motion, binding })
+            notes.extend_from_slice(&binding.doubts);
+            Ok(Clip { file, motion, binding, notes })
         };
         let clip = clip().map_err(|reason| TaskError::in_file(Path::new(&name), reason))?;
         Ok(Self { name, clip, bytes, known })

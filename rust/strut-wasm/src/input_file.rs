@@ -14,6 +14,8 @@ pub(crate) struct InputFile {
     bvh: Bvh,
     motion: Motion,
     binding: Binding,
+    /// What may be wrong with how it was read.
+    notes: Vec<Note>,
 }
 
 impl InputFile {
@@ -22,7 +24,8 @@ impl InputFile {
     /// # Errors
     /// With what is wrong with the bytes, or with the skeleton.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, EngineError> {
-        Self::of(bvh::parse(bytes).map_err(unreadable)?)
+        let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
+        Self::of(bvh, notes)
     }
 
     /// The file that a motion would be.
@@ -30,13 +33,14 @@ impl InputFile {
     /// # Errors
     /// If there is no pose, or a number is beyond all that files hold.
     pub(crate) fn of_motion(motion: &HumanoidMotion) -> Result<Self, EngineError> {
-        Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?)
+        Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?, Vec::new())
     }
 
-    fn of(bvh: Bvh) -> Result<Self, EngineError> {
+    fn of(bvh: Bvh, mut notes: Vec<Note>) -> Result<Self, EngineError> {
         let motion = bvh.to_motion().map_err(unreadable)?;
         let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
-        Ok(Self { bvh, motion, binding })
+        notes.extend_from_slice(&binding.doubts);
+        Ok(Self { bvh, motion, binding, notes })
     }
 
     /// Its motion on a body, at its own rate.
@@ -61,7 +65,7 @@ impl InputFile {
 
     /// What may be wrong with how it was read.
     pub(crate) fn doubts(&self) -> &[Note] {
-        &self.binding.doubts
+        &self.notes
     }
 
     /// A styled motion of `rate_hz` on its skeleton and at its own rate.
@@ -69,7 +73,7 @@ impl InputFile {
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.
     pub(crate) fn export(&self, styled: &StyledMotion, rate_hz: f32) -> Result<String, EngineError> {
-        let Self { bvh, motion, binding } = self;
+        let Self { bvh, motion, binding, .. } = self;
         let styled = bvh.with_motion(&styled.on_skeleton(rate_hz, motion, binding));
         styled.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
     }

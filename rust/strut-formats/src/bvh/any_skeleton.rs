@@ -32,7 +32,7 @@ impl Bvh {
         };
         let joints = order.iter().map(of).collect();
         let frame_time_secs = motion.frame_time_secs;
-        let rest = Self { joints, frame_time_secs, frames: 0, values: Vec::new() };
+        let rest = Self { joints, added_positions: false, frame_time_secs, frames: 0, values: Vec::new() };
         let (mut translations, mut rotations) = (Vec::new(), Vec::new());
         for frame in 0..motion.frames() {
             translations.extend(order.iter().map(|&joint| motion.translations_at(frame)[joint]));

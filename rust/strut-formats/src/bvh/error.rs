@@ -30,9 +30,12 @@ pub enum BvhError {
     /// A position channel occurs twice on a joint.
     #[error("line {line} has {channel} twice on one joint; once was expected")]
     RepeatedPosition { line: usize, channel: &'static str },
-    /// A second `End Site` in a joint.
-    #[error("line {line} begins a second End Site of one joint; one was expected")]
-    SecondEndSite { line: usize },
+    /// Numbers with commas in place of points.
+    #[error(
+        "line {line}, column {column} has {found}, a decimal comma; decimal points were expected. Export the file again with \
+         the number format of English"
+    )]
+    DecimalComma { line: usize, column: usize, found: String },
     /// No joint has a channel.
     #[error("no joint has a channel; at least one was expected")]
     NoChannels,
@@ -52,11 +55,14 @@ pub enum BvhError {
     /// A frame has the wrong number of values.
     #[error("line {line} has {found} numbers; this skeleton needs {needed}")]
     FrameWidth { line: usize, found: usize, needed: usize },
-    /// The file ends before the announced number of frames.
+    /// More frames than the rest of the file could hold.
+    #[error("the file announces {announced} frames; what follows has room for {most}")]
+    NoRoom { announced: usize, most: usize },
+    /// The file ends before the first frame.
     #[error("the file ends at line {line} after {found} frames; {announced} were announced")]
     MissingFrames { line: usize, found: usize, announced: usize },
-    /// Text after the announced number of frames.
-    #[error("line {line} comes after the last of the {announced} announced frames; the end was expected")]
+    /// More than [`MAX_FRAMES`] in the file.
+    #[error("line {line} comes after {MAX_FRAMES} frames, the most supported; {announced} were announced")]
     ExtraFrames { line: usize, announced: usize },
     /// The hierarchy is not a valid skeleton.
     #[error(transparent)]

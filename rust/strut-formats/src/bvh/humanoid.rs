@@ -68,7 +68,8 @@ impl Bvh {
             }
         });
         let frame_time_secs = 1.0 / f64::from(motion.rate_hz);
-        let rest = Self { joints: joints.to_vec(), frame_time_secs, frames: 0, values: Vec::new() };
+        let rest =
+            Self { joints: joints.to_vec(), added_positions: false, frame_time_secs, frames: 0, values: Vec::new() };
         let skeleton = rest.to_motion()?.skeleton;
         let offsets = motion.proportions.offsets.map(cm);
         let translations = motion.poses.iter().flat_map(|pose| {

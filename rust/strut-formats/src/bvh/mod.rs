@@ -25,7 +25,7 @@ mod write;
 pub use error::BvhError;
 #[cfg(feature = "vmc")]
 pub(crate) use humanoid::NAMES as HUMANOID_NAMES;
-pub use parse::{parse, parse_hierarchy};
+pub use parse::{parse, parse_hierarchy, parse_noted};
 pub use write::write;
 
 /// Greatest size of a file, bytes: 256 MiB.
@@ -108,6 +108,8 @@ pub struct Joint {
 pub struct Bvh {
     /// Joints in file order: parents first, joint 0 the only root, every subtree contiguous.
     pub joints: Vec<Joint>,
+    /// Whether position channels of joints below the root are added to `OFFSET` instead of replacing it.
+    pub added_positions: bool,
     /// Seconds from one frame to the next, within [`FRAME_TIME_SECS`].
     pub frame_time_secs: f64,
     /// Number of frames, at least 1.

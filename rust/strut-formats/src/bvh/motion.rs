@@ -6,7 +6,33 @@ use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::skeleton::{self, Skeleton};
 
+/// Bones shorter than this share of their offsets are folded up.
+const FOLDED: f64 = 0.02;
+
 impl Bvh {
+    /// Whether position channels in place of offsets would fold up the body: below the root they are all about zero in the
+    /// first frame, and most of their joints have offsets.
+    pub(super) fn collapses(&self) -> bool {
+        let mut first = 0;
+        let (mut with_offset, mut folded) = (0, 0);
+        for joint in &self.joints {
+            let values = &self.values[first..first + joint.channels.len()];
+            first += joint.channels.len();
+            let positions = joint.channels.iter().zip(values).filter(|(c, _)| matches!(c, Channel::Position(_)));
+            let positions: Vec<f64> = positions.map(|(_, value)| *value).collect();
+            if joint.parent.is_none() || positions.len() < 3 {
+                continue;
+            }
+            let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let offset = length(&joint.offset);
+            if offset > 0.0 {
+                with_offset += 1;
+                folded += usize::from(length(&positions) <= FOLDED * offset);
+            }
+        }
+        with_offset > 2 && 2 * folded > with_offset
+    }
+
     /// The clip as local translations and rotations. Lengths stay in the file's unit.
     ///
     /// # Errors
@@ -35,13 +61,15 @@ impl Bvh {
     /// Local translation and rotation of every joint in a frame with these values, [`Bvh::channels`] of them; joints that lack
     /// some are left out.
     pub fn transforms(&self, row: &[f64]) -> impl Iterator<Item = (Vec3, Quat)> {
-        self.joints.iter().scan(row, |rest, joint| {
+        let added = self.added_positions;
+        self.joints.iter().scan(row, move |rest, joint| {
             let (own, others) = rest.split_at_checked(joint.channels.len())?;
             *rest = others;
             let mut translation = joint.offset;
             for (channel, &value) in joint.channels.iter().zip(own) {
                 if let Channel::Position(axis) = channel {
-                    translation[*axis as usize] = value;
+                    let at = &mut translation[*axis as usize];
+                    *at = if added && joint.parent.is_some() { *at + value } else { value };
                 }
             }
             let turns = joint.channels.iter().zip(own).filter_map(|(channel, &value)| match channel {
@@ -77,7 +105,9 @@ impl Bvh {
             for ((joint, t), q) in self.joints.iter().zip(motion.translations_at(f)).zip(motion.rotations_at(f)) {
                 let row = first..first + joint.channels.len();
                 first = row.end;
-                solver.write(&joint.channels, *t, *q, &mut previous[row.clone()]);
+                let is_added = self.added_positions && joint.parent.is_some();
+                let t = if is_added { *t - vec3(joint.offset) } else { *t };
+                solver.write(&joint.channels, t, *q, &mut previous[row.clone()]);
                 if let Some(&value) = previous[row].iter().find(|v| v.is_nan() || v.abs() > MAX_ABS_VALUE) {
                     return Err(BvhError::Unwritable { frame: f, joint: joint.name.clone(), value });
                 }
@@ -86,6 +116,7 @@ impl Bvh {
         }
         Ok(Self {
             joints: self.joints.clone(),
+            added_positions: self.added_positions,
             frame_time_secs: motion.frame_time_secs,
             frames: motion.frames(),
             values,

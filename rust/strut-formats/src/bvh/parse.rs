@@ -6,17 +6,44 @@ use super::{
     MAX_JOINTS, MAX_NAME_BYTES,
 };
 use crate::quotation::quotation;
+use strut_core::note::{Note, NoteCode};
+
+/// Text after the frames that may be left unread, bytes.
+const MAX_TEXT_AFTER: usize = 4096;
 
 /// Reads a file. See the [module documentation](super) for what is accepted.
 ///
 /// # Errors
 /// The first thing that is wrong, with its line; see [`BvhError`].
 pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
+    Ok(parse_noted(bytes)?.0)
+}
+
+/// Reads a file, with notes on what had to be guessed; a file without faults gets none.
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
     let (joints, mut cursor) = beginning(bytes)?;
     let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
-    let (frames, frame_time_secs) = motion_header(&mut cursor)?;
-    let values = frame_values(&mut cursor, frames, channels)?;
-    Ok(Bvh { joints, frame_time_secs, frames, values })
+    let (announced, frame_time_secs) = motion_header(&mut cursor)?;
+    let values = frame_values(&mut cursor, announced, channels)?;
+    let frames = values.len() / channels;
+    if frames != announced {
+        cursor.notes.push(Note::new(
+            NoteCode::FrameCount,
+            format!("The file announces {announced} frames and has {frames}. All {frames} were read."),
+        ));
+    }
+    let mut bvh = Bvh { joints, added_positions: false, frame_time_secs, frames, values };
+    if bvh.collapses() {
+        bvh.added_positions = true;
+        cursor.notes.push(Note::new(
+            NoteCode::AddedPositions,
+            "Position channels were added to the offsets of their joints; in place of them they would fold up the body.",
+        ));
+    }
+    Ok((bvh, cursor.notes))
 }
 
 /// Reads what stands before the frames of a file, as it is sent before a stream of frames: what follows the joints is not
@@ -27,7 +54,7 @@ pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
 pub fn parse_hierarchy(bytes: &[u8]) -> Result<Bvh, BvhError> {
     let (joints, _) = beginning(bytes)?;
     let values = vec![0.0; joints.iter().map(|j| j.channels.len()).sum()];
-    Ok(Bvh { joints, frame_time_secs: 1.0, frames: 1, values })
+    Ok(Bvh { joints, added_positions: false, frame_time_secs: 1.0, frames: 1, values })
 }
 
 /// From `HIERARCHY` to after the root's closing brace.
@@ -36,7 +63,7 @@ fn beginning(bytes: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
         return Err(BvhError::TooManyBytes { bytes: bytes.len() });
     }
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let mut cursor = Cursor { text, at: 0, line: 1, line_begin: 0 };
+    let mut cursor = Cursor { text, at: 0, line: 1, line_begin: 0, notes: Vec::new() };
     cursor.skip_blanks_and_lines();
     if cursor.peek().is_none() {
         return Err(BvhError::Empty);
@@ -63,14 +90,10 @@ fn hierarchy(cursor: &mut Cursor) -> Result<Vec<Joint>, BvhError> {
             open.push(joints.len());
             joints.push(joint(cursor, Some(current))?);
         } else if cursor.take_keyword("End") {
-            if joints[current].end_site.is_some() {
-                return Err(BvhError::SecondEndSite { line: cursor.line });
-            }
-            cursor.keyword("Site")?;
-            cursor.keyword("{")?;
-            cursor.keyword("OFFSET")?;
-            joints[current].end_site = Some(cursor.vector()?);
-            cursor.keyword("}")?;
+            let is_usual = cursor.take_keyword("Site");
+            end_site(cursor, &mut joints[current], is_usual)?;
+        } else if cursor.take_keyword("EndSite") {
+            end_site(cursor, &mut joints[current], false)?;
         } else if cursor.take_keyword("}") {
             open.pop();
         } else {
@@ -81,6 +104,34 @@ fn hierarchy(cursor: &mut Cursor) -> Result<Vec<Joint>, BvhError> {
         return Err(BvhError::SecondRoot { line: cursor.line });
     }
     Ok(joints)
+}
+
+/// An end site from after its keyword on; of several in a joint the first one counts.
+fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Result<(), BvhError> {
+    if !cursor.at_line_end() && cursor.peek() != Some(b'{') {
+        cursor.name()?;
+        is_usual = false;
+    }
+    cursor.keyword("{")?;
+    cursor.keyword("OFFSET")?;
+    let offset = cursor.vector()?;
+    if cursor.take_keyword("CHANNELS") {
+        channel_list(cursor)?
+            .is_empty()
+            .then_some(())
+            .ok_or_else(|| cursor.unexpected("an End Site without channels"))?;
+        is_usual = false;
+    }
+    cursor.keyword("}")?;
+    is_usual &= joint.end_site.is_none();
+    joint.end_site.get_or_insert(offset);
+    if !is_usual && cursor.notes.is_empty() {
+        cursor.notes.push(Note::new(
+            NoteCode::Hierarchy,
+            "End Sites are written in an unusual way. Each was read as the end of its joint's bone.",
+        ));
+    }
+    Ok(())
 }
 
 /// A joint from its name to its channels; its opening brace stays open.
@@ -140,34 +191,52 @@ fn motion_header(cursor: &mut Cursor) -> Result<(usize, f64), BvhError> {
     Ok((frames as usize, secs))
 }
 
-/// One line of `channels` numbers for each of `frames` frames, then nothing but blanks.
+/// Lines of `channels` numbers each, `frames` of them or as many as there are, then nothing that is a number. Where lines
+/// have other lengths, the numbers are taken one after the other, if they make whole frames.
 fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<Vec<f64>, BvhError> {
     // A value takes two bytes at least, so that a short file cannot reserve much memory.
     let most = (cursor.text.len() - cursor.at) / 2 + 1;
     let mut values = Vec::with_capacity((frames * channels).min(most));
-    for frame in 0..frames {
+    // The first line of another length: it, and what is wrong with it.
+    let mut uneven = None;
+    let mut last = 0;
+    loop {
         cursor.skip_blanks_and_lines();
-        if cursor.peek().is_none() {
-            return Err(BvhError::MissingFrames { line: cursor.line, found: frame, announced: frames });
+        if cursor.ends_or_has_text(!values.is_empty()) {
+            break;
         }
-        for found in 0..channels {
-            if cursor.at_line_end() {
-                return Err(BvhError::FrameWidth { line: cursor.line, found, needed: channels });
-            }
+        last = cursor.line;
+        let before = values.len();
+        while !cursor.at_line_end() {
             values.push(cursor.bounded_number()?);
         }
-        let mut found = channels;
-        while !cursor.at_line_end() {
-            cursor.bounded_number()?;
-            found += 1;
+        let found = values.len() - before;
+        if found != channels && uneven.is_none() {
+            uneven = Some(BvhError::FrameWidth { line: last, found, needed: channels });
         }
-        if found > channels {
-            return Err(BvhError::FrameWidth { line: cursor.line, found, needed: channels });
+        if values.len() > MAX_FRAMES * channels {
+            return Err(BvhError::ExtraFrames { line: last, announced: frames });
         }
     }
-    cursor.skip_blanks_and_lines();
-    if cursor.peek().is_some() {
-        return Err(BvhError::ExtraFrames { line: cursor.line, announced: frames });
+    match uneven {
+        None => {}
+        Some(_) if values.len() == frames * channels => cursor.notes.push(Note::new(
+            NoteCode::Rows,
+            "The numbers are not one frame a line. They were read one after the other, as they make whole frames.",
+        )),
+        // The last line was cut off.
+        Some(BvhError::FrameWidth { line, found, .. })
+            if line == last && found < channels && values.len() > channels =>
+        {
+            values.truncate(values.len() - found);
+        }
+        Some(error) => return Err(error),
+    }
+    if values.len() < channels {
+        return Err(BvhError::MissingFrames { line: cursor.line, found: 0, announced: frames });
+    }
+    if frames > most / channels + 1 {
+        return Err(BvhError::NoRoom { announced: frames, most: most / channels });
     }
     Ok(values)
 }
@@ -180,6 +249,8 @@ struct Cursor<'a> {
     line: usize,
     /// Where the line begins in `text`.
     line_begin: usize,
+    /// What had to be guessed so far.
+    notes: Vec<Note>,
 }
 
 impl<'a> Cursor<'a> {
@@ -208,6 +279,30 @@ impl<'a> Cursor<'a> {
         self.at += length;
         self.line += 1;
         self.line_begin = self.at;
+    }
+
+    /// Whether the frames end here: with the file, or with text that is no number after whole frames.
+    fn ends_or_has_text(&mut self, after_frames: bool) -> bool {
+        let rest = &self.text[self.at..];
+        let Some(first) = rest.first() else { return true };
+        let numeric = |b: &u8| matches!(b, b'-' | b'+' | b'.' | b'0'..=b'9');
+        let lines = rest.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
+        let is_text = |line: &[u8]| {
+            !line.first().is_some_and(numeric)
+                && [&b"nan"[..], b"inf"].iter().all(|word| !line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word)))
+        };
+        if numeric(first) || !after_frames || rest.len() > MAX_TEXT_AFTER || !lines.into_iter().all(is_text) {
+            return false;
+        }
+        // Marks at the end of a file say nothing.
+        if rest.iter().any(|b| !matches!(b, 0 | 0x1A | b' ' | b'\t' | b'\r' | b'\n')) {
+            let line = self.line;
+            self.notes.push(Note::new(
+                NoteCode::TextAfter,
+                format!("The text from line {line} on, after the frames, was not read."),
+            ));
+        }
+        true
     }
 
     /// Skips blanks; whether nothing else is left on the line.
@@ -317,6 +412,9 @@ impl<'a> Cursor<'a> {
             None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'{' | b'}') => {
                 self.at += length;
                 Ok(value)
+            }
+            Some(b',') if self.text.get(self.at + length + 1).is_some_and(u8::is_ascii_digit) => {
+                Err(BvhError::DecimalComma { line: self.line, column: self.column(), found: self.shown() })
             }
             Some(_) => Err(self.unexpected(expected)),
         }

@@ -18,6 +18,7 @@ use std::collections::{BTreeMap, HashMap};
 use strut_core::database::build::SourceClip;
 use strut_core::humanoid::Proportions;
 use strut_core::motion::Motion;
+use strut_core::note::Note;
 use strut_core::retarget::{BindError, Binding, to_humanoid};
 use thiserror::Error;
 
@@ -37,6 +38,8 @@ pub struct Clip {
     pub motion: Motion,
     /// Its skeleton as humanoid.
     pub binding: Binding,
+    /// What had to be guessed of the text, and what may be wrong with the binding; empty for a clean file.
+    pub notes: Vec<Note>,
 }
 
 /// Why bytes are not a clip; the messages are shown to users.
@@ -75,10 +78,11 @@ impl Clip {
         bytes: &[u8],
         bind: impl FnOnce(&Motion) -> Result<Binding, BindError>,
     ) -> Result<Self, ClipError> {
-        let file = bvh::parse(bytes)?;
+        let (file, mut notes) = bvh::parse_noted(bytes)?;
         let motion = file.to_motion()?;
         let binding = bind(&motion)?;
-        Ok(Self { file, motion, binding })
+        notes.extend_from_slice(&binding.doubts);
+        Ok(Self { file, motion, binding, notes })
     }
 }
 

@@ -126,7 +126,7 @@ impl Styling {
         }
         let motion = job.finish();
         let file = output_of(clip, db, &motion).map_err(TaskError::new)?;
-        let mut notes = clip.binding.doubts.clone();
+        let mut notes = clip.notes.clone();
         notes.extend(input.notes());
         notes.extend(repaired(motion.frames.last().map_or(0, |frame| frame.repaired_total)));
         Ok(Styled { motion, file, summary, notes })
