@@ -19,6 +19,7 @@ const SECTIONS = [
     title: "Guides",
     pages: [
       "own-styles.md",
+      "reading.md",
       "characters.md",
       "embedding.md",
       "command-line.md",

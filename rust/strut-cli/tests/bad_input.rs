@@ -82,10 +82,27 @@ fn truncated_files() {
     assert_bvh_refused(folder.path(), &walk[..neck], "has the end of the file; JOINT, End Site or '}' was expected");
     assert_bvh_refused(folder.path(), &walk[..hierarchy], "has the end of the file; MOTION was expected");
     let lines: Vec<&str> = walk.lines().collect();
+    let frames = |count: usize| lines[..lines.len() - 120 + count].join("\n");
+    assert_bvh_refused(folder.path(), frames(0), "after 0 frames; 120 were announced");
+    assert_bvh_refused(folder.path(), frames(10), "in.bvh: the file announces 120 frames; what follows has room for ");
+    let cut_off = frames(1).rsplit_once(' ').unwrap().0.to_owned();
+    assert_bvh_refused(folder.path(), cut_off, "has 65 numbers; this skeleton needs 66");
+}
+
+#[test]
+fn a_file_that_ends_early_is_styled_with_a_note() {
+    let folder = folder();
+    let walk = demo_walk();
+    let lines: Vec<&str> = walk.lines().collect();
     let cut = lines[..lines.len() - 20].join("\n");
-    assert_bvh_refused(folder.path(), &cut, "after 100 frames; 120 were announced");
-    let cut = cut.rsplit_once(' ').unwrap().0;
-    assert_bvh_refused(folder.path(), cut, "has 65 numbers; this skeleton needs 66");
+    fs::write(folder.path().join("in.bvh"), cut.rsplit_once(' ').unwrap().0).unwrap();
+    let output = strut(folder.path(), &[&STYLIZE[..], &["--json", "out.json"]].concat());
+    assert!(output.status.success());
+    let note = "The file announces 120 frames and has 99. All 99 were read.";
+    assert!(String::from_utf8_lossy(&output.stderr).contains(note), "{}", String::from_utf8_lossy(&output.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&fs::read(folder.path().join("out.json")).unwrap()).unwrap();
+    assert_eq!(report["notes"][0]["code"], "frame-count");
+    assert_eq!(report["notes"][0]["text"], note);
 }
 
 #[test]
@@ -95,7 +112,7 @@ fn impossible_numbers() {
         ("NaN", "column 1 has 'NaN'; a number was expected"),
         ("1e30", "column 1 has '1e30'; a number within ±10000000 was expected"),
         ("-1e999", "column 1 has '-1e999'; a number within ±10000000 was expected"),
-        ("0,5", "column 1 has '0,5'; a number was expected"),
+        ("0,5", "column 1 has '0,5', a decimal comma; decimal points were expected"),
     ] {
         assert_bvh_refused(folder.path(), walk_with_value(value), expected);
     }

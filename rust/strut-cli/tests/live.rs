@@ -225,7 +225,7 @@ fn send_frames(to: SocketAddr, frame_of: impl Fn(usize) -> Frame + Send + 'stati
         let secs = i as f64 / 60.0;
         thread::sleep(Duration::from_secs_f64(secs).saturating_sub(begin.elapsed()));
         let mut messages: Vec<Message> = frame_of(i).messages().collect();
-        messages.push(Message::Time(secs as f32));
+        messages.push(Message::Time(secs));
         for packet in vmc::encode(&messages) {
             from.send_to(&packet, to).unwrap();
         }

@@ -1,7 +1,7 @@
 //! Notes: what was guessed of a file, repaired or left in doubt, for the person whose file it is.
 //!
 //! A file that is as clean as those of the published data sets gets none. Each note has a code, which programs
-//! compare, and a sentence, which people read. `docs/reference/notes.md` lists the codes.
+//! compare, and a sentence, which people read. `docs/reading.md` lists the codes.
 
 use std::borrow::Cow;
 
@@ -47,14 +47,8 @@ note_codes! {
     UpUnsure = "up-unsure",
     /// The file is a mirror image: what it calls left is on the right.
     Mirrored = "mirrored",
-    /// Joints were found by the shape of the skeleton rather than by names.
-    JointsByShape = "joints-by-shape",
-    /// The skeleton begins at another joint than the hips.
-    Root = "root",
     /// The body is hardly that of a human.
     NotHuman = "not-human",
-    /// The database holds nothing like this motion.
-    Unfamiliar = "unfamiliar",
     /// The file announces another number of frames than it has.
     FrameCount = "frame-count",
     /// The numbers of the frames are not one frame a line.
@@ -63,10 +57,6 @@ note_codes! {
     TextAfter = "text-after",
     /// The hierarchy has joints or end sites that are written in an unusual way.
     Hierarchy = "hierarchy",
-    /// The text is not UTF-8.
-    Encoding = "encoding",
-    /// The frame time was taken as milliseconds.
-    Milliseconds = "milliseconds",
     /// Position channels were taken as added to the offsets.
     AddedPositions = "added-positions",
 }

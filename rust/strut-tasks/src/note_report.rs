@@ -6,7 +6,7 @@ use strut_core::note::Note;
 /// A note as JSON.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoteReport {
-    /// What it is about; `docs/reference/notes.md` lists the codes.
+    /// What it is about; `docs/reading.md` lists the codes.
     pub code: String,
     /// The sentence.
     pub text: String,

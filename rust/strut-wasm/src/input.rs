@@ -5,7 +5,6 @@ use crate::database::{Database, unpackable};
 use crate::input_file::InputFile;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
-use strut_core::note::Note;
 use strut_core::transfer::ClipInput;
 #[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
@@ -20,10 +19,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Clone)]
 pub struct Input {
     clip: ClipInput,
-    /// On the match of the skeletons; empty if there is nothing to say.
+    /// What may be wrong, and on the match of the skeletons; empty if there is nothing to say.
     note: String,
-    /// What may be wrong.
-    notes: Vec<Note>,
     #[cfg(feature = "files")]
     file: Option<InputFile>,
 }
@@ -60,21 +57,9 @@ impl Input {
         self.clip.motion.poses.len()
     }
 
-    /// Notes on the match of the skeletons; empty if there are none.
+    /// What may be wrong, and notes on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
         self.note.clone()
-    }
-
-    /// Codes of the notes on what may be wrong.
-    #[wasm_bindgen(js_name = noteCodes)]
-    pub fn note_codes(&self) -> Vec<String> {
-        self.notes.iter().map(|note| note.code.name().to_owned()).collect()
-    }
-
-    /// Sentences of the notes, in the same order.
-    #[wasm_bindgen(js_name = noteTexts)]
-    pub fn note_texts(&self) -> Vec<String> {
-        self.notes.iter().map(|note| note.text.clone().into_owned()).collect()
     }
 
     /// The poses.
@@ -108,7 +93,10 @@ impl Input {
         let clip = ClipInput::new(file.on_body(&db.proportions), db.rate_hz).map_err(too_long)?;
         let mut notes = file.doubts().to_vec();
         notes.extend(clip.notes());
-        Ok(Self { clip, note: file.note(), notes, file: Some(file) })
+        // What may be wrong comes first.
+        let texts = notes.iter().map(|note| note.text.to_string()).chain(std::iter::once(file.note()));
+        let note = texts.collect::<Vec<_>>().join(" ");
+        Ok(Self { clip, note, file: Some(file) })
     }
 
     pub(crate) fn clip(&self) -> &ClipInput {
@@ -139,7 +127,6 @@ impl Input {
         Self {
             clip: ClipInput::whole(humanoid),
             note: String::new(),
-            notes: Vec::new(),
             #[cfg(feature = "files")]
             file: None,
         }

@@ -34,7 +34,7 @@ pub(super) fn send(file: &Path, output: &mut Output, secs: Option<f64>) -> Outco
             break;
         }
         let mut messages: Vec<Message> = performer.frame(pose, &Frame::default()).messages().collect();
-        messages.extend([Message::Loaded(true), Message::Time(now_secs as f32)]);
+        messages.extend([Message::Loaded(true), Message::Time(now_secs)]);
         for packet in vmc::encode(&messages) {
             output.send(&packet);
         }

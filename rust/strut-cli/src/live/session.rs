@@ -167,7 +167,7 @@ impl Session {
             }
         }
         out.append(&mut self.passed);
-        out.extend([Message::Loaded(self.due_secs.is_some()), Message::Time(now_secs as f32)]);
+        out.extend([Message::Loaded(self.due_secs.is_some()), Message::Time(now_secs)]);
         vmc::encode(&out)
     }
 
@@ -317,7 +317,7 @@ mod tests {
 
     fn packets(performer: &Performer, pose: &Pose, like: &Frame, secs: f64) -> Vec<Vec<u8>> {
         let mut messages: Vec<Message> = performer.frame(pose, like).messages().collect();
-        messages.extend([Message::Loaded(true), Message::Time(secs as f32)]);
+        messages.extend([Message::Loaded(true), Message::Time(secs)]);
         vmc::encode(&messages)
     }
 
@@ -406,7 +406,7 @@ mod tests {
         for packet in session.tick(0.1) {
             vmc::decode(&packet, &mut out).unwrap();
         }
-        assert_eq!(out, [other, Message::Loaded(false), Message::Time(0.1)]);
+        assert_eq!(out, [other, Message::Loaded(false), Message::Time(f64::from(0.1_f32))]);
         let figures = session.figures();
         assert_eq!((figures.messages_dropped, figures.packets_refused), (1, 1));
     }

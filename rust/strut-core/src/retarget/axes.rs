@@ -11,8 +11,11 @@ const STANDS: f32 = 0.7;
 /// A body goes over the ground if its hips travel this far across its up axis, in lengths of its legs, and at most a third
 /// of it along the axis.
 const TRAVEL: f32 = 0.7;
-/// Toes point, and knees bend, backwards where the cosine with the way forward is below this.
-const BACKWARDS: f32 = -0.2;
+/// Toes point and knees bend backwards where the mean sum of their cosines with the way forward is below this: that of
+/// recordings is above 0.6.
+const BACKWARDS: f32 = -0.3;
+/// Distance of the knee from the straight leg, twice, that makes a leg plainly bent, in lengths of the leg.
+const PLAINLY_BENT: f32 = 0.2;
 
 /// An up axis of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,12 +151,15 @@ pub(super) fn is_mirrored(roles: &[Option<usize>; JOINTS], sample: &Sample) -> b
         let ahead = (w[left[0]].0 - w[right[0]].0).cross(w[top].0 - hips).normalize_or_zero();
         let foot = |leg: [usize; 3], toes: Option<usize>| toes.map_or(Vec3::ZERO, |t| w[t].0 - w[leg[2]].0);
         let toes = (foot(left, toes[0]) + foot(right, toes[1])).normalize_or_zero();
-        let bend = |[hip, knee, ankle]: [usize; 3]| 2.0 * w[knee].0 - w[hip].0 - w[ankle].0;
-        let knees = (bend(left) + bend(right)).normalize_or_zero();
-        Vec3::new(toes.dot(ahead), knees.dot(ahead), 0.0)
+        // Legs that are almost straight say little of their knees.
+        let bend = |[hip, knee, ankle]: [usize; 3]| {
+            let leg = (w[knee].0 - w[hip].0).length() + (w[ankle].0 - w[knee].0).length();
+            let bend = (2.0 * w[knee].0 - w[hip].0 - w[ankle].0) / (PLAINLY_BENT * leg.max(f32::MIN_POSITIVE));
+            bend / bend.length().max(1.0)
+        };
+        Vec3::splat((toes + 0.5 * (bend(left) + bend(right))).dot(ahead))
     });
-    let (toes, knees) = (turned.x, turned.y);
-    if toes == 0.0 { knees < BACKWARDS } else { toes < BACKWARDS && knees < 0.0 }
+    turned.x < BACKWARDS
 }
 
 #[cfg(test)]

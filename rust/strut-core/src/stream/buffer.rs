@@ -24,6 +24,9 @@ const EXTRAPOLATED_SECS: f64 = 0.05;
 const LOST_SECS: f64 = 0.5;
 /// A sender's clock that is off by more than this has been set anew, seconds.
 const CLOCK_JUMP_SECS: f64 = 1.0;
+/// So many frames in a row must agree that it has, within a share of it: one wrong time is no other clock.
+const CLOCK_FRAMES: usize = 3;
+const SAME_CLOCK_SECS: f64 = 0.25;
 /// Frames closer than this are thinned, seconds: 240 Hz with room for clocks that count in milliseconds.
 const LEAST_STEP_SECS: f64 = 0.9 / 240.0;
 /// Frames and arrivals that are remembered, more than either window holds at 240 Hz.
@@ -48,7 +51,7 @@ pub enum Arrival {
     InTime,
     /// Its time had been shown already.
     Late,
-    /// There is one of that time, or one so near that more would exceed 240 a second.
+    /// There is one of that time, or one so near that more would exceed 240 a second; or its time is far from all others'.
     Dropped,
     /// It begins a stream: the first one, or the first after a loss or a jump of the sender's clock.
     Begins,
@@ -89,7 +92,7 @@ pub struct BufferStats {
     pub taken: u64,
     /// Of those, the ones whose time had been shown already.
     pub late: u64,
-    /// Frames dropped: of the same time as another, or too many.
+    /// Frames dropped: of the same time as another, too many, or of a time far from all others'.
     pub dropped: u64,
     /// Frames that never came, by the sender's times.
     pub missing: u64,
@@ -112,6 +115,8 @@ pub struct JitterBuffer {
     /// Time of arrival and transit a − s.
     arrivals: VecDeque<[f64; 2]>,
     scratch: Vec<f64>,
+    /// Transit of the last frames that were off, and their number.
+    off: Option<(f64, usize)>,
     /// o.
     least_transit: f64,
     period_secs: f64,
@@ -141,6 +146,7 @@ impl JitterBuffer {
             frames: VecDeque::with_capacity(MOST_FRAMES + 1),
             arrivals: VecDeque::with_capacity(MOST_ARRIVALS + 1),
             scratch: Vec::with_capacity(MOST_ARRIVALS + 1),
+            off: None,
             least_transit: 0.0,
             period_secs: FIRST_PERIOD_SECS,
             delay_secs: first,
@@ -163,7 +169,13 @@ impl JitterBuffer {
         }
         let is_lost = self.head_secs.is_some() && self.last.is_some_and(|last| last.play == Play::Lost);
         let is_first = self.frames.is_empty();
-        let begins = is_first || is_lost || (transit - self.least_transit).abs() > CLOCK_JUMP_SECS;
+        let is_off = !is_first && !is_lost && (transit - self.least_transit).abs() > CLOCK_JUMP_SECS;
+        if is_off && !self.clock_is_set(transit) {
+            self.stats.dropped += 1;
+            return Arrival::Dropped;
+        }
+        self.off = None;
+        let begins = is_first || is_lost || is_off;
         if begins {
             self.stats.losses += u64::from(!is_first);
             self.begin();
@@ -235,6 +247,14 @@ impl JitterBuffer {
     /// Counts since the buffer was made.
     pub fn stats(&self) -> BufferStats {
         self.stats
+    }
+
+    /// Whether as many frames as it takes have said the same of the sender's clock.
+    fn clock_is_set(&mut self, transit: f64) -> bool {
+        let agreeing = self.off.filter(|(before, _)| (transit - before).abs() < SAME_CLOCK_SECS);
+        let frames = agreeing.map_or(1, |(_, frames)| frames + 1);
+        self.off = Some((transit, frames));
+        frames >= CLOCK_FRAMES
     }
 
     fn begin(&mut self) {

@@ -1,4 +1,4 @@
-//! Biovision hierarchy (BVH): the motion capture text format, read strictly and written losslessly.
+//! Biovision hierarchy (BVH): the motion capture text format, read within limits and written losslessly.
 //!
 //! A file lists joints (`HIERARCHY`), each with an offset from its parent and the channels that move it,
 //! then one line of channel values a frame (`MOTION`). There is no standard document; this module reads
@@ -9,6 +9,10 @@
 //!   the order listed: `Zrotation Xrotation Yrotation` is Rz·Rx·Ry. Position channels are the joint's
 //!   translation in its parent's frame and replace `OFFSET` on their axis;
 //! - names with spaces: a name is the rest of its line.
+//!
+//! What other programs write besides is read with a note ([`parse_noted`], `docs/reading.md`): another number of frames than
+//! announced, rows that are not one a line, text after the frames, end sites that are spelt otherwise, and position channels
+//! that are added to `OFFSET`.
 //!
 //! Everything else is refused with a [`BvhError`] that names the place and what was expected there. Lengths stay in
 //! the file's own unit, angles in degrees.

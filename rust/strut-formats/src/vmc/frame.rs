@@ -7,6 +7,10 @@ use strut_core::humanoid::Role;
 
 /// A frame without a time ends when nothing more of it has come for so long, seconds.
 const SILENCE_SECS: f64 = 0.004;
+/// A bone that is not sent for so long returns to rest, seconds …
+const HELD_SECS: f64 = 1.0;
+/// … and takes so long for it, seconds.
+const RETURN_SECS: f64 = 0.2;
 
 /// A frame of a performer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +19,8 @@ pub struct Frame {
     pub root: RootPlace,
     /// Each bone relative to its parent by [`Bone::index`]; `None` if it is not sent.
     pub bones: [Option<Place>; BONES],
+    /// How far each bone is at rest, 0–1: one that is not sent any more is held where it was, and returns after a while.
+    pub rest_shares: [f32; BONES],
     /// The sender's time, seconds, if it is sent.
     pub sent_secs: Option<f64>,
     /// When its last message arrived, seconds.
@@ -50,6 +56,8 @@ pub struct FrameReader {
     /// Bones of the frame that goes on, and of the one before.
     has: u32,
     had: Option<u32>,
+    /// When each bone last came, seconds.
+    heard_secs: [f64; BONES],
     /// A time that came before the bones of its frame, or after it had ended.
     time: Option<f64>,
     /// Whether the last frame ended with its time.
@@ -67,6 +75,7 @@ impl FrameReader {
                 let ended = if is_next { self.end(false) } else { None };
                 self.frame.bones[bone.index()] = Some(*place);
                 self.has |= bit(*bone);
+                self.heard_secs[bone.index()] = arrived_secs;
                 self.frame.arrived_secs = arrived_secs;
                 ended
             }
@@ -75,7 +84,7 @@ impl FrameReader {
                 None
             }
             Message::Time(secs) => {
-                self.time = Some(f64::from(*secs));
+                self.time = Some(*secs);
                 if self.has == 0 { None } else { self.end(true) }
             }
             Message::Loaded(loaded) => {
@@ -115,7 +124,11 @@ impl FrameReader {
             self.partial += u64::from(had.is_some());
             return None;
         }
-        Some(Frame { sent_secs, ..self.frame })
+        let rest_shares = self.heard_secs.map(|heard_secs| {
+            let returning_secs = self.frame.arrived_secs - heard_secs - HELD_SECS;
+            (returning_secs / RETURN_SECS).clamp(0.0, 1.0) as f32
+        });
+        Some(Frame { rest_shares, sent_secs, ..self.frame })
     }
 }
 

@@ -24,7 +24,7 @@ pub enum Message {
     /// Where the model stands.
     Root(RootPlace),
     /// The sender's time, seconds; it ends a frame.
-    Time(f32),
+    Time(f64),
     /// Whether the sender's model is there.
     Loaded(bool),
     /// Weight of a style.
@@ -34,33 +34,35 @@ pub enum Message {
 }
 
 impl Message {
-    /// What a message says; `None` if its arguments are too few, of other types, or no numbers. More arguments than known
-    /// ones are ignored.
+    /// What a message says; `None` if its arguments are too few, texts where numbers are, or not finite. More arguments than
+    /// known ones are ignored, as are those that are neither text nor number.
     pub(super) fn read(message: OscMessage) -> Option<Self> {
-        let args = message.args.as_slice();
+        if !matches!(message.addr.as_str(), BONE | ROOT | TIME | OK | STYLE) {
+            return Some(Self::Other(message));
+        }
+        let args: Vec<Arg<'_>> = message.args.iter().filter_map(Arg::read).collect();
         match message.addr.as_str() {
-            BONE => match (Bone::from_name(text(args)?), place(args.get(1..)?)) {
+            BONE => match (Bone::from_name(text(&args)?), place(args.get(1..)?)) {
                 (Some(bone), place) => Some(Self::Bone(bone, place?)),
                 (None, _) => Some(Self::Other(message)),
             },
             ROOT => {
-                text(args)?;
+                text(&args)?;
                 let place = place(args.get(1..)?)?;
                 Some(Self::Root(RootPlace { place, scale_and_offset: floats(args.get(8..).unwrap_or_default()) }))
             }
             TIME => {
-                let [secs] = floats(args)?;
+                let [secs] = numbers(&args)?;
                 Some(Self::Time(secs))
             }
-            OK => match args.first()? {
-                OscType::Int(loaded) => Some(Self::Loaded(*loaded != 0)),
-                _ => None,
-            },
-            STYLE => {
-                let [weight] = floats(args.get(1..)?)?;
-                (weight.abs() <= MAX_WEIGHT).then_some(Self::Style(text(args)?.to_owned(), weight))
+            OK => {
+                let [loaded] = numbers(&args)?;
+                Some(Self::Loaded(loaded != 0.0))
             }
-            _ => Some(Self::Other(message)),
+            _ => {
+                let [weight] = floats(args.get(1..)?)?;
+                (weight.abs() <= MAX_WEIGHT).then_some(Self::Style(text(&args)?.to_owned(), weight))
+            }
         }
     }
 
@@ -74,7 +76,7 @@ impl Message {
                 args.extend(root.scale_and_offset.into_iter().flatten().map(OscType::Float));
                 message(ROOT, args)
             }
-            Self::Time(secs) => message(TIME, vec![OscType::Float(*secs)]),
+            Self::Time(secs) => message(TIME, vec![OscType::Float(*secs as f32)]),
             Self::Loaded(loaded) => message(OK, vec![OscType::Int(i32::from(*loaded))]),
             Self::Style(name, weight) => message(STYLE, vec![OscType::String(name.clone()), OscType::Float(*weight)]),
             Self::Other(other) => other.clone(),
@@ -82,27 +84,56 @@ impl Message {
     }
 }
 
-fn text(args: &[OscType]) -> Option<&str> {
+/// An argument that says something.
+#[derive(Clone, Copy)]
+enum Arg<'a> {
+    Text(&'a str),
+    Number(f64),
+}
+
+impl<'a> Arg<'a> {
+    /// Senders write numbers as whichever type their language has; true is 1, false and nil are 0.
+    fn read(arg: &'a OscType) -> Option<Self> {
+        match arg {
+            OscType::String(text) => Some(Self::Text(text)),
+            OscType::Float(value) => Some(Self::Number(f64::from(*value))),
+            OscType::Double(value) => Some(Self::Number(*value)),
+            OscType::Int(value) => Some(Self::Number(f64::from(*value))),
+            OscType::Long(value) => Some(Self::Number(*value as f64)),
+            OscType::Bool(value) => Some(Self::Number(f64::from(u8::from(*value)))),
+            OscType::Nil => Some(Self::Number(0.0)),
+            _ => None,
+        }
+    }
+}
+
+fn text<'a>(args: &[Arg<'a>]) -> Option<&'a str> {
     match args.first()? {
-        OscType::String(text) => Some(text),
-        _ => None,
+        Arg::Text(text) => Some(text),
+        Arg::Number(_) => None,
     }
 }
 
 /// The first numbers, all finite.
-fn floats<const N: usize>(args: &[OscType]) -> Option<[f32; N]> {
+fn numbers<const N: usize>(args: &[Arg<'_>]) -> Option<[f64; N]> {
     let mut numbers = [0.0; N];
     for (number, arg) in numbers.iter_mut().zip(args.get(..N)?) {
         *number = match arg {
-            OscType::Float(value) if value.is_finite() => *value,
+            Arg::Number(value) if value.is_finite() => *value,
             _ => return None,
         };
     }
     Some(numbers)
 }
 
+/// The first numbers, all finite in single precision.
+fn floats<const N: usize>(args: &[Arg<'_>]) -> Option<[f32; N]> {
+    let floats = numbers(args)?.map(|number| number as f32);
+    floats.iter().all(|number| number.is_finite()).then_some(floats)
+}
+
 /// Position and rotation of seven numbers in Unity's axes.
-fn place(args: &[OscType]) -> Option<Place> {
+fn place(args: &[Arg<'_>]) -> Option<Place> {
     let [x, y, z, i, j, k, w] = floats(args)?;
     let rotation = mirrored(Quat::from_xyzw(i, j, k, w));
     let position = Vec3::new(-x, y, z);

@@ -5,6 +5,7 @@
 //! humanoid ([`Performer`]). Unity's axes are left-handed with +Y up, facing +Z with the right along +X; here the left is
 //! along +X, so that points and rotations are mirrored at x = 0 on their way in and out.
 
+mod arguments;
 mod bone;
 mod frame;
 mod message;

@@ -1,5 +1,6 @@
 //! Packets of Open Sound Control: bytes that anybody may have sent.
 
+use super::arguments::read_message;
 use super::message::Message;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime};
 use thiserror::Error;
@@ -14,11 +15,9 @@ pub const MAX_MESSAGES: usize = 256;
 pub const PACKET_BYTES: usize = 1_400;
 
 /// The address of a bundle; its time follows.
-const BUNDLE: &[u8] = b"#bundle";
+const BUNDLE: &[u8] = b"#bundle\0";
 const TIME_BYTES: usize = 8;
-const BUNDLE_HEADER_BYTES: usize = BUNDLE.len() + 1 + TIME_BYTES;
-/// Texts end with a zero and are padded to multiples of this.
-const TEXT_ALIGNMENT: usize = 4;
+const BUNDLE_HEADER_BYTES: usize = BUNDLE.len() + TIME_BYTES;
 /// Bytes of a length.
 const LENGTH_BYTES: usize = 4;
 /// "At once".
@@ -42,7 +41,7 @@ pub enum PacketError {
 }
 
 /// Reads the messages of a packet, in their order, after those that are in `messages` already. Gives the number of messages
-/// that were dropped for their arguments.
+/// that were dropped: for their arguments, or as they could not be read. The others of their bundle are read nevertheless.
 ///
 /// # Errors
 /// [`PacketError`]; nothing is read then.
@@ -50,66 +49,37 @@ pub fn decode(packet: &[u8], messages: &mut Vec<Message>) -> Result<usize, Packe
     if packet.len() > MAX_PACKET_BYTES {
         return Err(PacketError::TooLarge);
     }
-    // The decoder calls itself for every bundle in a bundle, and what it returns is dropped so as well.
-    check_nesting(packet, 0, 0)?;
-    let (_, packet) = rosc::decoder::decode_udp(packet).map_err(|_| PacketError::NotOsc)?;
     let mut found = Vec::new();
-    collect(packet, &mut found)?;
+    collect(packet, 0, &mut found)?;
     let all = found.len();
     let before = messages.len();
-    messages.extend(found.into_iter().filter_map(Message::read));
+    messages.extend(found.into_iter().flatten().filter_map(Message::read));
     Ok(all - (messages.len() - before))
 }
 
-/// Whether bundles and arrays lie in few others, in a part of a packet that begins at `offset`. Like the decoder it counts
-/// the padding of texts from the beginning of the packet.
-fn check_nesting(part: &[u8], offset: usize, depth: usize) -> Result<(), PacketError> {
-    let Some(address_bytes) = part.iter().position(|&byte| byte == 0) else { return Ok(()) };
-    let after_address = (offset + address_bytes + 1).next_multiple_of(TEXT_ALIGNMENT) - offset;
-    let rest = part.get(after_address..).unwrap_or_default();
-    if &part[..address_bytes] != BUNDLE {
-        return check_arrays(rest);
-    }
+/// The messages of a packet or of a part of a bundle, which lies in `depth` others; `None` for one that cannot be read.
+fn collect(part: &[u8], depth: usize, found: &mut Vec<Option<OscMessage>>) -> Result<(), PacketError> {
+    let Some(bundle) = part.strip_prefix(BUNDLE) else {
+        let message = read_message(part)?;
+        if message.is_none() && depth == 0 && part.first() != Some(&b'/') {
+            return Err(PacketError::NotOsc);
+        }
+        if found.len() == MAX_MESSAGES {
+            return Err(PacketError::TooMany);
+        }
+        found.push(message);
+        return Ok(());
+    };
     if depth == MAX_NESTING {
         return Err(PacketError::TooDeep);
     }
-    let mut at = after_address + TIME_BYTES;
-    while let Some((length, after)) = part.get(at..).and_then(<[u8]>::split_first_chunk::<LENGTH_BYTES>) {
+    let mut rest = bundle.get(TIME_BYTES..).unwrap_or_default();
+    while let Some((length, after)) = rest.split_first_chunk::<LENGTH_BYTES>() {
+        // A length that is too large ends the bundle, as does what only pads it.
         let length = u32::from_be_bytes(*length) as usize;
-        // A length that is too large ends the bundle for the decoder too.
-        let Some(element) = after.get(..length) else { break };
-        at += LENGTH_BYTES;
-        check_nesting(element, offset + at, depth + 1)?;
-        at += length;
-    }
-    Ok(())
-}
-
-/// Whether the arrays of a message lie in few others, given its types and what follows.
-fn check_arrays(types: &[u8]) -> Result<(), PacketError> {
-    let mut depth = 0_usize;
-    for byte in types.iter().take_while(|&&byte| byte != 0) {
-        match byte {
-            b'[' => depth += 1,
-            b']' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        if depth > MAX_NESTING {
-            return Err(PacketError::TooDeep);
-        }
-    }
-    Ok(())
-}
-
-fn collect(packet: OscPacket, found: &mut Vec<OscMessage>) -> Result<(), PacketError> {
-    match packet {
-        OscPacket::Message(message) if found.len() < MAX_MESSAGES => found.push(message),
-        OscPacket::Message(_) => return Err(PacketError::TooMany),
-        OscPacket::Bundle(bundle) => {
-            for packet in bundle.content {
-                collect(packet, found)?;
-            }
-        }
+        let Some((element, next)) = after.split_at_checked(length).filter(|_| length > 0) else { break };
+        collect(element, depth + 1, found)?;
+        rest = next;
     }
     Ok(())
 }

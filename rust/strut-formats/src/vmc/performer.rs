@@ -49,7 +49,7 @@ impl Performer {
 
     /// The pose of a frame on this body.
     pub fn pose(&self, frame: &Frame) -> Pose {
-        let world = frame.world();
+        let world = self.returning(frame).world();
         // Rotations relative to the T-pose: R = G · G₀⁻¹. A later bone of a role (the upper chest) counts.
         let mut turns = [Quat::IDENTITY; JOINTS];
         for bone in Bone::all() {
@@ -64,6 +64,19 @@ impl Performer {
             }
         }
         pose
+    }
+
+    /// The frame with the bones that are not sent any more on their way to rest.
+    fn returning(&self, frame: &Frame) -> Frame {
+        let mut frame = *frame;
+        for bone in Bone::all() {
+            let share = frame.rest_shares[bone.index()];
+            if let (Some(place), true, Some(parent)) = (&mut frame.bones[bone.index()], share > 0.0, bone.parent()) {
+                let rest = self.rest[parent.index()].inv_mul(self.rest[bone.index()]);
+                place.rotation = place.rotation.slerp(rest, share).normalized();
+            }
+        }
+        frame
     }
 
     /// A pose on this body as a frame of the bones that are sent, where the model stands as in `like`. Positions of bones

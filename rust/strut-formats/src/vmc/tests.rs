@@ -30,7 +30,7 @@ fn message() -> impl Strategy<Value = Message> {
         (0..BONES, place()).prop_map(|(i, place)| Message::Bone(Bone::all().nth(i).unwrap(), place)),
         (place(), prop::option::of(prop::array::uniform6(-2.0f32..2.0)))
             .prop_map(|(place, scale_and_offset)| Message::Root(RootPlace { place, scale_and_offset })),
-        (0.0f32..1e5).prop_map(Message::Time),
+        (0.0f32..1e5).prop_map(|secs| Message::Time(secs.into())),
         any::<bool>().prop_map(Message::Loaded),
         (-10.0f32..10.0).prop_map(|weight| Message::Style("proud".into(), weight)),
         Just(()).prop_map(move |()| Message::Other(other())),
@@ -241,10 +241,87 @@ fn messages_with_other_arguments_are_dropped_and_unknown_ones_passed_on() {
     for numbers in broken {
         assert_eq!(bone("Hips", numbers), (1, None), "{numbers:?}");
     }
-    assert_eq!(read("/VMC/Ext/T", vec![OscType::Int(1)]), (1, None));
+    assert_eq!(read("/VMC/Ext/T", vec!["1".into()]), (1, None));
     assert_eq!(read("/VMC/Ext/OK", vec![OscType::Int(1), OscType::Int(3)]), (0, Some(Message::Loaded(true))));
     assert_eq!(read("/strut/style", vec!["old".into(), 11.0_f32.into()]), (1, None));
     assert!(matches!(read("/VMC/Ext/Blend/Apply", vec![]), (0, Some(Message::Other(_)))));
+}
+
+/// A message's bytes from the text of its types and the bytes of its arguments.
+fn raw(addr: &str, types: &str, args: &[u8]) -> Vec<u8> {
+    let text = |text: &str| {
+        let mut bytes = text.as_bytes().to_vec();
+        bytes.resize((bytes.len() + 1).next_multiple_of(4), 0);
+        bytes
+    };
+    [text(addr), text(types), args.to_vec()].concat()
+}
+
+#[test]
+fn numbers_may_be_of_any_type() {
+    let read = |addr: &str, args: Vec<OscType>| {
+        let packet = rosc::encoder::encode(&OscPacket::Message(OscMessage { addr: addr.into(), args })).unwrap();
+        let mut messages = Vec::new();
+        assert_eq!(decode(&packet, &mut messages), Ok(0));
+        messages.pop()
+    };
+    let args = |numbers: [OscType; 7]| std::iter::once("Hips".into()).chain(numbers).collect::<Vec<_>>();
+    let mixed = args([
+        OscType::Double(0.5),
+        OscType::Int(1),
+        OscType::Long(-2),
+        OscType::Nil,
+        OscType::Bool(false),
+        OscType::Float(0.0),
+        OscType::Bool(true),
+    ]);
+    let expected = Place { position: Vec3::new(-0.5, 1.0, -2.0), rotation: Quat::IDENTITY };
+    assert_eq!(read("/VMC/Ext/Bone/Pos", mixed.clone()), Some(Message::Bone(Bone::Of(Role::Hips), expected)));
+    let root = RootPlace { place: expected, scale_and_offset: None };
+    assert_eq!(read("/VMC/Ext/Root/Pos", mixed), Some(Message::Root(root)));
+    // The time of day in seconds: as a single it would be exact to two minutes.
+    let secs = 1_764_393_600.25;
+    assert_eq!(read("/VMC/Ext/T", vec![OscType::Double(secs)]), Some(Message::Time(secs)));
+    assert_eq!(read("/VMC/Ext/T", vec![OscType::Int(7)]), Some(Message::Time(7.0)));
+    assert_eq!(read("/VMC/Ext/T", vec![OscType::Long(1 << 40)]), Some(Message::Time((1_u64 << 40) as f64)));
+    for (arg, loaded) in [(OscType::Bool(true), true), (OscType::Long(0), false), (OscType::Float(1.0), true)] {
+        assert_eq!(read("/VMC/Ext/OK", vec![arg]), Some(Message::Loaded(loaded)));
+    }
+    let weight = read("/strut/style", vec!["old".into(), OscType::Int(1)]);
+    assert_eq!(weight, Some(Message::Style("old".into(), 1.0)));
+    // What is neither text nor number is passed over, wherever it stands.
+    let others = [OscType::Inf, OscType::Blob(vec![1, 2, 3]), OscType::Char('x'), OscType::Time(OscTime::from((1, 2)))];
+    let time = others.into_iter().chain([OscType::Double(2.5)]).collect();
+    assert_eq!(read("/VMC/Ext/T", time), Some(Message::Time(2.5)));
+    let mut messages = Vec::new();
+    let huge = raw("/VMC/Ext/T", ",d", &f64::INFINITY.to_be_bytes());
+    assert_eq!((decode(&huge, &mut messages), messages.len()), (Ok(1), 0));
+}
+
+#[test]
+fn a_message_with_a_type_that_nobody_knows_does_not_hide_the_others_of_its_bundle() {
+    let time = raw("/VMC/Ext/T", ",f", &1.5_f32.to_be_bytes());
+    let of_symbol = raw("/strut/style", ",Si", &[&b"old\0"[..], &1_i32.to_be_bytes()].concat());
+    let broken = [
+        raw("/VMC/Ext/T", ",?f", &1.5_f32.to_be_bytes()),
+        raw("/VMC/Ext/T", ",d", &1.5_f32.to_be_bytes()),
+        raw("/x", ",b", &u32::MAX.to_be_bytes()),
+        raw("/x", ",[f", &1.5_f32.to_be_bytes()),
+        raw("/x", ",]", &[]),
+        raw("x", ",f", &1.5_f32.to_be_bytes()),
+        b"/\xff\0\0,\0\0\0".to_vec(),
+        b"/x".to_vec(),
+    ];
+    for broken in &broken {
+        let mut bundle = b"#bundle\0\0\0\0\0\0\0\0\x01".to_vec();
+        for part in [&of_symbol, broken, &time] {
+            bundle.extend((part.len() as u32).to_be_bytes());
+            bundle.extend(part);
+        }
+        let mut messages = Vec::new();
+        assert_eq!(decode(&bundle, &mut messages), Ok(1), "{broken:?}");
+        assert_eq!(messages, [Message::Style("old".into(), 1.0), Message::Time(1.5)], "{broken:?}");
+    }
 }
 
 /// What becomes of messages that arrive so.
@@ -267,7 +344,7 @@ fn bone_at(role: Role, x: f32) -> Message {
 fn a_time_the_next_hips_or_silence_end_a_frame() {
     let (hips, spine) = (|x| bone_at(Role::Hips, x), bone_at(Role::Spine, 0.0));
     let timed: Vec<(f64, Message)> = (0..4)
-        .flat_map(|i| [hips(i as f32), spine.clone(), Message::Time(i as f32)].map(|m| (f64::from(i) * 0.001, m)))
+        .flat_map(|i| [hips(i as f32), spine.clone(), Message::Time(f64::from(i))].map(|m| (f64::from(i) * 0.001, m)))
         .collect();
     let found = frames(&timed);
     // Nobody knows whether the first frame is whole.
@@ -284,7 +361,7 @@ fn a_time_the_next_hips_or_silence_end_a_frame() {
 #[test]
 fn silence_does_not_cut_the_frames_of_those_who_send_times() {
     let frame = |i: u8| {
-        let messages = [bone_at(Role::Hips, 0.0), bone_at(Role::Spine, 0.0), Message::Time(f32::from(i))];
+        let messages = [bone_at(Role::Hips, 0.0), bone_at(Role::Spine, 0.0), Message::Time(f64::from(i))];
         // The sender is held up in the middle of the later ones.
         let step = if i < 2 { 0.0 } else { 0.01 };
         messages.into_iter().enumerate().map(move |(n, message)| (f64::from(i) + n as f64 * step, message))
@@ -300,7 +377,7 @@ fn a_frame_without_one_of_its_packets_is_dropped() {
         if with_spine {
             messages.push(bone_at(Role::Spine, 0.0));
         }
-        messages.push(Message::Time(f32::from(i)));
+        messages.push(Message::Time(f64::from(i)));
         messages.into_iter().map(move |message| (f64::from(i) * 0.01, message))
     };
     let times = |lacking: &[u8]| {
@@ -314,9 +391,50 @@ fn a_frame_without_one_of_its_packets_is_dropped() {
 }
 
 #[test]
+fn a_bone_that_is_not_sent_any_more_returns_to_rest_and_follows_at_once_when_it_is() {
+    let mut theirs = Performer::of_body(&Proportions::default());
+    // Bones that are turned in the T-pose, as a calibration finds them.
+    theirs.rest = std::array::from_fn(|i| exp(Vec3::new(0.1 * i as f32, 0.5, -0.3)));
+    let arm = Role::LeftUpperArm.index();
+    let mut pose = Pose { root: Vec3::Y, ..Pose::default() };
+    pose.rotations[arm] = Quat::from_rotation_z(-1.2);
+    let messages: Vec<Message> = theirs.frame(&pose, &Frame::default()).messages().collect();
+    let mut reader = FrameReader::default();
+    let mut turns = Vec::new();
+    for i in 0..240 {
+        let secs = f64::from(i) / 60.0;
+        // The arm is sent in the first second, and again from the fourth on; one frame is held up.
+        let is_sent = |message: &Message| match message {
+            Message::Bone(bone, _) => *bone != Bone::Of(Role::LeftUpperArm) || !(60..180).contains(&i),
+            _ => true,
+        };
+        for message in messages.iter().filter(|message| is_sent(message)).chain([&Message::Time(secs)]) {
+            if let Some(frame) = reader.push(message, secs) {
+                let found = theirs.pose(&frame);
+                turns.push((i, found.rotations[arm].angle()));
+                for (other, expected) in
+                    found.rotations.iter().zip(&pose.rotations).enumerate().filter_map(|(i, q)| (i != arm).then_some(q))
+                {
+                    assert!(other.inv_mul(*expected).angle() < 2e-3);
+                }
+            }
+        }
+    }
+    let fastest = turns.windows(2).filter(|w| w[1].0 < 180).map(|w| (w[1].1 - w[0].1).abs()).fold(0.0, f32::max);
+    assert!(fastest < 0.15, "no leap: {fastest} rad");
+    for (i, turn) in turns {
+        match i {
+            0..119 | 180.. => assert!((turn - 1.2).abs() < 2e-3, "{i}: {turn}"),
+            133..180 => assert!(turn < 2e-3, "{i}: {turn}"),
+            _ => assert!(turn < 1.21, "{i}: {turn}"),
+        }
+    }
+}
+
+#[test]
 fn a_sender_without_a_model_is_not_heard() {
     let arrivals = (0..8_u8).flat_map(|i| {
-        [Message::Loaded(i < 4), bone_at(Role::Hips, 0.0), Message::Time(f32::from(i))].map(|m| (f64::from(i), m))
+        [Message::Loaded(i < 4), bone_at(Role::Hips, 0.0), Message::Time(f64::from(i))].map(|m| (f64::from(i), m))
     });
     assert_eq!(frames(&arrivals.collect::<Vec<_>>()).len(), 3);
 }

@@ -102,6 +102,34 @@ fn a_sender_that_is_back_or_sets_its_clock_begins_anew() {
 }
 
 #[test]
+fn a_wrong_time_does_not_begin_a_stream_but_several_that_agree_do() {
+    let wrong = |frames: &mut Vec<(f64, f64, Pose)>, at: usize, secs: f64| frames[at].0 += secs;
+    let mut buffer = JitterBuffer::new(Delay::Auto);
+    let mut frames = sent(0..240, |_| 0.0);
+    // One that is 0 as of a clock that was not read, one of next week, two in a row that disagree, two that agree.
+    for (at, secs) in [(60, -1001.0), (90, 6e5), (120, -50.0), (121, 70.0), (150, 300.0), (151, 300.0)] {
+        wrong(&mut frames, at, secs);
+    }
+    let shown = played(&mut buffer, frames, 5.0, 9.0);
+    let begins = |shown: &[Option<Played>]| shown.iter().flatten().filter(|played| played.begins).count();
+    let stats = buffer.stats();
+    assert_eq!((begins(&shown), stats.losses, stats.dropped, stats.taken), (1, 0, 6, 234));
+    assert!(
+        shown[10..235].iter().flatten().all(|played| matches!(played.play, Play::Interpolated | Play::Extrapolated))
+    );
+
+    // A clock that was set: the third frame begins.
+    let mut frames = sent(240..300, |_| 0.0);
+    for frame in &mut frames {
+        frame.0 -= 900.0;
+    }
+    let shown = played(&mut buffer, frames, 9.0, 10.0);
+    let stats = buffer.stats();
+    assert_eq!((begins(&shown), stats.losses, stats.dropped), (1, 1, 8));
+    assert_eq!(shown.last().unwrap().unwrap().play, Play::Interpolated);
+}
+
+#[test]
 fn what_is_lost_late_or_twice_there_is_counted() {
     let mut buffer = JitterBuffer::new(Delay::Fixed(0.02));
     let mut frames = sent(0..200, |i| if i == 150 { 0.06 } else { 0.0 });
