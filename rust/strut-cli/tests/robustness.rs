@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{all_clips, body_of, mocap_folder, read_bvh, strut_ok};
+use common::{all_clips, mocap_folder, read_bvh, strut_ok};
 use rayon::prelude::*;
 use std::fs;
 use std::ops::ControlFlow;
@@ -70,10 +70,12 @@ fn styled(model: &Arc<Model>, clip: &Path, style: &str) -> Styled {
     let input = to_humanoid(&motion, &binding, &db.proportions).resampled(db.rate_hz).unwrap();
     let styled = stylize_clip(&stylizer, &input.poses, &mut NoClock, |_, _| ControlFlow::Continue(())).unwrap();
     let output = styled.on_skeleton(db.rate_hz, &motion, &binding);
+    let on_own_body = |motion: &_| to_humanoid(motion, &binding, &binding.proportions);
     Styled {
         name: format!("{} → {style}", clip.file_stem().unwrap().to_str().unwrap()),
-        input: body_of(&motion),
-        output: body_of(&output),
+        input: on_own_body(&motion),
+        // On the floor of the input: that of the output would be measured anew.
+        output: on_own_body(&output),
         contact: styled.frames.iter().map(|f| f.contact.map(|c| c > 0.5)).collect(),
     }
 }

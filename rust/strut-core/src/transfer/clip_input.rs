@@ -164,22 +164,18 @@ fn bridge(motion: &mut HumanoidMotion, jumps: Vec<usize>) -> (Vec<usize>, usize)
     let (mut cuts, mut bridged, mut rest) = (Vec::new(), 0, jumps.as_slice());
     while let [jump, later @ ..] = rest {
         let back = later.iter().rposition(|other| other - jump <= longest && are_alike(motion, *jump - 1, *other));
-        match back {
-            Some(at) => {
-                let (before, after) = (*jump - 1, later[at]);
-                let [a, b] = [before, after].map(|frame| motion.poses[frame]);
-                for frame in *jump..after {
-                    let share = (frame - before) as f32 / (after - before) as f32;
-                    motion.poses[frame] = a.lerp(&b, share);
-                }
-                bridged += after - *jump;
-                rest = &later[at + 1..];
-            }
-            None => {
-                cuts.push(*jump);
-                rest = later;
-            }
+        let Some(at) = back else {
+            cuts.push(*jump);
+            rest = later;
+            continue;
+        };
+        let (before, after) = (*jump - 1, later[at]);
+        let [a, b] = [before, after].map(|frame| motion.poses[frame]);
+        for frame in *jump..after {
+            motion.poses[frame] = a.lerp(&b, (frame - before) as f32 / (after - before) as f32);
         }
+        bridged += after - *jump;
+        rest = &later[at + 1..];
     }
     (cuts, bridged)
 }
