@@ -3,7 +3,7 @@
 //! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names pick the
 //! joints of each limb (best consistent chain over all paths from a leaf to the root); a limb that they
 //! leave incomplete is taken from the symmetric pairs of chains. The trunk needs no names: it lies between the parent
-//! joint of the legs and that of the arms.
+//! joint of the legs and that of the arms, and the hips are where the ways to the two part.
 
 use super::names::{NameHint, Part, Side};
 use super::sample::Sample;
@@ -32,7 +32,8 @@ const BY_TREE: f32 = 0.6;
 /// Finds the roles of a skeleton. Those that cannot be found are `None`.
 pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
     let tree = Tree::of(skeleton, sample);
-    let hints: Vec<NameHint> = skeleton.joints().iter().map(|j| NameHint::of(&j.name)).collect();
+    let names: Vec<&str> = skeleton.joints().iter().map(|j| j.name.as_str()).collect();
+    let hints = NameHint::of_all(&names);
     let named = |parts, side| best_named_chain(&tree, &hints, parts, side);
     let mut legs = [named(LEG, Side::Left), named(LEG, Side::Right)];
     let mut arms = [named(ARM, Side::Left), named(ARM, Side::Right)];
@@ -273,18 +274,18 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
     let at = |r: Role| roles[r.index()];
     let (Some(left_leg), Some(right_leg)) = (at(Role::LeftUpperLeg), at(Role::RightUpperLeg)) else { return };
     let (Some(left_arm), Some(right_arm)) = (at(Role::LeftUpperArm), at(Role::RightUpperArm)) else { return };
-    let mut hips = tree.lowest_common_ancestor(left_leg, right_leg);
+    let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
+    let pelvis = tree.lowest_common_ancestor(left_leg, right_leg);
+    // The hips are where the way to the legs and the way to the arms part: a pelvis between them and the legs is none of
+    // ours. A body that hangs on its chest keeps its pelvis.
+    let parting = tree.lowest_common_ancestor(pelvis, bearer);
+    let mut hips = if parting == bearer { pelvis } else { parting };
     // Biped hangs the thighs on the spine.
     if hints[hips].weight(Part::Trunk) > 0.0
         && let Some(parent) = tree.parents[hips]
         && hints[parent].weight(Part::Hips) > 0.0
     {
         hips = parent;
-    }
-    let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
-    if !tree.is_ancestor(hips, bearer) {
-        // A pelvis of its own between hips and legs: the way to the arms parts above it.
-        hips = tree.lowest_common_ancestor(hips, bearer);
     }
     if bearer == hips || !tree.is_ancestor(hips, bearer) {
         roles[Role::Hips.index()] = Some(hips);

@@ -1,11 +1,12 @@
 //! Evidence in a joint's name for its role.
 //!
 //! Covers the names of CMU and Xia, Bandai Namco, Mixamo, 3ds Max Biped, VRM and glTF, 100STYLE, LAFAN,
-//! Xsens, Rokoko, SMPL, Unreal, Rigify and Daz, whatever their case, prefix and separator. A name is
+//! Xsens, Rokoko, SMPL, Unreal, Rigify, Daz, Character Creator, MMD and others (the tables in `find_roles/tests.rs`), whatever their case, prefix and separator. A name is
 //! evidence, not proof: `LeftShoulder` is a clavicle in one convention and the upper arm in another, so
 //! each word carries weights for roles, and `find_roles` picks the best consistent chain.
 
 use crate::humanoid::Role;
+use std::borrow::Cow;
 
 /// Side of the body that a name gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,82 +60,120 @@ const WORDS: &[(&str, &[(Part, f32)])] = &[
     ("hips", &[(Part::Hips, 1.0)]),
     ("pelvis", &[(Part::Hips, 1.0)]),
     ("hip", &[(Part::Hips, 0.9), (Part::UpperLeg, 0.8)]),
+    ("lowertorso", &[(Part::Hips, 0.8)]),
+    ("腰", &[(Part::Hips, 0.8)]),
     ("spine", &[(Part::Trunk, 1.0)]),
     ("torso", &[(Part::Trunk, 0.9)]),
+    ("uppertorso", &[(Part::Trunk, 0.9)]),
     ("abdomen", &[(Part::Trunk, 0.9)]),
+    ("abdomenlower", &[(Part::Trunk, 0.9)]),
+    ("abdomenupper", &[(Part::Trunk, 0.9)]),
     ("lowerback", &[(Part::Trunk, 0.9)]),
     ("upperback", &[(Part::Trunk, 0.9)]),
     ("back", &[(Part::Trunk, 0.8)]),
     ("waist", &[(Part::Trunk, 0.6)]),
     ("chest", &[(Part::Trunk, 1.0)]),
     ("upperchest", &[(Part::Trunk, 1.0)]),
+    ("chestlower", &[(Part::Trunk, 1.0)]),
+    ("chestupper", &[(Part::Trunk, 1.0)]),
     ("thorax", &[(Part::Trunk, 1.0)]),
+    ("upperbody", &[(Part::Trunk, 1.0)]),
+    ("上半身", &[(Part::Trunk, 1.0)]),
+    ("jouhanshin", &[(Part::Trunk, 1.0)]),
     ("neck", &[(Part::Neck, 1.0)]),
     ("lowerneck", &[(Part::Neck, 1.0)]),
     ("upperneck", &[(Part::Neck, 1.0)]),
+    ("necklower", &[(Part::Neck, 1.0)]),
+    ("neckupper", &[(Part::Neck, 1.0)]),
+    ("首", &[(Part::Neck, 1.0)]),
+    ("kubi", &[(Part::Neck, 1.0)]),
     ("head", &[(Part::Head, 1.0)]),
     ("skull", &[(Part::Head, 0.8)]),
+    ("頭", &[(Part::Head, 1.0)]),
+    ("atama", &[(Part::Head, 1.0)]),
     ("clavicle", &[(Part::Shoulder, 1.0)]),
+    ("clav", &[(Part::Shoulder, 1.0)]),
     ("collar", &[(Part::Shoulder, 1.0)]),
     ("collarbone", &[(Part::Shoulder, 1.0)]),
+    ("scapula", &[(Part::Shoulder, 0.9)]),
     ("shoulder", &[(Part::Shoulder, 0.9), (Part::UpperArm, 0.5)]),
+    ("肩", &[(Part::Shoulder, 0.9), (Part::UpperArm, 0.5)]),
+    ("kata", &[(Part::Shoulder, 0.9), (Part::UpperArm, 0.5)]),
     ("upperarm", &[(Part::UpperArm, 1.0)]),
+    ("armupper", &[(Part::UpperArm, 1.0)]),
     ("uparm", &[(Part::UpperArm, 1.0)]),
+    ("uarm", &[(Part::UpperArm, 1.0)]),
     ("shldr", &[(Part::UpperArm, 1.0)]),
     ("humerus", &[(Part::UpperArm, 1.0)]),
     ("arm", &[(Part::UpperArm, 0.9), (Part::LowerArm, 0.2)]),
+    ("腕", &[(Part::UpperArm, 0.9), (Part::LowerArm, 0.2)]),
+    ("ude", &[(Part::UpperArm, 0.9), (Part::LowerArm, 0.2)]),
     ("lowerarm", &[(Part::LowerArm, 1.0)]),
+    ("armlower", &[(Part::LowerArm, 1.0)]),
     ("lowarm", &[(Part::LowerArm, 1.0)]),
+    ("loarm", &[(Part::LowerArm, 1.0)]),
     ("forearm", &[(Part::LowerArm, 1.0)]),
+    ("farm", &[(Part::LowerArm, 1.0)]),
     ("elbow", &[(Part::LowerArm, 1.0)]),
     ("radius", &[(Part::LowerArm, 1.0)]),
+    ("ulna", &[(Part::LowerArm, 0.9)]),
+    ("ひじ", &[(Part::LowerArm, 1.0)]),
+    ("肘", &[(Part::LowerArm, 1.0)]),
+    ("hiji", &[(Part::LowerArm, 1.0)]),
     ("hand", &[(Part::Hand, 1.0)]),
     ("wrist", &[(Part::Hand, 1.0)]),
+    ("handwrist", &[(Part::Hand, 1.0)]),
+    ("手首", &[(Part::Hand, 1.0)]),
+    ("tekubi", &[(Part::Hand, 1.0)]),
     ("upperleg", &[(Part::UpperLeg, 1.0)]),
+    ("legupper", &[(Part::UpperLeg, 1.0)]),
     ("upleg", &[(Part::UpperLeg, 1.0)]),
+    ("uleg", &[(Part::UpperLeg, 1.0)]),
     ("thigh", &[(Part::UpperLeg, 1.0)]),
     ("femur", &[(Part::UpperLeg, 1.0)]),
     ("leg", &[(Part::LowerLeg, 0.8), (Part::UpperLeg, 0.3)]),
+    ("足", &[(Part::UpperLeg, 0.9)]),
+    ("脚", &[(Part::UpperLeg, 0.9)]),
+    ("ashi", &[(Part::UpperLeg, 0.9)]),
     ("lowerleg", &[(Part::LowerLeg, 1.0)]),
+    ("leglower", &[(Part::LowerLeg, 1.0)]),
     ("lowleg", &[(Part::LowerLeg, 1.0)]),
+    ("loleg", &[(Part::LowerLeg, 1.0)]),
     ("shin", &[(Part::LowerLeg, 1.0)]),
+    ("shank", &[(Part::LowerLeg, 1.0)]),
     ("calf", &[(Part::LowerLeg, 1.0)]),
     ("knee", &[(Part::LowerLeg, 1.0)]),
     ("tibia", &[(Part::LowerLeg, 1.0)]),
+    ("ひざ", &[(Part::LowerLeg, 1.0)]),
+    ("膝", &[(Part::LowerLeg, 1.0)]),
+    ("hiza", &[(Part::LowerLeg, 1.0)]),
     ("ankle", &[(Part::Foot, 1.0)]),
+    ("footankle", &[(Part::Foot, 1.0)]),
     ("foot", &[(Part::Foot, 0.9), (Part::Toes, 0.2)]),
+    ("足首", &[(Part::Foot, 1.0)]),
+    ("ashikubi", &[(Part::Foot, 1.0)]),
     ("toe", &[(Part::Toes, 1.0)]),
     ("toes", &[(Part::Toes, 1.0)]),
     ("toebase", &[(Part::Toes, 1.0)]),
     ("toesbase", &[(Part::Toes, 1.0)]),
     ("forefoot", &[(Part::Toes, 0.9)]),
-    ("football", &[(Part::Toes, 0.9)]),
-    ("shoulders", &[(Part::Shoulder, 0.9), (Part::UpperArm, 0.5)]),
-    ("scapula", &[(Part::Shoulder, 0.8)]),
-    ("ulna", &[(Part::LowerArm, 0.9)]),
-    // MikuMikuDance; what stands for the side is cut off before.
-    ("腰", &[(Part::Hips, 1.0)]),
-    ("上半身", &[(Part::Trunk, 1.0)]),
-    ("首", &[(Part::Neck, 1.0)]),
-    ("頭", &[(Part::Head, 1.0)]),
-    ("肩", &[(Part::Shoulder, 1.0)]),
-    ("腕", &[(Part::UpperArm, 1.0)]),
-    ("ひじ", &[(Part::LowerArm, 1.0)]),
-    ("手首", &[(Part::Hand, 1.0)]),
-    ("足", &[(Part::UpperLeg, 1.0)]),
-    ("ひざ", &[(Part::LowerLeg, 1.0)]),
-    ("足首", &[(Part::Foot, 1.0)]),
-    ("つま先", &[(Part::Toes, 1.0)]),
     ("ball", &[(Part::Toes, 0.9)]),
+    ("football", &[(Part::Toes, 0.9)]),
+    ("つま先", &[(Part::Toes, 1.0)]),
+    ("爪先", &[(Part::Toes, 1.0)]),
+    ("tsumasaki", &[(Part::Toes, 1.0)]),
 ];
 
-/// Prefixes of rigs, and words that mean only that this is a joint.
+/// Prefixes of rigs, and words that mean only that this is a joint, or the upper of a pair of bones that bend and twist.
 const FILLERS: &[&str] = &[
     "mixamorig",
     "bip",
     "j",
     "c",
+    "m",
+    "x",
     "cc",
+    "rl",
     "base",
     "valve",
     "biped",
@@ -145,13 +184,13 @@ const FILLERS: &[&str] = &[
     "jnt",
     "bone",
     "bind",
+    // Daz halves its limbs: `ThighBend` moves the thigh, `ThighTwist` only turns its skin.
+    "bend",
+    "stretch",
     "rig",
     "sk",
     "skel",
     "jt",
-    // Daz halves its limbs: `ThighBend` moves the thigh, `ThighTwist` only turns its skin.
-    "bend",
-    "m",
     "avatar",
     "root",
     "human",
@@ -173,6 +212,7 @@ const OTHERS: &[&str] = &[
     "palm",
     "twist",
     "roll",
+    "part",
     "eye",
     "eyes",
     "jaw",
@@ -188,6 +228,18 @@ const OTHERS: &[&str] = &[
     "site",
     "effector",
     "helper",
+    "dummy",
+    "null",
+    "socket",
+    "attach",
+    "corrective",
+    "volume",
+    "muscle",
+    "armor",
+    "armour",
+    "pad",
+    "jiggle",
+    "collider",
     "breast",
     "hair",
     "skirt",
@@ -196,15 +248,13 @@ const OTHERS: &[&str] = &[
     "share",
     "tail",
     "fk",
+    "mch",
+    "org",
     "ear",
     "nose",
     "brow",
     "lip",
-    "volume",
-    "muscle",
-    "corrective",
     "fix",
-    "null",
     "locator",
     "metatarsal",
     "metatarsals",
@@ -212,52 +262,86 @@ const OTHERS: &[&str] = &[
     "heel",
     "pectoral",
     "latissimus",
+    // The limbs of animals, which have two pairs of legs.
+    "front",
+    "hind",
+    "rear",
+    "捩",
 ];
+
+/// Words that say which limb, before one that says which part of it (`L_Leg_Knee`).
+const LIMBS: &[&str] = &["leg", "arm"];
+
+/// A word that at least this share of a skeleton's names has says nothing of a joint.
+const COMMON: f32 = 0.6;
 
 /// Evidence in a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NameHint {
     /// Side, where the name gives one.
     pub(super) side: Option<Side>,
-    parts: &'static [(Part, f32)],
+    /// Whether the name says that the joint has no role: twist bones, fingers, ends and the like.
+    pub(super) is_other: bool,
+    parts: Cow<'static, [(Part, f32)]>,
 }
 
 impl NameHint {
-    /// Reads a joint's name.
+    /// Reads the names of a skeleton's joints. What nearly all of them have in common (the performer's name, the kind of
+    /// rig) is passed over.
+    pub(super) fn of_all(names: &[&str]) -> Vec<Self> {
+        let words: Vec<Vec<String>> = names.iter().map(|name| words_of(name)).collect();
+        let enough = COMMON * names.len() as f32;
+        let has = |word: &String| words.iter().filter(|w| w.contains(word)).count() as f32;
+        let mut common: Vec<String> = Vec::new();
+        // A word that most names have is in one of the first half of them.
+        for word in words.iter().take(names.len().div_ceil(2)).flatten() {
+            let known = side_of(word).is_some() || look_up(word).is_some();
+            if names.len() > 4 && !known && !common.contains(word) && has(word) >= enough {
+                common.push(word.clone());
+            }
+        }
+        words.iter().map(|words| Self::of_words(words.iter().filter(|w| !common.contains(w)))).collect()
+    }
+
+    /// Reads one name by itself.
+    #[cfg(test)]
     pub(super) fn of(name: &str) -> Self {
-        let words = words_of(name);
+        Self::of_words(words_of(name).iter())
+    }
+
+    fn of_words<'a>(words: impl Iterator<Item = &'a String>) -> Self {
         let mut side = None;
-        let mut rest = String::new();
-        let mut other = false;
+        let mut rest: Vec<&str> = Vec::new();
+        let mut is_other = false;
         for word in words {
             match word.as_str() {
-                "left" | "l" | "lft" | "lt" => side = Some(Side::Left),
-                "right" | "r" | "rgt" | "rt" => side = Some(Side::Right),
-                w if OTHERS.contains(&w) => other = true,
+                w if side_of(w).is_some() => side = side_of(w),
+                w if OTHERS.contains(&w) => is_other = true,
                 w if FILLERS.contains(&w) => {}
-                w => rest.push_str(w),
+                w => rest.push(w),
             }
         }
-        if other {
-            return Self { side, parts: &[] };
+        let nothing = Self { side, is_other, parts: Cow::Borrowed(&[]) };
+        if is_other {
+            return nothing;
         }
-        if let Some(parts) = look_up(&rest) {
-            return Self { side, parts };
+        let whole = rest.concat();
+        if let Some(parts) = look_up(&whole) {
+            return Self { parts: Cow::Borrowed(parts), ..nothing };
         }
-        for (prefix, glued_side) in [
-            ("left", Side::Left),
-            ("right", Side::Right),
-            ("左", Side::Left),
-            ("右", Side::Right),
-            ("l", Side::Left),
-            ("r", Side::Right),
-        ] {
-            let bare = rest.strip_prefix(prefix).or_else(|| rest.strip_suffix(prefix).filter(|_| prefix.len() > 1));
+        for (prefix, glued_side) in
+            [("left", Side::Left), ("right", Side::Right), ("l", Side::Left), ("r", Side::Right)]
+        {
+            let bare = whole.strip_prefix(prefix).or_else(|| whole.strip_suffix(prefix).filter(|_| prefix.len() > 1));
             if let Some(parts) = bare.and_then(look_up) {
-                return Self { side: side.or(Some(glued_side)), parts };
+                return Self { side: side.or(Some(glued_side)), parts: Cow::Borrowed(parts), ..nothing };
             }
         }
-        Self { side, parts: &[] }
+        let [limb, part @ ..] = rest.as_slice() else { return nothing };
+        match look_up(&part.concat()) {
+            Some(parts) if LIMBS.contains(limb) => Self { parts: of_limb(limb, parts), ..nothing },
+            _ => nothing,
+        }
     }
 
     /// How strongly the name means this part, 0 to 1.
@@ -266,21 +350,43 @@ impl NameHint {
     }
 }
 
-fn look_up(word: &str) -> Option<&'static [(Part, f32)]> {
-    WORDS.iter().find(|(w, _)| *w == word).map(|(_, parts)| *parts)
+/// The parts of this limb among those that a word may mean: the hip of a leg is no pelvis.
+fn of_limb(limb: &str, parts: &[(Part, f32)]) -> Cow<'static, [(Part, f32)]> {
+    let of_leg = |part: Part| matches!(part, Part::UpperLeg | Part::LowerLeg | Part::Foot | Part::Toes);
+    let of_arm = |part: Part| matches!(part, Part::Shoulder | Part::UpperArm | Part::LowerArm | Part::Hand);
+    let fits = |part: Part| if limb == "leg" { of_leg(part) } else { of_arm(part) };
+    Cow::Owned(parts.iter().copied().filter(|(part, _)| fits(*part)).collect())
 }
 
-/// Lower-case words of a name: split at separators, digits and changes of case; what a namespace
+fn side_of(word: &str) -> Option<Side> {
+    match word {
+        "left" | "l" | "lft" | "lt" | "lf" | "左" | "hidari" => Some(Side::Left),
+        "right" | "r" | "rgt" | "rt" | "右" | "migi" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+fn look_up(word: &str) -> Option<&'static [(Part, f32)]> {
+    let find = |word: &str| WORDS.iter().find(|(w, _)| *w == word).map(|(_, parts)| *parts);
+    // Some write the joints of a pair in the plural; `hips` is a word of its own.
+    find(word).or_else(|| word.strip_suffix('s').filter(|w| *w != "hip").and_then(find))
+}
+
+/// Lower-case words of a name: split at separators, digits and changes of case or script; what a namespace
 /// (`mixamorig:`) puts before the name and all digits are dropped.
 fn words_of(name: &str) -> Vec<String> {
     let name = name.rsplit([':', '|']).next().unwrap_or(name);
-    let chars: Vec<char> = name.chars().collect();
+    let chars: Vec<char> = name.chars().map(half_width).collect();
     let mut words = vec![String::new()];
     for (i, &c) in chars.iter().enumerate() {
-        let begins_word = c.is_ascii_uppercase() && i > 0 && {
-            let after_lower = chars[i - 1].is_ascii_lowercase();
-            let before_lower = chars.get(i + 1).is_some_and(char::is_ascii_lowercase);
-            after_lower || (chars[i - 1].is_ascii_uppercase() && before_lower)
+        let begins_word = i > 0 && {
+            let (before, after) = (chars[i - 1], chars.get(i + 1));
+            let camel = c.is_ascii_uppercase()
+                && (before.is_ascii_lowercase()
+                    || before.is_ascii_uppercase() && after.is_some_and(char::is_ascii_lowercase));
+            // Japanese names write the side, and that a bone twists, without a separator.
+            let sign = |c: char| matches!(c, '左' | '右' | '捩');
+            camel || c.is_ascii() != before.is_ascii() || sign(c) || sign(before)
         };
         if begins_word || !c.is_alphabetic() {
             words.push(String::new());
@@ -293,6 +399,12 @@ fn words_of(name: &str) -> Vec<String> {
     }
     words.retain(|w| !w.is_empty());
     words
+}
+
+/// The ASCII letter or digit that a full-width one (`ＩＫ`) stands for.
+fn half_width(c: char) -> char {
+    let ascii = u32::from(c).checked_sub(0xFF01 - 0x21).filter(|code| (0x21..0x7F).contains(code));
+    ascii.and_then(char::from_u32).unwrap_or(c)
 }
 
 #[cfg(test)]
@@ -319,6 +431,12 @@ mod tests {
             "thigh_l",
             "thigh.L",
             "DEF-thigh.L",
+            "lThighBend",
+            "L_Leg_Hip_jnt",
+            "mHipLeft",
+            "左足",
+            "足.L",
+            "thigh_stretch.l",
             "lThigh",
             "lfemur",
             "LEFT_UPLEG",
@@ -363,8 +481,18 @@ mod tests {
 
     #[test]
     fn fingers_twist_bones_and_ends_have_no_role() {
-        for name in ["LeftHandIndex1", "LThumb", "Bip01 L Finger0", "LeftForeArmTwist", "HeadTop_End", "foot_ik.L", "x"]
-        {
+        for name in [
+            "LeftHandIndex1",
+            "LThumb",
+            "Bip01 L Finger0",
+            "LeftForeArmTwist",
+            "HeadTop_End",
+            "foot_ik.L",
+            "x",
+            "左足ＩＫ",
+            "左腕捩",
+            "CC_Base_L_KneeShareBone",
+        ] {
             assert_eq!(strongest(name), None, "{name}");
         }
     }
