@@ -1,8 +1,9 @@
 //! Which joint of a skeleton plays which role: by names, and where they fail by the shape of the tree.
 //!
 //! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names pick the
-//! joints of each limb (best consistent chain over all paths from a leaf to the root); a limb that they
-//! leave incomplete is taken from the symmetric pairs of chains. The trunk needs no names: it lies between the parent
+//! joints of each limb (best consistent chain over all paths from a leaf to the root). A part that they leave open is found on
+//! the other side or by its place between named joints; a limb of which they say next to nothing is taken from the symmetric
+//! pairs of chains. The trunk needs no names: it lies between the parent
 //! joint of the legs and that of the arms, and the hips are where the ways to the two part.
 
 use super::names::{NameHint, Part, Side};
@@ -22,6 +23,12 @@ type LimbParts = [Part; 4];
 const LEG: LimbParts = [Part::UpperLeg, Part::LowerLeg, Part::Foot, Part::Toes];
 const ARM: LimbParts = [Part::Shoulder, Part::UpperArm, Part::LowerArm, Part::Hand];
 
+/// Index of the first of the three parts that legs and arms must have.
+const FIRST_REQUIRED: [usize; 2] = [0, 1];
+
+/// The bones on both sides of a joint that was found by its place between named ones differ by this factor at most.
+const UNEQUAL_BONES: f32 = 2.5;
+
 /// A limb as joints of the file, in the order of its parts.
 type LimbJoints = [Option<usize>; 4];
 
@@ -34,22 +41,26 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
     let tree = Tree::of(skeleton, sample);
     let names: Vec<&str> = skeleton.joints().iter().map(|j| j.name.as_str()).collect();
     let hints = NameHint::of_all(&names);
-    let named = |parts, side| best_named_chain(&tree, &hints, parts, side);
-    let mut legs = [named(LEG, Side::Left), named(LEG, Side::Right)];
-    let mut arms = [named(ARM, Side::Left), named(ARM, Side::Right)];
-    let mut confidence = [BY_NAME; 2];
-    let legs_complete = legs.iter().all(|l| l[..3].iter().all(Option::is_some));
-    let arms_complete = arms.iter().all(|a| a[1..].iter().all(Option::is_some));
-    if !(legs_complete && arms_complete)
+    let named =
+        [LEG, ARM].map(|parts| [Side::Left, Side::Right].map(|side| best_named_chain(&tree, &hints, parts, side)));
+    let mut limbs = named;
+    for (pair, first) in limbs.iter_mut().zip(FIRST_REQUIRED) {
+        complete_pair(&tree, &hints, pair, first);
+    }
+    let mut incomplete =
+        limbs.iter().zip(FIRST_REQUIRED).map(|(pair, first)| pair.iter().any(|l| !is_complete(l, first)));
+    if incomplete.any(|i| i)
         && let Some((tree_legs, tree_arms)) = limbs_by_shape(&tree, sample)
     {
-        if !legs_complete {
-            (legs, confidence[0]) = (tree_legs, BY_TREE);
-        }
-        if !arms_complete {
-            (arms, confidence[1]) = (tree_arms, BY_TREE);
+        for ((pair, by_shape), first) in limbs.iter_mut().zip([tree_legs, tree_arms]).zip(FIRST_REQUIRED) {
+            take_unnamed(pair, by_shape, first);
         }
     }
+    let confidence = [0, 1].map(|kind| {
+        let share = share_by_name(&named[kind], &limbs[kind], FIRST_REQUIRED[kind]);
+        BY_TREE + (BY_NAME - BY_TREE) * share
+    });
+    let [legs, arms] = limbs;
 
     let mut joint_of_role = [None; JOINTS];
     for (side, i) in [(Side::Left, 0), (Side::Right, 1)] {
@@ -169,6 +180,112 @@ fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Sid
         best.push(here);
     }
     winner.1
+}
+
+/// Whether a limb has the three parts that it must have.
+fn is_complete(limb: &LimbJoints, first: usize) -> bool {
+    limb[first..first + 3].iter().all(Option::is_some)
+}
+
+/// Fills what names leave open in a pair of limbs: from the other side where that is complete, else by the place between
+/// named joints.
+fn complete_pair(tree: &Tree, hints: &[NameHint], pair: &mut [LimbJoints; 2], first: usize) {
+    for side in [0, 1] {
+        if is_complete(&pair[1 - side], first)
+            && !is_complete(&pair[side], first)
+            && let Some(limb) = mirrored(tree, hints, &pair[1 - side], &pair[side])
+        {
+            pair[side] = limb;
+        }
+        // A `Shoulder` that was taken for the upper arm is a collarbone if it is one on the other side.
+        let [collarbone, upper, lower, end] = pair[side];
+        if collarbone.is_none()
+            && pair[1 - side].iter().all(Option::is_some)
+            && let Some(limb) = mirrored(tree, hints, &pair[1 - side], &[None, None, lower, end])
+            && limb[0] == upper
+        {
+            pair[side] = limb;
+        }
+    }
+    for side in [0, 1] {
+        let other = pair[1 - side].iter().flatten().next().copied();
+        fill_gap(tree, hints, &mut pair[side], first, other);
+    }
+}
+
+/// A limb with its missing parts where the other side has them: joints at the same places of an equal chain. `None` where
+/// there is no such chain, or the joints that the names give are not on it.
+fn mirrored(tree: &Tree, hints: &[NameHint], complete: &LimbJoints, partial: &LimbJoints) -> Option<LimbJoints> {
+    symmetric_pairs(tree)
+        .iter()
+        .flat_map(|pair| [(0, 1), (1, 0)].map(|(a, b)| (&pair.chains[a], &pair.chains[b])))
+        .find_map(|(chain, opposite)| {
+            let mut limb = *partial;
+            for (slot, joint) in limb.iter_mut().zip(complete) {
+                let Some(joint) = joint else { continue };
+                let twin = opposite.get(chain.iter().position(|j| j == joint)?).copied()?;
+                *slot = slot.or(Some(twin).filter(|&t| !hints[t].is_other));
+            }
+            let joints: Vec<usize> = limb.iter().flatten().copied().collect();
+            joints.windows(2).all(|w| w[0] != w[1] && tree.is_ancestor(w[0], w[1])).then_some(limb)
+        })
+}
+
+/// Fills the one required part that a limb lacks by its place: such that the two bones are about equal. `other` is a joint of
+/// the opposite limb.
+fn fill_gap(tree: &Tree, hints: &[NameHint], limb: &mut LimbJoints, first: usize, other: Option<usize>) {
+    let nearest = |candidates: Vec<usize>, bones: &dyn Fn(usize) -> (f32, f32)| {
+        let unequal = |j: usize| {
+            let (a, b) = bones(j);
+            a.max(b) / a.min(b)
+        };
+        let near = candidates.into_iter().filter(|&j| !hints[j].is_other && unequal(j) < UNEQUAL_BONES);
+        near.min_by(|&a, &b| unequal(a).total_cmp(&unequal(b)))
+    };
+    let missing = match [limb[first], limb[first + 1], limb[first + 2]] {
+        [Some(upper), None, Some(end)] => {
+            let bones = |j| (tree.distance(upper, j), tree.distance(j, end));
+            nearest(tree.between(upper, end), &bones).map(|j| (1, j))
+        }
+        [None, Some(lower), Some(end)] => {
+            let above = if first == 0 { None } else { limb[0] };
+            let Some(top) = above.or_else(|| other.map(|o| tree.lowest_common_ancestor(o, lower))) else { return };
+            let bones = |j| (tree.distance(j, lower), tree.distance(lower, end));
+            nearest(tree.between(top, lower), &bones).map(|j| (0, j))
+        }
+        [Some(upper), Some(lower), None] => {
+            let bones = |j| (tree.distance(upper, lower), tree.distance(lower, j));
+            let chain = tree.longest_chain(lower);
+            nearest(chain.get(1..).unwrap_or_default().to_vec(), &bones).map(|j| (2, j))
+        }
+        _ => None,
+    };
+    if let Some((part, joint)) = missing {
+        limb[first + part] = Some(joint);
+    }
+}
+
+/// Takes limbs from the shape of the tree where names say little of them: never a limb that has two of its three parts.
+fn take_unnamed(pair: &mut [LimbJoints; 2], by_shape: [LimbJoints; 2], first: usize) {
+    let plain = pair.map(|limb| limb[first..first + 3].iter().flatten().count() >= 2);
+    if !plain[0] && !plain[1] {
+        *pair = by_shape;
+        return;
+    }
+    for side in [0, 1] {
+        let free = by_shape[side].iter().flatten().all(|joint| !pair[1 - side].contains(&Some(*joint)));
+        if !plain[side] && free {
+            pair[side] = by_shape[side];
+        }
+    }
+}
+
+/// Share of the required parts of a pair of limbs that names gave.
+fn share_by_name(named: &[LimbJoints; 2], found: &[LimbJoints; 2], first: usize) -> f32 {
+    let required = |limbs: &[LimbJoints; 2]| limbs.map(|limb| [limb[first], limb[first + 1], limb[first + 2]]);
+    let (named, found) = (required(named), required(found));
+    let same = named.iter().flatten().zip(found.iter().flatten()).filter(|(a, b)| a.is_some() && a == b);
+    same.count() as f32 / 6.0
 }
 
 /// Two chains of equal bones on the same joint.
