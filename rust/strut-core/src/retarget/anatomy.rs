@@ -1,11 +1,19 @@
-//! Whether a bound body is that of a human: who walks on four legs has arms as long as legs, and stands on them.
+//! Whether a bound body is that of a human: what walks on four legs has arms or a trunk as long as legs, and stands on them.
 
+use super::rest_pose::positions;
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Proportions, Role};
 use crate::kinematics::Limb;
+use crate::math::{Quat, Vec3};
+use crate::skeleton::Skeleton;
 
 /// Arms of people are two thirds as long as their legs, those of four-legged animals about as long.
 const LONGEST_ARMS: f32 = 0.85;
+/// Trunks of people are half as long as their legs, from the hip joints to the shoulders; those of four-legged animals about
+/// as long.
+const LONGEST_TRUNK: f32 = 0.8;
+/// The zero pose is that of one who stands upright above this cosine between the trunk and the legs.
+const UPRIGHT: f32 = 0.8;
 /// The trunk lies rather than stands on the legs below this cosine.
 const LYING_TRUNK: f32 = 0.5;
 /// Hands that reach this far down from the hips, in lengths of the legs, stand where the feet stand; hanging ones reach a
@@ -19,11 +27,14 @@ const MOST_FRAMES: f32 = 0.8;
 pub struct FourLegs {
     /// Length of the arms over that of the legs.
     pub arms_per_leg: f32,
+    /// Length of the trunk, hip joints to shoulders, over that of the legs.
+    pub trunk_per_leg: f32,
 }
 
 /// Whether a body stands on four legs in most frames, and has the proportions for it. People who crawl or sit do not, nor
-/// do figures with long arms who stand.
+/// do figures with long arms who stand, be it in the zero pose only.
 pub(super) fn four_legs(
+    skeleton: &Skeleton,
     roles: &[Option<usize>; JOINTS],
     sample: &Sample,
     proportions: &Proportions,
@@ -34,26 +45,63 @@ pub(super) fn four_legs(
     };
     let both = |limbs: [Limb; 2]| limbs.iter().map(|limb| length(*limb)).sum::<f32>();
     let arms_per_leg = both(Limb::ARMS) / both(Limb::LEGS);
-    if arms_per_leg < LONGEST_ARMS {
+    let joints = Joints::of(roles)?;
+    let zero = positions(skeleton, &sample.translations, &vec![Quat::IDENTITY; skeleton.len()]);
+    let trunk_per_leg = joints.trunk_per_leg(&zero);
+    if arms_per_leg < LONGEST_ARMS && trunk_per_leg < LONGEST_TRUNK || joints.upright(|j| zero[j]) > UPRIGHT {
         return None;
     }
-    let at = |role: Role| roles[role.index()];
-    let top = [Role::Neck, Role::Chest, Role::Spine].into_iter().find_map(at)?;
-    let pairs = [
-        [Role::LeftUpperLeg, Role::RightUpperLeg],
-        [Role::LeftFoot, Role::RightFoot],
-        [Role::LeftHand, Role::RightHand],
-    ];
-    let [hips, feet, hands] = pairs.map(|pair| pair.map(|role| at(role).unwrap_or(0)));
-    let stands: Vec<bool> = sample
-        .each(|w| {
-            let middle = |[a, b]: [usize; 2]| 0.5 * (w[a].0 + w[b].0);
-            let legs = middle(feet) - middle(hips);
-            let down = legs.normalize_or_zero();
-            let trunk = (w[top].0 - middle(hips)).normalize_or_zero();
-            -trunk.dot(down) < LYING_TRUNK && (middle(hands) - middle(hips)).dot(down) > STANDING_HANDS * legs.length()
-        })
-        .collect();
+    let stands: Vec<bool> = sample.each(|w| joints.stand_on_hands_and_feet(|j| w[j].0)).collect();
     let standing = stands.iter().filter(|stands| **stands).count() as f32;
-    (standing >= MOST_FRAMES * stands.len() as f32).then_some(FourLegs { arms_per_leg })
+    (standing >= MOST_FRAMES * stands.len() as f32).then_some(FourLegs { arms_per_leg, trunk_per_leg })
+}
+
+/// The joints that tell two legs from four, left and right.
+struct Joints {
+    hips: [usize; 2],
+    knees: [usize; 2],
+    feet: [usize; 2],
+    shoulders: [usize; 2],
+    hands: [usize; 2],
+}
+
+impl Joints {
+    fn of(roles: &[Option<usize>; JOINTS]) -> Option<Self> {
+        let pair = |left: Role| Some([roles[left.index()]?, roles[left.mirrored().index()]?]);
+        Some(Self {
+            hips: pair(Role::LeftUpperLeg)?,
+            knees: pair(Role::LeftLowerLeg)?,
+            feet: pair(Role::LeftFoot)?,
+            shoulders: pair(Role::LeftUpperArm)?,
+            hands: pair(Role::LeftHand)?,
+        })
+    }
+
+    /// From the hips to the feet, the shoulders and the hands, means of both sides.
+    fn toward_ends(&self, at: impl Fn(usize) -> Vec3) -> [Vec3; 3] {
+        let middle = |[a, b]: [usize; 2]| 0.5 * (at(a) + at(b));
+        [self.feet, self.shoulders, self.hands].map(|pair| middle(pair) - middle(self.hips))
+    }
+
+    /// Length of the trunk in the zero pose over that of the legs.
+    fn trunk_per_leg(&self, zero: &[Vec3]) -> f32 {
+        let bone = |[a, b]: [usize; 2], [c, d]: [usize; 2]| {
+            0.5 * ((zero[c] - zero[a]).length() + (zero[d] - zero[b]).length())
+        };
+        let legs = bone(self.hips, self.knees) + bone(self.knees, self.feet);
+        let [_, trunk, _] = self.toward_ends(|j| zero[j]);
+        trunk.length() / legs
+    }
+
+    /// Cosine between the way up the trunk and the way up the legs.
+    fn upright(&self, at: impl Fn(usize) -> Vec3) -> f32 {
+        let [legs, trunk, _] = self.toward_ends(at);
+        -trunk.normalize_or_zero().dot(legs.normalize_or_zero())
+    }
+
+    /// Whether the trunk lies and the hands reach as far down as feet do.
+    fn stand_on_hands_and_feet(&self, at: impl Fn(usize) -> Vec3) -> bool {
+        let [legs, _, hands] = self.toward_ends(&at);
+        self.upright(at) < LYING_TRUNK && hands.dot(legs.normalize_or_zero()) > STANDING_HANDS * legs.length()
+    }
 }

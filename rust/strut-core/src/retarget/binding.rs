@@ -142,9 +142,9 @@ pub enum BindError {
     },
     /// A body that is not human.
     #[error(
-        "This body stands on four legs: its hands are on the ground like its feet, and its arms are {:.2} times as long as its \
-         legs. Strut moves people. Choose the joints to have it moved all the same.",
-        .0.arms_per_leg
+        "This body stands on four legs: its hands are on the ground like its feet, and its arms are {:.2} and its trunk {:.2} \
+         times as long as its legs. Strut moves people. Choose the joints to have it moved all the same.",
+        .0.arms_per_leg, .0.trunk_per_leg
     )]
     NotHuman(FourLegs),
     /// A limb bone without length.
@@ -226,7 +226,7 @@ impl Binding {
             sample = Sample::of_mirror_image(motion);
         }
         let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
-        match four_legs(&roles, &sample, &binding.proportions) {
+        match four_legs(&motion.skeleton, &roles, &sample, &binding.proportions) {
             Some(four_legs) if read_as.joints.is_none() => return Err(BindError::NotHuman(four_legs)),
             Some(_) => binding.doubts.push(Note::new(
                 NoteCode::NotHuman,
@@ -303,7 +303,7 @@ impl Binding {
         let of = |roles: &[Option<usize>; JOINTS], confidence| {
             let binding = Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default())?;
             let chosen = facts.roles.iter().any(Option::is_some);
-            match four_legs(roles, &sample, &binding.proportions) {
+            match four_legs(skeleton, roles, &sample, &binding.proportions) {
                 Some(four_legs) if !chosen => Err(BindError::NotHuman(four_legs)),
                 _ => Ok(binding),
             }
@@ -323,6 +323,7 @@ impl Binding {
         if roles.iter().all(Option::is_none) {
             return Err(BindError::NotHumanoid);
         }
+        leave_out_toes_without_length(&sample, &mut roles);
         of(&roles, found.confidence)
     }
 

@@ -298,6 +298,58 @@ fn a_clip_without_frames_is_refused() {
     assert_eq!(Binding::detect(&file), Err(BindError::NoFrames));
 }
 
+/// On hands and feet, facing +Z: the trunk lies, arms and legs hang down from it.
+fn on_all_fours(proportions: Proportions) -> HumanoidMotion {
+    let mut pose = Pose { root: Vec3::Y * 0.8, ..Pose::default() };
+    pose.rotations[Role::Hips.index()] = Quat::from_rotation_x(FRAC_PI_2);
+    for leg in [Role::LeftUpperLeg, Role::RightUpperLeg] {
+        pose.rotations[leg.index()] = Quat::from_rotation_x(-FRAC_PI_2);
+    }
+    pose.rotations[Role::LeftUpperArm.index()] = Quat::from_rotation_y(-FRAC_PI_2);
+    pose.rotations[Role::RightUpperArm.index()] = Quat::from_rotation_y(FRAC_PI_2);
+    HumanoidMotion { proportions, rate_hz: 30.0, poses: vec![pose; 10] }
+}
+
+/// A rig whose zero pose is the first pose of the motion.
+fn modelled_as(motion: &HumanoidMotion) -> Rig {
+    let world = world_from_local(&motion.proportions, &motion.poses[0]);
+    Rig { frames: world.rotations.map(Quat::inverse), ..Rig::default() }
+}
+
+/// The mannequin with longer arms and trunk.
+fn stretched(arms: f32, trunk: f32) -> Proportions {
+    let mut body = Proportions::default();
+    for role in [Role::LeftLowerArm, Role::LeftHand] {
+        body.offsets[role.index()] *= arms;
+        body.offsets[role.mirrored().index()] *= arms;
+    }
+    for role in [Role::Spine, Role::Chest] {
+        body.offsets[role.index()] *= trunk;
+    }
+    body
+}
+
+#[test]
+fn what_is_modelled_and_stands_on_four_legs_of_an_animal_is_refused() {
+    // A dog has long arms, a horse a long trunk.
+    for body in [stretched(1.5, 1.0), stretched(1.3, 2.0)] {
+        let animal = on_all_fours(body);
+        let error = Binding::detect(&rigged(&animal, &modelled_as(&animal))).unwrap_err();
+        assert!(matches!(error, BindError::NotHuman(_)), "{error}");
+    }
+}
+
+#[test]
+fn people_on_all_fours_and_figures_with_long_arms_who_stand_are_people() {
+    let crawl = on_all_fours(stretched(1.1, 1.0));
+    assert!(Binding::detect(&rigged(&crawl, &modelled_as(&crawl))).is_ok());
+    // An ape's costume: it stands in the zero pose, or in the motion.
+    let ape = on_all_fours(stretched(1.6, 1.2));
+    assert!(Binding::detect(&rigged(&ape, &Rig::default())).is_ok());
+    let walk = HumanoidMotion { proportions: stretched(1.6, 1.2), ..walk() };
+    assert!(Binding::detect(&rigged(&walk, &Rig::default())).is_ok());
+}
+
 const SOME_NAMES: [&str; 24] = [
     "Hips",
     "Spine",
