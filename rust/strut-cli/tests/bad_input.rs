@@ -98,7 +98,7 @@ fn a_file_that_ends_early_is_styled_with_a_note() {
     fs::write(folder.path().join("in.bvh"), cut.rsplit_once(' ').unwrap().0).unwrap();
     let output = strut(folder.path(), &[&STYLIZE[..], &["--json", "out.json"]].concat());
     assert!(output.status.success());
-    let note = "The file announces 120 frames and has 99. All 99 were read.";
+    let note = "The file announces 120 frames and has 99. Its last row was cut off and left out.";
     assert!(String::from_utf8_lossy(&output.stderr).contains(note), "{}", String::from_utf8_lossy(&output.stderr));
     let report: serde_json::Value = serde_json::from_slice(&fs::read(folder.path().join("out.json")).unwrap()).unwrap();
     assert_eq!(report["notes"][0]["code"], "frame-count");
@@ -144,19 +144,20 @@ fn motions_that_would_become_too_long_at_the_database_s_rate() {
     let frames = 20_000;
     let long = walk_with(|i, line| match i {
         1 => format!("Frames: {frames}"),
-        2 => "Frame Time: 10".to_owned(),
+        // Not so long that it could be milliseconds.
+        2 => "Frame Time: 3".to_owned(),
         3 => vec![frame.as_str(); frames].join("\n"),
         i if i > 3 => String::new(),
         _ => line.to_owned(),
     });
     fs::write(at.join("in.bvh"), long.trim_end().to_owned() + "\n").unwrap();
-    let expected = "in.bvh: the motion has 11999400 frames at 60 Hz; at most 1000000 are supported";
+    let expected = "in.bvh: the motion has 3599820 frames at 60 Hz; at most 1000000 are supported";
     let begin = Instant::now();
     assert_refused(at, &STYLIZE, expected);
     assert!(begin.elapsed() < Duration::from_secs(20), "it was resampled before it was refused");
     fs::write(at.join("labels.csv"), "file,action,style\nin.bvh,walk,old\n").unwrap();
     let build = ["build-db", "in.bvh", "-o", "new.strutdb", "--labels", "labels.csv"];
-    assert_refused(at, &build, "the motion has 11999400 frames at 60 Hz; at most 1000000 are supported");
+    assert_refused(at, &build, "the motion has 3599820 frames at 60 Hz; at most 1000000 are supported");
 }
 
 #[test]

@@ -57,6 +57,8 @@ note_codes! {
     TextAfter = "text-after",
     /// The hierarchy has joints or end sites that are written in an unusual way.
     Hierarchy = "hierarchy",
+    /// The frame time was taken as milliseconds.
+    Milliseconds = "milliseconds",
     /// Position channels were taken as added to the offsets.
     AddedPositions = "added-positions",
 }

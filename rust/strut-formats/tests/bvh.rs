@@ -140,6 +140,9 @@ fn what_other_programs_write_is_read_with_a_note() {
     let cases = [
         (WALK.replacen("Frames: 2", "Frames: 3", 1), vec!["frame-count"]),
         (WALK.replacen("Frames: 2", "Frames: 1", 1), vec!["frame-count"]),
+        (WALK.replacen("20 30\n", "\n20 30\n", 1), vec!["rows"]),
+        (WALK.replacen("20 30\n", "\n20 30\n", 1).replacen("Frames: 2", "Frames: 1", 1), vec!["rows", "frame-count"]),
+        ([WALK.trim_end(), "\u{1A}"].concat(), vec![]),
         (joined, vec!["rows"]),
         ([WALK, "\u{1A}\0\0"].concat(), vec![]),
         ([WALK, "# made by hand\n"].concat(), vec!["text-after"]),
@@ -159,6 +162,40 @@ fn what_other_programs_write_is_read_with_a_note() {
 fn a_last_row_that_was_cut_off_is_left_out() {
     let (file, codes) = noted(WALK.trim_end().rsplit_once(' ').unwrap().0);
     assert_eq!((file.frames, codes), (1, vec!["frame-count"]));
+    // Also where as many frames are left as were announced.
+    let (file, notes) = bvh::parse_noted([WALK, "1 2 3\n"].concat().as_bytes()).unwrap();
+    assert_eq!((file.frames, notes.len()), (2, 1));
+    assert_eq!(notes[0].text, "The file announces 2 frames and has 2. Its last row was cut off and left out.");
+}
+
+#[test]
+fn damaged_rows_are_refused_although_the_numbers_make_whole_frames() {
+    let rows = WALK.find("0 91 2").unwrap();
+    let damaged = |text: &str| error(&[&WALK[..rows], text].concat());
+    // A number of the second row stands in the first.
+    assert_eq!(damaged("1 2 3 4 5 6 7 8 9 10\n2 3 4 5 6 7 8 9\n"), "line 19 has 10 numbers; this skeleton needs 9");
+    assert_eq!(damaged("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8 9 10\n"), "line 19 has 8 numbers; this skeleton needs 9");
+    let last = damaged("1 2 3 4 5 6 7 8 9\nx0.5 2 3 4 5 6 7 8 9\n");
+    assert_eq!(last, "line 20, column 1 has 'x0.5'; a number was expected");
+}
+
+#[test]
+fn a_frame_time_in_milliseconds_is_taken_as_such_where_the_motion_has_small_steps() {
+    // The second frame of the walk is far from the first.
+    let slow = WALK.replacen("0.0333333", "8.33", 1);
+    assert_eq!(noted(&slow).0.frame_time_secs, 8.33);
+    let smooth = |time: &str| {
+        [&slow[..slow.find("0 91 2").unwrap()], "1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6 7 8 10\n"]
+            .concat()
+            .replacen("8.33", time, 1)
+    };
+    for (time, secs) in [("8.33", 0.00833), ("16.667", 0.016_667), ("33.3", 0.0333)] {
+        let (file, codes) = noted(&smooth(time));
+        assert_eq!(codes, ["milliseconds"]);
+        assert!((file.frame_time_secs - secs).abs() < 1e-12);
+    }
+    assert_eq!(noted(&smooth("0.5")).1, [""; 0]);
+    assert_eq!(error(&smooth("400")), "line 18 has a frame time of 400 s; 0.0001 to 10 s were expected");
 }
 
 #[test]
@@ -261,7 +298,8 @@ fn hierarchy() -> impl Strategy<Value = Vec<Joint>> {
 }
 
 fn document() -> impl Strategy<Value = Bvh> {
-    (hierarchy(), 1e-4..10.0f64, 1_usize..5)
+    // From 4 s on a frame time may be milliseconds.
+    (hierarchy(), 1e-4..4.0f64, 1_usize..5)
         .prop_filter("a channel", |(joints, ..)| joints.iter().any(|j| !j.channels.is_empty()))
         .prop_flat_map(|(joints, frame_time_secs, frames)| {
             let channels: usize = joints.iter().map(|j| j.channels.len()).sum();

@@ -4,6 +4,7 @@ use super::anatomy::{FourLegs, four_legs};
 use super::axes::{UpAxis, is_mirrored, up_axis};
 use super::find_roles::find_roles;
 use super::floor::floor_of;
+use super::read_as::ReadAs;
 use super::rest_pose::{RestPose, positions, rest_pose};
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, PARENTS, Proportions, Role};
@@ -45,25 +46,6 @@ const USUAL_LEG: f32 = 0.85;
 const ANKLE_HEIGHT_PER_DROP: f32 = 1.55;
 /// The same for skeletons without toes or with level feet: share of the leg, the mannequin's.
 const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
-
-/// A floor is noted where it lies farther than this from height 0, metres: those of recordings lie within a third of it.
-const NOTED_FLOOR: f32 = 0.05;
-
-/// What a person says of a file, in place of what is read from the body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ReadAs {
-    /// The joint of each role.
-    pub joints: Option<[Option<usize>; JOINTS]>,
-    /// Metres per unit of length; finite and above 0.
-    pub metres_per_unit: Option<f32>,
-    /// The file's up axis.
-    pub up: Option<UpAxis>,
-    /// Height of the floor along the up axis, metres; finite.
-    pub floor_metres: Option<f32>,
-    /// Whether left and right are the other way round than they are read: a mirror image is taken as it is, any other file
-    /// as a mirror image.
-    pub swap_sides: bool,
-}
 
 /// What is known of a rigged character.
 #[derive(Clone, Debug, PartialEq)]
@@ -255,31 +237,7 @@ impl Binding {
         }
         let floor = floor_of(motion, self);
         self.floor_metres = floor.height;
-        let cm = |metres: f32| (100.0 * metres.abs()).round();
-        let side = if floor.height < 0.0 { "below" } else { "above" };
-        if !floor.is_seen {
-            self.doubts.push(Note::new(
-                NoteCode::NoFloor,
-                format!(
-                    "No foot rests in this clip. The floor was taken where the soles are lowest, {} cm {side} height 0.",
-                    cm(floor.height)
-                ),
-            ));
-        } else if floor.height.abs() > NOTED_FLOOR {
-            self.doubts.push(Note::new(
-                NoteCode::Floor,
-                format!("The feet stand {} cm {side} height 0; the floor was taken there.", cm(floor.height)),
-            ));
-        }
-        if floor.highest_level > 0.0 {
-            self.doubts.push(Note::new(
-                NoteCode::FloorChanges,
-                format!(
-                    "Feet stand up to {} cm above the lowest floor. One floor was taken for the whole clip.",
-                    cm(floor.highest_level)
-                ),
-            ));
-        }
+        self.doubts.extend(floor.notes());
     }
 
     /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in

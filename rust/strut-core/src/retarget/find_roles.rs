@@ -393,8 +393,8 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
     let (Some(left_arm), Some(right_arm)) = (at(Role::LeftUpperArm), at(Role::RightUpperArm)) else { return };
     let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
     let pelvis = tree.lowest_common_ancestor(left_leg, right_leg);
-    // The hips are where the way to the legs and the way to the arms part: a pelvis between them and the legs is none of
-    // ours. A body that hangs on its chest keeps its pelvis.
+    // The hips are the joint where the way to the legs and the way to the arms part. A separate pelvis below it has no role,
+    // unless the skeleton begins at the chest.
     let parting = tree.lowest_common_ancestor(pelvis, bearer);
     let mut hips = if parting == bearer { pelvis } else { parting };
     // Biped hangs the thighs on the spine.

@@ -9,6 +9,7 @@ use crate::humanoid::{Proportions, Role};
 use crate::kinematics::{Sole, Soles};
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
+use crate::note::{Note, NoteCode};
 
 /// Leg length that the lengths and speeds below were measured on, metres.
 const REFERENCE_LEG: f32 = 0.8;
@@ -28,6 +29,9 @@ const ZERO: f32 = 0.005;
 const LEVEL_SECS: f32 = 0.25;
 const LEVEL_HEIGHT: f32 = 0.15;
 
+/// A floor is noted where it lies farther than this from height 0, metres: those of recordings lie within 4.2 cm.
+const NOTED: f32 = 0.05;
+
 /// Where the ground of a clip is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Floor {
@@ -37,6 +41,27 @@ pub(super) struct Floor {
     pub(super) is_seen: bool,
     /// How far above it a foot stands on another level, metres; 0 where none does.
     pub(super) highest_level: f32,
+}
+
+impl Floor {
+    /// What there is to say of it.
+    pub(super) fn notes(&self) -> Vec<Note> {
+        let cm = |metres: f32| (100.0 * metres.abs()).round();
+        let side = if self.height < 0.0 { "below" } else { "above" };
+        let mut notes = Vec::new();
+        if !self.is_seen {
+            let text = "No foot rests in this clip. The floor was taken where the soles are lowest";
+            notes.push(Note::new(NoteCode::NoFloor, format!("{text}, {} cm {side} height 0.", cm(self.height))));
+        } else if self.height.abs() > NOTED {
+            let text = format!("The feet stand {} cm {side} height 0; the floor was taken there.", cm(self.height));
+            notes.push(Note::new(NoteCode::Floor, text));
+        }
+        if self.highest_level > 0.0 {
+            let text = format!("Feet stand up to {} cm above the lowest floor", cm(self.highest_level));
+            notes.push(Note::new(NoteCode::FloorChanges, text + ". One floor was taken for the whole clip."));
+        }
+        notes
+    }
 }
 
 /// The floor of a clip whose skeleton was bound.
@@ -62,9 +87,10 @@ pub(super) fn floor_of(motion: &Motion, binding: &Binding) -> Floor {
     let on_floor = &at_rest[..at_rest.partition_point(|&height| height <= near)];
     let height = at_share(on_floor, 0.5);
     let shortest = (f64::from(LEVEL_SECS) / motion.frame_time_secs).ceil() as usize;
-    let highest_level = [0, 1].into_iter().flat_map(|side| levels(&soles, &resting, side, shortest));
-    let highest_level = highest_level.map(|level| level - height).filter(|above| *above > LEVEL_HEIGHT * scale);
-    Floor { height: snapped(height), is_seen: true, highest_level: highest_level.fold(0.0, f32::max) }
+    let levels = [0, 1].map(|side| highest_level(&soles, &resting, side, shortest));
+    let above = levels.into_iter().flatten().fold(height, f32::max) - height;
+    let highest_level = if above > LEVEL_HEIGHT * scale { above } else { 0.0 };
+    Floor { height: snapped(height), is_seen: true, highest_level }
 }
 
 fn snapped(height: f32) -> f32 {
@@ -77,26 +103,24 @@ fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
     sorted
 }
 
-/// The value below which a share of sorted numbers lies; 0 if there are none.
+/// The quantile of sorted numbers; 0 for an empty list.
 fn at_share(sorted: &[f32], share: f32) -> f32 {
     let last = sorted.len().saturating_sub(1);
     sorted.get((share * last as f32).round() as usize).copied().unwrap_or(0.0)
 }
 
-/// Lowest height of each rest of a foot that is long enough to stand on.
-fn levels<'a>(
-    soles: &'a [[Sole; 2]],
-    resting: &'a [[bool; 2]],
-    side: usize,
-    shortest: usize,
-) -> impl Iterator<Item = f32> + 'a {
-    let frames: Vec<usize> = (0..soles.len()).collect();
-    let rests: Vec<Vec<usize>> = frames
-        .chunk_by(|a, b| resting[*a][side] == resting[*b][side])
-        .filter(|run| run.len() >= shortest && run.iter().all(|frame| resting[*frame][side]))
-        .map(<[usize]>::to_vec)
-        .collect();
-    rests.into_iter().map(move |run| run.iter().map(|frame| soles[*frame][side].lowest()).fold(f32::MAX, f32::min))
+/// The highest at which a foot rests for long enough to stand there.
+fn highest_level(soles: &[[Sole; 2]], resting: &[[bool; 2]], side: usize, shortest: usize) -> Option<f32> {
+    let (mut highest, mut frame) = (None, 0);
+    for run in resting.chunk_by(|a, b| a[side] == b[side]) {
+        let frames = frame..frame + run.len();
+        frame = frames.end;
+        if run[0][side] && run.len() >= shortest {
+            let lowest = soles[frames].iter().map(|sole| sole[side].lowest()).fold(f32::MAX, f32::min);
+            highest = Some(highest.map_or(lowest, |highest: f32| highest.max(lowest)));
+        }
+    }
+    highest
 }
 
 /// Speed of the lower point of a sole at a frame, m/s: a central difference, one-sided at the ends.
@@ -120,31 +144,23 @@ fn soles_of(motion: &Motion, binding: &Binding) -> Vec<[Sole; 2]> {
     }
     let joints: Vec<usize> = (0..leads.len()).filter(|&j| leads[j]).collect();
     let mut world = vec![(Vec3::ZERO, binding.world_from_file); leads.len()];
-    let frames = (0..motion.frames()).map(|frame| {
+    let of_frame = |frame: usize| {
         let (translations, rotations) = (motion.translations_at(frame), motion.rotations_at(frame));
         for &joint in &joints {
             let above = binding.parents[joint].map_or((Vec3::ZERO, binding.world_from_file), |p| world[p]);
             let (translation, rotation) = local(translations[joint], rotations[joint], binding.is_mirrored);
             world[joint] = (above.0 + above.1 * (translation * binding.metres_per_unit), above.1 * rotation);
         }
-        Soles::JOINTS.map(|[foot, toes]| {
+        [0, 1].map(|side| {
+            let [foot, toes] = Soles::JOINTS[side];
             let turned = |joint: usize| world[joint].1 * binding.rest_world_rotations[joint].inverse();
-            let ankle = of_role(foot).map_or((Vec3::ZERO, Quat::IDENTITY), |j| (world[j].0, turned(j)));
-            let toes = of_role(toes).map_or_else(
-                || (ankle.0 + ankle.1 * proportions.offsets[toes.index()], ankle.1),
-                |j| (world[j].0, turned(j)),
-            );
-            (ankle, toes)
+            let (ankle, foot) = of_role(foot).map_or((Vec3::ZERO, Quat::IDENTITY), |j| (world[j].0, turned(j)));
+            let (toe_joint, toes) = of_role(toes)
+                .map_or_else(|| (ankle + foot * proportions.offsets[toes.index()], foot), |j| (world[j].0, turned(j)));
+            let sole = soles.from_ankle(side, [foot, toes], Vec3::ZERO);
+            // Relative to the ankle and, as the toe joint was placed there, to the toe joint.
+            Sole { heel: ankle + sole.heel, ball: toe_joint + sole.ball }
         })
-    });
-    frames
-        .map(|feet| {
-            [0, 1].map(|side| {
-                let (ankle, toes) = feet[side];
-                let sole = soles.from_ankle(side, [ankle.1, toes.1], Vec3::ZERO);
-                // `from_ankle` places both points relative to the ankle; the ball belongs to the toe joint.
-                Sole { heel: ankle.0 + sole.heel, ball: toes.0 + sole.ball }
-            })
-        })
-        .collect()
+    };
+    (0..motion.frames()).map(of_frame).collect()
 }

@@ -13,6 +13,7 @@ mod find_roles;
 mod floor;
 mod from_humanoid;
 mod names;
+mod read_as;
 mod rest_pose;
 mod sample;
 mod scale;
@@ -22,8 +23,9 @@ mod to_humanoid;
 pub use anatomy::FourLegs;
 pub use axes::UpAxis;
 pub use between_bodies::{BetweenBodies, between_bodies};
-pub use binding::{BindError, Binding, CharacterFacts, ReadAs};
+pub use binding::{BindError, Binding, CharacterFacts};
 pub use from_humanoid::{FromHumanoid, from_humanoid};
+pub use read_as::ReadAs;
 pub use stance::SolePoint;
 pub use to_humanoid::{ToHumanoid, to_humanoid};
 

@@ -289,7 +289,7 @@ mod tests {
             assert_eq!((input.cuts.as_slice(), input.calibration), (&[frames][..], frames));
             assert_eq!(codes(&input), [NoteCode::CalibrationPose]);
         }
-        // Somebody who turns slowly is no calibration.
+        // A person who turns slowly in a T-pose does not hold still.
         for (frame, pose) in motion.poses[..30].iter_mut().enumerate() {
             *pose = t_pose;
             pose.rotations[0] = Quat::from_rotation_y(0.02 * frame as f32);

@@ -8,6 +8,8 @@ use super::{
 use crate::quotation::quotation;
 use strut_core::note::{Note, NoteCode};
 
+/// Frame times that are milliseconds if the motion has small steps: 20 to 250 Hz.
+const MILLISECONDS: std::ops::RangeInclusive<f64> = 4.0..=50.0;
 /// Text after the frames that may be left unread, bytes.
 const MAX_TEXT_AFTER: usize = 4096;
 
@@ -26,16 +28,30 @@ pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
 pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
     let (joints, mut cursor) = beginning(bytes)?;
     let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
-    let (announced, frame_time_secs) = motion_header(&mut cursor)?;
-    let values = frame_values(&mut cursor, announced, channels)?;
+    let (announced, frame_time) = motion_header(&mut cursor)?;
+    let Frames { mut values, cut_off } = frame_values(&mut cursor, announced, channels)?;
+    values.truncate(values.len() - cut_off);
     let frames = values.len() / channels;
-    if frames != announced {
+    if frames != announced || cut_off > 0 {
+        let rest = if cut_off > 0 { "Its last row was cut off and left out." } else { "All of them were read." };
         cursor.notes.push(Note::new(
             NoteCode::FrameCount,
-            format!("The file announces {announced} frames and has {frames}. All {frames} were read."),
+            format!("The file announces {announced} frames and has {frames}. {rest}"),
         ));
     }
-    let mut bvh = Bvh { joints, added_positions: false, frame_time_secs, frames, values };
+    let mut bvh = Bvh { joints, added_positions: false, frame_time_secs: frame_time.value, frames, values };
+    if MILLISECONDS.contains(&frame_time.value) && bvh.moves_in_small_steps() {
+        bvh.frame_time_secs = frame_time.value / 1000.0;
+        cursor.notes.push(Note::new(
+            NoteCode::Milliseconds,
+            format!(
+                "The frame time {} was taken as milliseconds: in seconds the motion would be too slow for a person.",
+                frame_time.value
+            ),
+        ));
+    } else if !FRAME_TIME_SECS.contains(&frame_time.value) {
+        return Err(BvhError::FrameTime { line: frame_time.line, secs: frame_time.value });
+    }
     if bvh.collapses() {
         bvh.added_positions = true;
         cursor.notes.push(Note::new(
@@ -116,10 +132,9 @@ fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Resul
     cursor.keyword("OFFSET")?;
     let offset = cursor.vector()?;
     if cursor.take_keyword("CHANNELS") {
-        channel_list(cursor)?
-            .is_empty()
-            .then_some(())
-            .ok_or_else(|| cursor.unexpected("an End Site without channels"))?;
+        if !channel_list(cursor)?.is_empty() {
+            return Err(cursor.unexpected("an End Site without channels"));
+        }
         is_usual = false;
     }
     cursor.keyword("}")?;
@@ -171,8 +186,15 @@ fn channel_list(cursor: &mut Cursor) -> Result<Vec<Channel>, BvhError> {
     Ok(channels)
 }
 
+/// What stands after `Frame Time:`.
+struct FrameTime {
+    /// Seconds, or milliseconds.
+    value: f64,
+    line: usize,
+}
+
 /// `MOTION`, `Frames:` and `Frame Time:`; ends at the end of the line.
-fn motion_header(cursor: &mut Cursor) -> Result<(usize, f64), BvhError> {
+fn motion_header(cursor: &mut Cursor) -> Result<(usize, FrameTime), BvhError> {
     cursor.keyword("MOTION")?;
     cursor.label(&["Frames"], "'Frames:'")?;
     let frames = cursor.count("the number of frames")?;
@@ -181,64 +203,76 @@ fn motion_header(cursor: &mut Cursor) -> Result<(usize, f64), BvhError> {
     }
     cursor.label(&["Frame", "Time"], "'Frame Time:'")?;
     cursor.skip_blanks();
-    let secs = cursor.any_number("the frame time in seconds")?;
-    if !FRAME_TIME_SECS.contains(&secs) {
-        return Err(BvhError::FrameTime { line: cursor.line, secs });
+    let value = cursor.any_number("the frame time in seconds")?;
+    if !FRAME_TIME_SECS.contains(&value) && !MILLISECONDS.contains(&value) {
+        return Err(BvhError::FrameTime { line: cursor.line, secs: value });
     }
     if !cursor.at_line_end() {
         return Err(cursor.unexpected("the end of the line"));
     }
-    Ok((frames as usize, secs))
+    Ok((frames as usize, FrameTime { value, line: cursor.line }))
 }
 
-/// Lines of `channels` numbers each, `frames` of them or as many as there are, then nothing that is a number. Where lines
-/// have other lengths, the numbers are taken one after the other, if they make whole frames.
-fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<Vec<f64>, BvhError> {
+/// The numbers of the frames.
+struct Frames {
+    values: Vec<f64>,
+    /// Numbers of a last frame that is not whole.
+    cut_off: usize,
+}
+
+/// Lines of `channels` numbers each, `frames` of them or as many as there are, then nothing that is a number. A line may also
+/// hold a part of a frame, or several whole ones.
+fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<Frames, BvhError> {
     // A value takes two bytes at least, so that a short file cannot reserve much memory.
     let most = (cursor.text.len() - cursor.at) / 2 + 1;
-    let mut values = Vec::with_capacity((frames * channels).min(most));
-    // The first line of another length: it, and what is wrong with it.
-    let mut uneven = None;
-    let mut last = 0;
+    let mut values = Vec::with_capacity(frames.saturating_mul(channels).min(most));
+    // The first line of another length, and the last line.
+    let (mut uneven, mut last) = (None, 0);
     loop {
         cursor.skip_blanks_and_lines();
-        if cursor.ends_or_has_text(!values.is_empty()) {
+        if cursor.ends_or_has_text(&values, channels) {
             break;
         }
         last = cursor.line;
+        let begun = values.len() % channels;
         let before = values.len();
         while !cursor.at_line_end() {
             values.push(cursor.bounded_number()?);
         }
         let found = values.len() - before;
-        if found != channels && uneven.is_none() {
-            uneven = Some(BvhError::FrameWidth { line: last, found, needed: channels });
+        if found == 0 {
+            // A mark that ends files stands between numbers.
+            return Err(cursor.unexpected("a number"));
         }
-        if values.len() > MAX_FRAMES * channels {
+        if found != channels {
+            uneven = uneven.or(Some((last, found)));
+        }
+        let is_whole = begun == 0 && found.is_multiple_of(channels);
+        if let (false, true, Some((line, found))) = (is_whole, begun + found > channels, uneven) {
+            return Err(BvhError::FrameWidth { line, found, needed: channels });
+        }
+        if values.len() / channels > MAX_FRAMES {
             return Err(BvhError::ExtraFrames { line: last, announced: frames });
         }
     }
+    let cut_off = values.len() % channels;
     match uneven {
-        None => {}
-        Some(_) if values.len() == frames * channels => cursor.notes.push(Note::new(
-            NoteCode::Rows,
-            "The numbers are not one frame a line. They were read one after the other, as they make whole frames.",
-        )),
-        // The last line was cut off.
-        Some(BvhError::FrameWidth { line, found, .. })
-            if line == last && found < channels && values.len() > channels =>
-        {
-            values.truncate(values.len() - found);
+        Some((line, found)) if values.len() < channels => {
+            return Err(BvhError::FrameWidth { line, found, needed: channels });
         }
-        Some(error) => return Err(error),
+        Some((line, _)) if line != last || cut_off == 0 => cursor.notes.push(Note::new(
+            NoteCode::Rows,
+            "The numbers are not one frame a line. They were read one after the other, as frames end where lines end.",
+        )),
+        _ => {}
     }
-    if values.len() < channels {
+    if values.is_empty() {
         return Err(BvhError::MissingFrames { line: cursor.line, found: 0, announced: frames });
     }
     if frames > most / channels + 1 {
         return Err(BvhError::NoRoom { announced: frames, most: most / channels });
     }
-    Ok(values)
+    Ok(Frames { values, cut_off })
 }
 
 /// A position in the text with its line.
@@ -281,17 +315,23 @@ impl<'a> Cursor<'a> {
         self.line_begin = self.at;
     }
 
-    /// Whether the frames end here: with the file, or with text that is no number after whole frames.
-    fn ends_or_has_text(&mut self, after_frames: bool) -> bool {
+    /// Whether the frames end here: with the file, or with text after whole frames that has neither numbers at the beginning of
+    /// a line nor as many words as a frame has numbers.
+    fn ends_or_has_text(&mut self, values: &[f64], channels: usize) -> bool {
         let rest = &self.text[self.at..];
         let Some(first) = rest.first() else { return true };
         let numeric = |b: &u8| matches!(b, b'-' | b'+' | b'.' | b'0'..=b'9');
-        let lines = rest.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
-        let is_text = |line: &[u8]| {
-            !line.first().is_some_and(numeric)
-                && [&b"nan"[..], b"inf"].iter().all(|word| !line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word)))
+        if numeric(first) || values.is_empty() || !values.len().is_multiple_of(channels) || rest.len() > MAX_TEXT_AFTER
+        {
+            return false;
+        }
+        let starts_as_number = |line: &[u8]| {
+            let is = |word: &[u8]| line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word));
+            line.first().is_some_and(numeric) || is(b"nan") || is(b"inf")
         };
-        if numeric(first) || !after_frames || rest.len() > MAX_TEXT_AFTER || !lines.into_iter().all(is_text) {
+        let words = |line: &[u8]| line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count();
+        let mut lines = rest.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
+        if lines.any(|line| starts_as_number(line) || channels > 1 && words(line) == channels) {
             return false;
         }
         // Marks at the end of a file say nothing.
@@ -305,10 +345,10 @@ impl<'a> Cursor<'a> {
         true
     }
 
-    /// Skips blanks; whether nothing else is left on the line.
+    /// Skips blanks; whether nothing else is left on the line. The marks that some programs end a file with end a line too.
     fn at_line_end(&mut self) -> bool {
         self.skip_blanks();
-        matches!(self.peek(), None | Some(b'\n' | b'\r'))
+        matches!(self.peek(), None | Some(b'\n' | b'\r' | 0 | 0x1A))
     }
 
     /// Skips blanks and lines; the bytes to the next blank, line end or brace, not consumed. A brace is a
@@ -409,7 +449,7 @@ impl<'a> Cursor<'a> {
             return Err(self.unexpected(expected));
         };
         match self.text.get(self.at + length) {
-            None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'{' | b'}') => {
+            None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'{' | b'}' | 0 | 0x1A) => {
                 self.at += length;
                 Ok(value)
             }
