@@ -1,9 +1,8 @@
 //! How a file's skeleton maps to the canonical humanoid.
 
 use super::anatomy::{FourLegs, four_legs};
-use super::axes::{UpAxis, is_mirrored, up_axis};
+use super::axes::{UpAxis, up_axis};
 use super::find_roles::find_roles;
-use super::floor::floor_of;
 use super::read_as::ReadAs;
 use super::rest_pose::{RestPose, positions, rest_pose};
 use super::sample::Sample;
@@ -165,81 +164,6 @@ fn joint_word(role: Role) -> &'static str {
 }
 
 impl Binding {
-    /// Finds roles, rest pose, unit, axes and floor of a clip.
-    ///
-    /// # Errors
-    /// See [`BindError`]; its messages are shown to users.
-    pub fn detect(motion: &Motion) -> Result<Self, BindError> {
-        Self::read(motion, &ReadAs::default())
-    }
-
-    /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
-    /// unsure or fails. All `None` for a clip without frames.
-    pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
-        let sample = Sample::of(motion);
-        if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
-    }
-
-    /// A binding of a clip of which a person says something; the rest is detected. The confidence in joints that were given
-    /// is 1.
-    ///
-    /// # Errors
-    /// See [`BindError`].
-    pub fn read(motion: &Motion, read_as: &ReadAs) -> Result<Self, BindError> {
-        let mut sample = Sample::of(motion);
-        if sample.is_empty() {
-            return Err(BindError::NoFrames);
-        }
-        let (mut roles, confidence) = read_as.joints.map_or_else(
-            || {
-                let found = find_roles(&motion.skeleton, &sample);
-                (found.joint_of_role, found.confidence)
-            },
-            |joints| (joints, 1.0),
-        );
-        if roles.iter().all(Option::is_none) {
-            return Err(BindError::NotHumanoid);
-        }
-        check_roles(&motion.skeleton, &roles)?;
-        leave_out_toes_without_length(&sample, &mut roles);
-        let found_mirrored = is_mirrored(&roles, &sample);
-        let mirrored = found_mirrored != read_as.swap_sides;
-        if mirrored {
-            sample = Sample::of_mirror_image(motion);
-        }
-        let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
-        match four_legs(&motion.skeleton, &roles, &sample, &binding.proportions) {
-            Some(four_legs) if read_as.joints.is_none() => return Err(BindError::NotHuman(four_legs)),
-            Some(_) => binding.doubts.push(Note::new(
-                NoteCode::NotHuman,
-                "This body stands on four legs; it is moved as a human by the joints that were chosen.",
-            )),
-            None => {}
-        }
-        binding.is_mirrored = mirrored;
-        if found_mirrored {
-            binding.doubts.push(Note::new(NoteCode::Mirrored, if mirrored {
-                "Left and right are exchanged in this file, as its toes and knees show; it was read as a mirror image and is \
-                 written back so."
-            } else {
-                "Toes and knees point backwards if left and right are as this file names them."
-            }));
-        }
-        binding.find_floor(motion, read_as.floor_metres);
-        Ok(binding)
-    }
-
-    /// Measures where the ground of a clip is, or takes what a person says.
-    fn find_floor(&mut self, motion: &Motion, said: Option<f32>) {
-        if let Some(height) = said {
-            self.floor_metres = height;
-            return;
-        }
-        let floor = floor_of(motion, self);
-        self.floor_metres = floor.height;
-        self.doubts.extend(floor.notes());
-    }
-
     /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
     /// which the character was modelled, and its offsets are differences of positions there, so that its joints' frames are
     /// aligned with the world.
@@ -290,7 +214,8 @@ impl Binding {
         skeleton.joints().iter().map(|j| j.parent).eq(self.parents.iter().copied())
     }
 
-    fn of(
+    /// The binding of a skeleton whose roles are known, without its floor.
+    pub(super) fn of(
         skeleton: &Skeleton,
         sample: &Sample,
         joint_of_role: &[Option<usize>; JOINTS],
@@ -360,7 +285,7 @@ impl Binding {
 }
 
 /// Every required role has a joint, and every joint descends from that of the nearest role above.
-fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(), BindError> {
+pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(), BindError> {
     if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
         return Err(BindError::Missing(role));
     }
@@ -379,7 +304,7 @@ fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(
 }
 
 /// Toes that lie at the ankle say nothing about the foot: it is as if there were none.
-fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
+pub(super) fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
     let at = |roles: &[Option<usize>; JOINTS], role: Role| roles[role.index()];
     for [knee, foot, toes] in
         [[Role::LeftLowerLeg, Role::LeftFoot, Role::LeftToes], [Role::RightLowerLeg, Role::RightFoot, Role::RightToes]]

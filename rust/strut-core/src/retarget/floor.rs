@@ -3,7 +3,7 @@
 //! No standard puts the ground at height 0 of a file: optical systems leave it where they were calibrated, body models
 //! export their hips at the origin. A body that stands 5 cm off the floor bends its knees 15° more on another body.
 
-use super::Binding;
+use super::binding::Binding;
 use super::sample::local;
 use crate::humanoid::{Proportions, Role};
 use crate::kinematics::{Sole, Soles};

@@ -13,6 +13,7 @@ mod find_roles;
 mod floor;
 mod from_humanoid;
 mod names;
+mod read;
 mod read_as;
 mod rest_pose;
 mod sample;

@@ -1,6 +1,6 @@
 //! The bytes of a message: its address, the types of its arguments, and those.
 
-use super::packet::{MAX_NESTING, PacketError};
+use super::error::{MAX_NESTING, PacketError};
 use rosc::{OscArray, OscColor, OscMessage, OscMidiMessage, OscTime, OscType};
 
 /// Texts and blobs are padded to multiples of this.

@@ -7,6 +7,7 @@
 
 mod arguments;
 mod bone;
+mod error;
 mod frame;
 mod message;
 mod packet;
@@ -14,9 +15,10 @@ mod performer;
 mod place;
 
 pub use bone::{BONES, Bone};
+pub use error::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PacketError};
 pub use frame::{Frame, FrameReader};
 pub use message::Message;
-pub use packet::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PACKET_BYTES, PacketError, decode, encode};
+pub use packet::{PACKET_BYTES, decode, encode};
 pub use performer::{Calibration, Performer};
 pub use place::{Place, RootPlace};
 /// A message of Open Sound Control as it is.

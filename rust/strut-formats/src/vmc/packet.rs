@@ -1,16 +1,10 @@
 //! Packets of Open Sound Control: bytes that anybody may have sent.
 
 use super::arguments::read_message;
+use super::error::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PacketError};
 use super::message::Message;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime};
-use thiserror::Error;
 
-/// Largest packet that is read, bytes: what UDP holds.
-pub const MAX_PACKET_BYTES: usize = 65_507;
-/// How deep bundles, and arrays of arguments, may lie in each other.
-pub const MAX_NESTING: usize = 4;
-/// Most messages of a packet.
-pub const MAX_MESSAGES: usize = 256;
 /// Largest packet that is sent unless one message is larger, bytes: what networks carry in one piece.
 pub const PACKET_BYTES: usize = 1_400;
 
@@ -22,23 +16,6 @@ const BUNDLE_HEADER_BYTES: usize = BUNDLE.len() + TIME_BYTES;
 const LENGTH_BYTES: usize = 4;
 /// "At once".
 const NOW: OscTime = OscTime { seconds: 0, fractional: 1 };
-
-/// Why a packet is dropped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum PacketError {
-    /// Too many bytes.
-    #[error("the packet has more than {MAX_PACKET_BYTES} bytes")]
-    TooLarge,
-    /// Bundles or arrays in too many others.
-    #[error("its bundles or arrays lie in more than {MAX_NESTING} others")]
-    TooDeep,
-    /// Too many messages.
-    #[error("it has more than {MAX_MESSAGES} messages")]
-    TooMany,
-    /// Not Open Sound Control.
-    #[error("it is no Open Sound Control packet")]
-    NotOsc,
-}
 
 /// Reads the messages of a packet, in their order, after those that are in `messages` already. Gives the number of messages
 /// that were dropped: for their arguments, or as they could not be read. The others of their bundle are read nevertheless.

@@ -1,0 +1,89 @@
+//! Reads a clip: its roles, axes, sides and floor, each from the body or as a person says.
+
+use super::anatomy::four_legs;
+use super::axes::is_mirrored;
+use super::binding::{BindError, Binding, check_roles, leave_out_toes_without_length};
+use super::find_roles::find_roles;
+use super::floor::floor_of;
+use super::read_as::ReadAs;
+use super::sample::Sample;
+use crate::humanoid::JOINTS;
+use crate::motion::Motion;
+use crate::note::{Note, NoteCode};
+
+impl Binding {
+    /// Finds roles, rest pose, unit, axes and floor of a clip.
+    ///
+    /// # Errors
+    /// See [`BindError`]; its messages are shown to users.
+    pub fn detect(motion: &Motion) -> Result<Self, BindError> {
+        Self::read(motion, &ReadAs::default())
+    }
+
+    /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
+    /// unsure or fails. All `None` for a clip without frames.
+    pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
+        let sample = Sample::of(motion);
+        if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
+    }
+
+    /// A binding of a clip of which a person says something; the rest is detected. The confidence in joints that were given
+    /// is 1.
+    ///
+    /// # Errors
+    /// See [`BindError`].
+    pub fn read(motion: &Motion, read_as: &ReadAs) -> Result<Self, BindError> {
+        let mut sample = Sample::of(motion);
+        if sample.is_empty() {
+            return Err(BindError::NoFrames);
+        }
+        let (mut roles, confidence) = read_as.joints.map_or_else(
+            || {
+                let found = find_roles(&motion.skeleton, &sample);
+                (found.joint_of_role, found.confidence)
+            },
+            |joints| (joints, 1.0),
+        );
+        if roles.iter().all(Option::is_none) {
+            return Err(BindError::NotHumanoid);
+        }
+        check_roles(&motion.skeleton, &roles)?;
+        leave_out_toes_without_length(&sample, &mut roles);
+        let found_mirrored = is_mirrored(&roles, &sample);
+        let mirrored = found_mirrored != read_as.swap_sides;
+        if mirrored {
+            sample = Sample::of_mirror_image(motion);
+        }
+        let mut binding = Self::of(&motion.skeleton, &sample, &roles, confidence, None, read_as)?;
+        match four_legs(&motion.skeleton, &roles, &sample, &binding.proportions) {
+            Some(four_legs) if read_as.joints.is_none() => return Err(BindError::NotHuman(four_legs)),
+            Some(_) => binding.doubts.push(Note::new(
+                NoteCode::NotHuman,
+                "This body stands on four legs; it is moved as a human by the joints that were chosen.",
+            )),
+            None => {}
+        }
+        binding.is_mirrored = mirrored;
+        if found_mirrored {
+            binding.doubts.push(Note::new(NoteCode::Mirrored, if mirrored {
+                "Left and right are exchanged in this file, as its toes and knees show; it was read as a mirror image and is \
+                 written back so."
+            } else {
+                "Toes and knees point backwards if left and right are as this file names them."
+            }));
+        }
+        binding.find_floor(motion, read_as.floor_metres);
+        Ok(binding)
+    }
+
+    /// Measures where the ground of a clip is, or takes what a person says.
+    fn find_floor(&mut self, motion: &Motion, said: Option<f32>) {
+        if let Some(height) = said {
+            self.floor_metres = height;
+            return;
+        }
+        let floor = floor_of(motion, self);
+        self.floor_metres = floor.height;
+        self.doubts.extend(floor.notes());
+    }
+}
