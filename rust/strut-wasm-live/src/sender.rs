@@ -3,7 +3,7 @@
 use strut_core::humanoid::{POSE_FLOATS, Pose, Proportions};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
-use strut_core::retarget::{Binding, CharacterFacts, ToHumanoid};
+use strut_core::retarget::{BindError, Binding, CharacterFacts, ReadAs, ToHumanoid};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_core::stream::{LANDMARKS, Landmark, LandmarkFit};
 use strut_formats::bvh::{self, Bvh, MAX_ABS_VALUE};
@@ -48,6 +48,11 @@ pub(crate) struct Camera {
     sent_secs: Option<f64>,
 }
 
+/// The binding of a sender's skeleton. One frame does not show where the floor is: it is at height 0.
+fn bind(frame: &Motion) -> Result<Binding, BindError> {
+    Binding::read(frame, &ReadAs { floor_metres: Some(0.0), ..ReadAs::default() })
+}
+
 impl Sender {
     /// Of a skeleton: without a unit the size of the body tells it.
     pub(crate) fn of_joints(
@@ -78,7 +83,7 @@ impl Sender {
                 let facts = CharacterFacts { metres_per_unit, sole_height: None, roles: Default::default() };
                 Binding::of_character(&skeleton, &facts)
             }
-            None => Binding::detect(&Motion {
+            None => bind(&Motion {
                 skeleton,
                 frame_time_secs: 1.0,
                 translations: translations.clone(),
@@ -186,7 +191,7 @@ impl Rig {
     fn of_first_frame(file: &Bvh, row: &[f64], body: &Proportions) -> Result<Self, EngineError> {
         let motion = Bvh { values: row.to_vec(), ..file.clone() }.to_motion();
         let motion = motion.map_err(|e| EngineError::bad_file(e, ""))?;
-        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
+        let binding = bind(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
         Ok(Self {
             retarget: ToHumanoid::new(&binding, body),
             translations: motion.translations,
