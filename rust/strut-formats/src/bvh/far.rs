@@ -8,6 +8,8 @@ use super::{Bvh, Channel};
 /// A body is far where its usual place is farther from the origin than this many times the length of all its bones: about
 /// 20 m, which no recording of `../shared/data` comes near.
 const FAR: f64 = 3.0;
+/// Fewest joints of a body (`strut_core::retarget`); the length of the bones of less says nothing.
+const BODY_JOINTS: usize = 14;
 
 /// What is subtracted of the translations of a joint, in the file's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +29,7 @@ impl Bvh {
         let threshold = FAR * self.bone_length();
         let channels = self.channels();
         // Also refuses a skeleton whose lengths are no numbers.
-        if !(threshold > 0.0 && self.frames > 0) {
+        if !(threshold > 0.0 && self.frames > 0 && self.joints.len() >= BODY_JOINTS) {
             return None;
         }
         let mut first = 0;
