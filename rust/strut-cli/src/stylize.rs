@@ -105,6 +105,8 @@ struct StyledReport {
     duration_secs: f64,
     /// What the input was read as: the mean weight of each class, "action/style".
     class_weights: BTreeMap<String, f64>,
+    /// Mean distance of its poses from the nearest ones of the database, metres.
+    distance_metres: f64,
     /// What may be wrong; empty for a clean clip.
     notes: Vec<NoteReport>,
 }
@@ -117,6 +119,7 @@ impl StyledReport {
             frames: styled.file.frames,
             duration_secs: styled.file.frames as f64 * styled.file.frame_time_secs,
             class_weights: styling.classes().iter().cloned().zip(styled.summary.mean_weights()).collect(),
+            distance_metres: styled.motion.familiarity.distance_metres(),
             notes: NoteReport::of(&styled.notes),
         }
     }

@@ -63,6 +63,10 @@ note_codes! {
     AddedPositions = "added-positions",
     /// The body is far from the origin of the file.
     Far = "far",
+    /// Joints were found by the shape of the skeleton, not by their names.
+    JointsByShape = "joints-by-shape",
+    /// The motion is unlike all of the database.
+    Unfamiliar = "unfamiliar",
 }
 
 /// A sentence for the person whose file it is.

@@ -11,6 +11,9 @@ use crate::humanoid::JOINTS;
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
 
+/// Confidence of joints that were found by their names: below it a third of the limbs or more were found by shape.
+const BY_NAME: f32 = 0.75;
+
 impl Binding {
     /// Finds roles, rest pose, unit, axes and floor of a clip.
     ///
@@ -62,6 +65,12 @@ impl Binding {
                 "This body stands on four legs; it is moved as a human by the joints that were chosen.",
             )),
             None => {}
+        }
+        if confidence < BY_NAME {
+            binding.doubts.push(Note::new(
+                NoteCode::JointsByShape,
+                "The names of this skeleton do not say which joint is which; some were found by its shape.",
+            ));
         }
         binding.is_mirrored = mirrored;
         if found_mirrored {

@@ -4,11 +4,13 @@ use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
 use super::clip_input::ClipInput;
 use super::contact_likelihood::{smoothed, stands};
+use super::familiarity::Familiarity;
 use super::found::FoundFrame;
 use super::frame::{NoClock, StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::motion::Motion;
+use crate::note::{Note, NoteCode};
 use crate::retarget::{Binding, between_bodies, from_humanoid};
 use std::ops::{ControlFlow, Range};
 
@@ -23,6 +25,8 @@ pub struct StyledMotion {
     pub cuts: Vec<usize>,
     /// Number of first frames that are a calibration pose: they are the input's.
     pub calibration: usize,
+    /// How well the database knows the input.
+    pub familiarity: Familiarity,
 }
 
 /// A styled clip at an even rate.
@@ -43,6 +47,7 @@ pub struct ClipJob {
     /// As in [`StyledMotion`].
     cuts: Vec<usize>,
     calibration: usize,
+    familiarity: Familiarity,
     /// Where the times and the count of repaired frames go on after a cut.
     before_cut: StyledFrame,
 }
@@ -51,7 +56,14 @@ impl ClipJob {
     /// Begins a clip with the stylizer's styles and options; its past is forgotten.
     pub fn new(mut stylizer: Stylizer) -> Self {
         stylizer.reset(None);
-        Self { stylizer, frames: Vec::new(), cuts: Vec::new(), calibration: 0, before_cut: StyledFrame::default() }
+        Self {
+            stylizer,
+            frames: Vec::new(),
+            cuts: Vec::new(),
+            calibration: 0,
+            familiarity: Familiarity::default(),
+            before_cut: StyledFrame::default(),
+        }
     }
 
     /// Begins a clip whose cuts and calibration pose are known: after a cut the output begins anew at the input's place.
@@ -99,7 +111,11 @@ impl ClipJob {
             before.contact_out.iter_mut().zip(gained).for_each(|(out, gained)| *out += 0.5 * gained);
             before.contact = contact;
         }
-        self.stylizer.trace()
+        let trace = self.stylizer.trace();
+        if index >= self.calibration {
+            self.familiarity.add(&trace);
+        }
+        trace
     }
 
     /// Has the times of a frame, which count from the last cut, count from the beginning of the clip.
@@ -120,9 +136,9 @@ impl ClipJob {
 
     /// Ends the clip: smooths contacts and plants feet, both with knowledge of later frames.
     pub fn finish(self) -> StyledMotion {
-        let Self { stylizer, frames, cuts, calibration, .. } = self;
+        let Self { stylizer, frames, cuts, calibration, familiarity, .. } = self;
         let db = stylizer.model().catalogue();
-        let mut styled = StyledMotion { proportions: db.proportions, frames, cuts, calibration };
+        let mut styled = StyledMotion { proportions: db.proportions, frames, cuts, calibration, familiarity };
         for part in styled.parts() {
             let frames = &mut styled.frames[part];
             let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
@@ -161,7 +177,17 @@ pub fn stylize_clip(
 impl StyledMotion {
     /// Of frames without a cut.
     pub fn new(proportions: Proportions, frames: Vec<StyledFrame>) -> Self {
-        Self { proportions, frames, cuts: Vec::new(), calibration: 0 }
+        Self { proportions, frames, cuts: Vec::new(), calibration: 0, familiarity: Familiarity::default() }
+    }
+
+    /// What there is to say of it beside the input's own notes.
+    pub fn notes(&self) -> Vec<Note> {
+        let repaired = match self.frames.last().map_or(0, |frame| frame.repaired_total) {
+            0 => None,
+            1 => Some("1 input frame was unusable and was replaced.".to_owned()),
+            n => Some(format!("{n} input frames were unusable and were replaced.")),
+        };
+        repaired.map(|text| Note::new(NoteCode::Repaired, text)).into_iter().chain(self.familiarity.note()).collect()
     }
 
     /// Length of the output time axis, seconds: each frame counts with the time to the next, the last one

@@ -9,7 +9,7 @@ use crate::progress::{Counter, OnProgress};
 use std::path::Path;
 use strut_core::catalogue::Catalogue;
 use strut_core::database::build::MIN_CLIP_FRAMES;
-use strut_core::note::{Note, NoteCode};
+use strut_core::note::Note;
 use strut_core::retarget::to_humanoid;
 use strut_core::transfer::{ClipInput, ClipJob, ClipSearch, NoClock, StyledMotion, Stylizer, Trace};
 use strut_formats::bvh;
@@ -128,7 +128,7 @@ impl Styling {
         let file = output_of(clip, db, &motion).map_err(TaskError::new)?;
         let mut notes = clip.notes.clone();
         notes.extend(input.notes());
-        notes.extend(repaired(motion.frames.last().map_or(0, |frame| frame.repaired_total)));
+        notes.extend(motion.notes());
         Ok(Styled { motion, file, summary, notes })
     }
 }
@@ -149,16 +149,6 @@ pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
         ));
     }
     Ok(input)
-}
-
-/// What there is to say of frames that were unusable on the database's body.
-fn repaired(frames: u32) -> Option<Note> {
-    let text = match frames {
-        0 => return None,
-        1 => String::from("1 input frame was unusable and was replaced."),
-        n => format!("{n} input frames were unusable and were replaced."),
-    };
-    Some(Note::new(NoteCode::Repaired, text))
 }
 
 /// The styled clip on the input's skeleton and at its rate.
