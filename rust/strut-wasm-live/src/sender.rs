@@ -48,7 +48,7 @@ pub(crate) struct Camera {
     sent_secs: Option<f64>,
 }
 
-/// The binding of a sender's skeleton. One frame does not show where the floor is: it is at height 0.
+/// The binding of a sender's skeleton. One frame does not show where the floor is: a `LiveFloor` finds it.
 fn bind(frame: &Motion) -> Result<Binding, BindError> {
     Binding::read(frame, &ReadAs { floor_metres: Some(0.0), ..ReadAs::default() })
 }
@@ -113,6 +113,17 @@ impl Sender {
             Self::Channels(channels) => channels.row.len(),
             Self::Landmarks(_) => LANDMARKS * LANDMARK_FLOATS,
         }
+    }
+
+    /// Whether a skeleton moved over the ground in the last frame: hips that are sent as zero are a body without a root. `None`
+    /// where poses stand on the ground already.
+    pub(crate) fn has_root(&self) -> Option<bool> {
+        let rig = match self {
+            Self::Joints(rig) => Some(&**rig),
+            Self::Channels(channels) => channels.rig.as_ref(),
+            Self::Poses | Self::Landmarks(_) => None,
+        };
+        rig.map(|rig| rig.translations.first() != Some(&Vec3::ZERO))
     }
 
     /// The pose of a frame; `None` where its numbers cannot be one.

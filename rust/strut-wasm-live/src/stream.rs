@@ -3,7 +3,7 @@
 use crate::sender::{Sender, pose_of};
 use js_sys::Float32Array;
 use strut_core::humanoid::{POSE_FLOATS, Pose, Proportions};
-use strut_core::stream::{Arrival, Delay, JitterBuffer, LiveFigure, Place, Play, Played};
+use strut_core::stream::{Arrival, Delay, JitterBuffer, LiveFigure, LiveFloor, Place, Play, Played};
 use strut_wasm_common::{EngineError, proportions_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -13,6 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Stream {
     body: Proportions,
     sender: Sender,
+    floor: LiveFloor,
     buffer: JitterBuffer,
     figure: LiveFigure,
     played: Option<Played>,
@@ -33,6 +34,7 @@ impl Stream {
         let place = if follows { Place::Follow } else { Place::Free };
         Ok(Self {
             sender: Sender::Poses,
+            floor: LiveFloor::new(&body),
             buffer: JitterBuffer::new(delay_secs.map_or(Delay::Auto, Delay::Fixed)),
             figure: LiveFigure::new(&body, rate_hz, place, true),
             body,
@@ -64,6 +66,7 @@ impl Stream {
         metres_per_unit: Option<f32>,
     ) -> Result<(), EngineError> {
         self.sender = Sender::of_joints(names, parents, offsets, metres_per_unit, &self.body)?;
+        self.floor = LiveFloor::new(&self.body);
         Ok(())
     }
 
@@ -74,6 +77,7 @@ impl Stream {
     #[wasm_bindgen(js_name = takeBvh)]
     pub fn take_bvh(&mut self, header: &str) -> Result<(), EngineError> {
         self.sender = Sender::of_bvh(header)?;
+        self.floor = LiveFloor::new(&self.body);
         Ok(())
     }
 
@@ -95,10 +99,13 @@ impl Stream {
     /// # Errors
     /// If the first frame of a BVH file shows that it is no body's.
     pub fn push(&mut self, sent_secs: f64, arrived_secs: f64, numbers: &[f32]) -> Result<bool, EngineError> {
-        let Some(pose) = self.sender.pose(sent_secs, numbers, &self.body)? else {
+        let Some(mut pose) = self.sender.pose(sent_secs, numbers, &self.body)? else {
             self.refused += 1;
             return Ok(false);
         };
+        if let Some(has_root) = self.sender.has_root() {
+            pose.root.y -= self.floor.under(&pose, sent_secs, has_root);
+        }
         Ok(self.buffer.push(sent_secs, arrived_secs, &pose) != Arrival::Dropped)
     }
 

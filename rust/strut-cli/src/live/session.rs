@@ -5,10 +5,12 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use strut_core::humanoid::{Pose, Proportions};
 use strut_core::retarget::BetweenBodies;
-use strut_core::stream::{Delay, JitterBuffer, LiveStylizer, Play};
+use strut_core::stream::{Delay, JitterBuffer, LiveFloor, LiveStylizer, Play};
 use strut_core::transfer::Model;
 use strut_formats::vmc::{self, Calibration, Frame, FrameReader, Message, Performer};
 
+/// After so many frames in a row with the bones of another body the performer has another avatar.
+const MOST_OTHERS: u32 = 3;
 /// A performer who is silent for so long may be followed by another, seconds.
 const SILENT_SECS: f64 = 1.0;
 /// Messages that wait to be passed on; more are dropped.
@@ -71,6 +73,11 @@ struct Body {
     /// To the database's body and back.
     there: BetweenBodies,
     back: BetweenBodies,
+    floor: LiveFloor,
+    /// Height of the ground under the last frame, metres.
+    floor_metres: f32,
+    /// Frames in a row that are of another body.
+    others: u32,
     /// The last frame.
     last: Frame,
 }
@@ -157,7 +164,9 @@ impl Session {
         self.due_secs = None;
         if let (Some(played), Some(body)) = (played, body) {
             let styled = self.live.push(&played.pose, played.begins);
-            let frame = body.performer.frame(&body.back.pose(&styled), &body.last);
+            let mut theirs = body.back.pose(&styled);
+            theirs.root.y += body.floor_metres;
+            let frame = body.performer.frame(&theirs, &body.last);
             out.extend(frame.messages());
             self.due_secs = Some(played.due_secs);
             self.frames_out += 1;
@@ -222,9 +231,13 @@ impl Session {
         else {
             return;
         };
-        let pose = body.there.pose(&body.performer.pose(frame));
+        let sent_secs = frame.sent_secs.unwrap_or(frame.arrived_secs);
+        let mut pose = body.performer.pose(frame);
+        body.floor_metres = body.floor.under(&pose, sent_secs, Performer::has_root(frame));
+        pose.root.y -= body.floor_metres;
         body.last = *frame;
-        self.buffer.push(frame.sent_secs.unwrap_or(frame.arrived_secs), frame.arrived_secs, &pose);
+        let pose = body.there.pose(&pose);
+        self.buffer.push(sent_secs, frame.arrived_secs, &pose);
     }
 
     fn set_style(&mut self, name: &str, weight: f32) {
@@ -252,8 +265,14 @@ impl Source {
         }
     }
 
-    /// The body, from the first frame on that is not one of the calibration.
+    /// The body, from the first frame on that is not one of the calibration; another one where the avatar changes.
     fn body_of(&mut self, frame: &Frame, calibrate_secs: Option<f64>, of_database: &Proportions) -> Option<&mut Body> {
+        if let Some(body) = &mut self.body {
+            body.others = if body.performer.has_body_of(frame) { 0 } else { body.others + 1 };
+            if body.others >= MOST_OTHERS {
+                self.body = None;
+            }
+        }
         if self.body.is_none() {
             if let Some((calibration, until_secs)) = &mut self.calibration {
                 if until_secs.is_infinite() {
@@ -268,7 +287,8 @@ impl Source {
             let theirs = *performer.proportions();
             let there = BetweenBodies::new(&theirs, of_database);
             let back = BetweenBodies::new(of_database, &theirs);
-            self.body = Some(Body { performer, there, back, last: *frame });
+            let floor = LiveFloor::new(&theirs);
+            self.body = Some(Body { performer, there, back, floor, floor_metres: 0.0, others: 0, last: *frame });
         }
         self.body.as_mut()
     }
@@ -278,7 +298,7 @@ impl Source {
 mod tests {
     use super::*;
     use std::sync::OnceLock;
-    use strut_core::humanoid::HumanoidMotion;
+    use strut_core::humanoid::{HumanoidMotion, Role};
     use strut_core::math::{Quat, Vec3};
     use strut_core::stream::Place;
     use strut_core::transfer::{Options, Stylizer};
@@ -359,6 +379,56 @@ mod tests {
             compared += 1;
         }
         assert!(compared > 590 && metres < 5e-4 && degrees < 0.1, "{compared} frames: {metres} m, {degrees}°");
+    }
+
+    /// Sends frames to a session, and gives the poses that come back on the performer's body.
+    fn perform(session: &mut Session, performer: &Performer, poses: &[Pose], from_secs: f64) -> Vec<Pose> {
+        let tick = |(i, pose): (usize, &Pose)| {
+            let secs = from_secs + i as f64 * PERIOD_SECS;
+            for packet in packets(performer, pose, &Frame::default(), secs) {
+                session.receive(&packet, address(1), secs);
+            }
+            frame_of(&session.tick(secs + LATEST_SECS)).map(|frame| performer.pose(&frame))
+        };
+        poses.iter().enumerate().filter_map(tick).collect()
+    }
+
+    #[test]
+    fn a_performer_on_another_ground_or_without_a_root_is_styled_as_on_the_ground() {
+        let motion = walk();
+        let performer = Performer::of_body(&motion.proportions);
+        let of = |poses: Vec<Pose>| {
+            let mut session = session(Options { footplant: false, ..Options::DEFAULT }, 1.0, false);
+            perform(&mut session, &performer, &poses, 0.0)
+        };
+        let poses = &motion.poses[..300];
+        let on_ground = of(poses.to_vec());
+        let below = of(poses.iter().map(|pose| Pose { root: pose.root - Vec3::Y * 0.93, ..*pose }).collect());
+        let rootless = of(poses.iter().map(|pose| Pose { root: Vec3::ZERO, ..*pose }).collect());
+        assert!(on_ground.len() > 290 && below.len() == on_ground.len() && rootless.len() == on_ground.len());
+        // After a second the ground is known; the knee says whether the body crouches.
+        let knee = |pose: &Pose| pose.rotations[Role::LeftLowerLeg.index()].angle().to_degrees();
+        for (i, clean) in on_ground.iter().enumerate().skip(70) {
+            assert!((below[i].root.y + 0.93 - clean.root.y).abs() < 0.03, "{i}: {} {}", below[i].root.y, clean.root.y);
+            assert!((knee(&below[i]) - knee(clean)).abs() < 6.0, "{i}: {} {}", knee(&below[i]), knee(clean));
+            assert!((knee(&rootless[i]) - knee(clean)).abs() < 25.0, "{i}: {} {}", knee(&rootless[i]), knee(clean));
+        }
+    }
+
+    #[test]
+    fn another_avatar_of_the_same_performer_is_bound_anew() {
+        let motion = walk();
+        let child = Proportions { offsets: motion.proportions.offsets.map(|offset| offset * 0.7) };
+        let mut session = session(Options::DEFAULT, 1.0, false);
+        let body_of = |session: &Session| {
+            *session.source.as_ref().and_then(|source| source.body.as_ref()).unwrap().performer.proportions()
+        };
+        perform(&mut session, &Performer::of_body(&motion.proportions), &motion.poses[..60], 0.0);
+        let grown_up = body_of(&session);
+        let poses: Vec<Pose> = motion.poses[60..120].iter().map(|p| Pose { root: p.root * 0.7, ..*p }).collect();
+        perform(&mut session, &Performer::of_body(&child), &poses, 60.0 * PERIOD_SECS);
+        let ratio = body_of(&session).offsets[0].y / grown_up.offsets[0].y;
+        assert!((ratio - 0.7).abs() < 0.01, "{ratio}");
     }
 
     #[test]

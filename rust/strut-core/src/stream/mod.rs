@@ -2,10 +2,11 @@
 //! (`../shared/spec/live-driving.md`, part B). Nothing here has a clock or a socket: times are arguments.
 //!
 //! A [`JitterBuffer`] makes an even stream of frames that come unevenly, late, twice or never; a [`LiveStylizer`] styles
-//! it and keeps the [`LiveFigure`] where the performer is; [`LandmarkFit`] makes poses of the landmarks of a camera.
+//! it and keeps the [`LiveFigure`] where the performer is; [`LiveFloor`] says where the ground is; [`LandmarkFit`] makes poses of the landmarks of a camera.
 
 mod buffer;
 mod figure;
+mod floor;
 mod landmarks;
 mod live;
 mod one_euro;
@@ -13,6 +14,7 @@ mod place;
 
 pub use buffer::{Arrival, BufferStats, Delay, JitterBuffer, MAX_DELAY_SECS, Play, Played};
 pub use figure::LiveFigure;
+pub use floor::LiveFloor;
 pub use landmarks::{LANDMARKS, Landmark, LandmarkFit};
 pub use live::LiveStylizer;
 pub use place::Place;

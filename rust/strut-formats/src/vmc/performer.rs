@@ -15,6 +15,9 @@ const LEAST_BODY: f32 = 0.2;
 /// Heights of hips that are believed, metres.
 const HIP_HEIGHTS: std::ops::RangeInclusive<f32> = 0.2..=3.0;
 
+/// Offsets of one body differ by less than this share of the height of its hips from frame to frame.
+const SAME_BODY: f32 = 0.05;
+
 /// A performer's body and the rotations of its bones in the T-pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performer {
@@ -45,6 +48,21 @@ impl Performer {
     /// Bone offsets.
     pub fn proportions(&self) -> &Proportions {
         &self.proportions
+    }
+
+    /// Whether the bones of a frame are those of this body: of another avatar they have other lengths. Bones that are sent
+    /// without lengths fit every body.
+    pub fn has_body_of(&self, frame: &Frame) -> bool {
+        let apart = |theirs: Proportions| {
+            let pairs = theirs.offsets.iter().zip(&self.proportions.offsets);
+            pairs.map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max)
+        };
+        body(frame, &self.rest).is_none_or(|theirs| apart(theirs) <= SAME_BODY * self.proportions.offsets[0].y)
+    }
+
+    /// Whether a frame says where its body is: hips that are sent as zero do not.
+    pub fn has_root(frame: &Frame) -> bool {
+        frame.bones[0].is_some_and(|hips| hips.position != Vec3::ZERO)
     }
 
     /// The pose of a frame on this body.
