@@ -34,6 +34,21 @@ pub enum JointsError {
 }
 
 impl JointAssignment {
+    /// Names of joints, or `None` where the skeleton has none, by names of roles.
+    ///
+    /// # Errors
+    /// [`JointsError::Role`].
+    pub fn new(joints: BTreeMap<String, Option<String>>) -> Result<Self, JointsError> {
+        let unknown = joints.keys().find(|name| Role::ALL.iter().all(|role| role.name() != name.as_str()));
+        unknown.map_or(Ok(()), |name| Err(JointsError::Role(quotation(name, 40))))?;
+        Ok(Self { joints })
+    }
+
+    /// Names of joints by names of roles.
+    pub fn joints(&self) -> &BTreeMap<String, Option<String>> {
+        &self.joints
+    }
+
     /// The assignment in these bytes.
     ///
     /// # Errors
@@ -41,9 +56,7 @@ impl JointAssignment {
     pub fn parse(bytes: &[u8]) -> Result<Self, JointsError> {
         let said: Self =
             serde_json::from_slice(bytes).map_err(|e| JointsError::Json(quotation(&e.to_string(), 200)))?;
-        let unknown = said.joints.keys().find(|name| Role::ALL.iter().all(|role| role.name() != name.as_str()));
-        unknown.map_or(Ok(()), |name| Err(JointsError::Role(quotation(name, 40))))?;
-        Ok(said)
+        Self::new(said.joints)
     }
 
     /// The joint of each role of a clip's skeleton.
