@@ -30,7 +30,7 @@ export const readingWords = {
   },
   floor: {
     unit: "cm",
-    name: "Height of the floor, centimetres",
+    name: "Floor, centimetres",
     measured: "Where the soles rest while planted",
     lowest: "No foot rests: the lowest sole",
   },
