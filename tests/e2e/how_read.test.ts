@@ -18,7 +18,7 @@ let page: Page;
 
 beforeAll(async () => {
   if (casesAbsent) return;
-  const opened = await openSite({ size: WIDE });
+  const opened = await openSite({ size: WIDE, screenPixels: 1 });
   page = opened.page;
   return opened.close;
 });

@@ -6,6 +6,7 @@ import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { inputTitle, spoken } from "../../ui/words";
+import { otherNotes } from "./reading/other_notes";
 
 /** Minimum time between updates of the recognised class, so that it can be read. */
 const READING_MS = 250;
@@ -43,7 +44,12 @@ export class InputPanel {
       "section",
       { class: "section input", "aria-labelledby": "input-heading" },
       top,
-      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, strings.play.input.heading)),
+      html(
+        "div",
+        { class: "section-heading" },
+        html("h2", { id: "input-heading" }, strings.play.input.heading),
+        this.howRead,
+      ),
       html(
         "div",
         { class: "input-row" },
@@ -58,7 +64,7 @@ export class InputPanel {
         html("div", { class: "weight-bar" }, this.#bar),
         this.#weight,
       ),
-      html("div", { class: "input-file" }, this.#note, this.howRead),
+      this.#note,
     );
   }
 
@@ -77,8 +83,10 @@ export class InputPanel {
   }
 
   set input(input: InputInfo) {
-    setText(this.#note, input.note);
-    this.#note.title = input.note;
+    // The panel behind the button says the rest.
+    const notes = otherNotes(input.notes).map(({ text }) => text);
+    setText(this.#note, notes.join(" "));
+    this.#note.title = notes.join(" ");
     this.#showGuesses(input);
     this.#readAt = 0;
   }
@@ -89,9 +97,10 @@ export class InputPanel {
   }
 
   /** What a person can correct is counted; a file without guesses has the words alone. */
-  #showGuesses({ reading }: InputInfo): void {
+  #showGuesses({ reading, note }: InputInfo): void {
     const { howRead, guesses } = strings.play.input;
     this.howRead.hidden = !reading;
+    this.howRead.title = note;
     const count = reading?.guesses.length ?? 0;
     this.howRead.classList.toggle("guessed", count > 0);
     this.howRead.lastElementChild?.replaceChildren(count > 0 ? guesses(count) : howRead);

@@ -8,7 +8,8 @@ import { formatNumber, html, saveFile, setText } from "../../../../ui/dom";
 import { grouped } from "../../../strings/numerals";
 import { askForRoles } from "../../../ui/roles_dialog";
 import { jointFile, readJointFile } from "./joint_file";
-import { otherNotes, ROW_NAMES, type RowName, rowTexts, saysOfSkeleton, saysRow, UNITS, withoutRow } from "./rows";
+import { otherNotes } from "./other_notes";
+import { ROW_NAMES, type RowName, rowTexts, saysOfSkeleton, saysRow, UNITS, withoutRow } from "./rows";
 import { readingWords as words } from "./strings.en";
 
 export interface ReadingListeners {

@@ -3,7 +3,8 @@ import type { FileRead } from "../../../../client/protocol";
 import { fileRead } from "../../../../engine/file_read";
 import { ROLES } from "../../../../humanoid";
 import { jointFile, readJointFile } from "./joint_file";
-import { otherNotes, rowTexts, saysOfSkeleton, saysRow, withoutRow } from "./rows";
+import { otherNotes } from "./other_notes";
+import { rowTexts, saysOfSkeleton, saysRow, withoutRow } from "./rows";
 
 const joints = ROLES.map((role) => `the ${role}`);
 const raw = {

@@ -28,12 +28,6 @@ export const UNITS = [
   { metres: 0.001, name: words.unit.millimetres },
 ] as const;
 
-/** Codes of notes that the rows say already. */
-const IN_ROWS: ReadonlySet<string> = new Set(["up", "up-unsure", "mirrored", "floor", "no-floor"]);
-
-/** The notes that no row says. */
-export const otherNotes = (notes: readonly Note[]): Note[] => notes.filter(({ code }) => !IN_ROWS.has(code));
-
 /** What is said of every row. */
 export function rowTexts(read: FileRead, notes: readonly Note[]): Record<RowName, RowText> {
   const has = (code: string) => notes.some((note) => note.code === code);
