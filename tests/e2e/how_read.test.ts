@@ -184,6 +184,12 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       expect([await overflow(), await clipped()]).toEqual([0, []]);
       await eventually(() => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight)).toBe(0);
       await eventually(() => axeFaults(page)).toEqual([]);
+      // The figures stand beside the panel.
+      const right = (await panel().boundingBox())!;
+      for (const label of ["input", "styled"]) {
+        const at = () => page.locator(".stage-view").getByText(label, { exact: true }).boundingBox();
+        await eventually(async () => (await at())!.x).toBeGreaterThan(right.x + right.width);
+      }
       await screenshot(page, `how-read-wide-${theme}`);
       await page.setViewportSize(NARROW);
       await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
@@ -193,6 +199,8 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       for (const box of await Promise.all(controls.map((control) => control.boundingBox())))
         expect(Math.min(box!.width, box!.height)).toBeGreaterThanOrEqual(44);
       await screenshot(page, `how-read-narrow-${theme}`);
+      await panel().evaluate((e) => e.scrollTo(0, e.scrollHeight));
+      await screenshot(page, `how-read-narrow-end-${theme}`);
       await panel().getByRole("button", { name: "Close" }).click();
       await page.getByRole("button", { name: "Input", exact: true }).click();
       await screenshot(page, `how-read-narrow-input-${theme}`);

@@ -64,6 +64,6 @@ export const readingWords = {
   },
 
   remembered: "Remembered for every file with this skeleton.",
-  willRemember: "Changes are remembered for every file with this skeleton, but for the floor.",
+  willRemember: "Changes are remembered for this skeleton.",
   asBefore: "Read as you said of an earlier file with this skeleton.",
 };
