@@ -28,6 +28,14 @@ const files = ["walk_neutral_001.bvh", "walk_old_001.bvh"].map(
 );
 const clip = await strut.openMotion(readFileSync("clips/walk_depressed_001.bvh", "utf8"));
 
+// anchor read
+const take = await strut.openMotion(readFileSync("clips/walk_depressed_001.bvh", "utf8"), {
+  reading: { up: "y", floor: 0, joints: { chest: null } }, // what you do not say is read from the body
+});
+for (const { code, text } of take.notes) console.warn(`${code}: ${text}`);
+const { guesses, joints } = take.reading; // such as ["up"], and { hips: "Hips", chest: null, … }
+// end read
+
 // anchor own
 const mine = await strut.openDatabase(files); // BVH files whose names say action and style: walk_old_1.bvh
 const more = await strut.addStyle(mine, clip, "tired");
