@@ -33,7 +33,8 @@ const take = await strut.openMotion(readFileSync("clips/walk_depressed_001.bvh",
   reading: { up: "y", floor: 0, joints: { chest: null } }, // what you do not say is read from the body
 });
 for (const { code, text } of take.notes) console.warn(`${code}: ${text}`);
-const { guesses, joints } = take.reading; // such as ["up"], and { hips: "Hips", chest: null, … }
+const guesses = take.reading?.guesses; // such as ["up"]
+const joints = take.reading?.joints; // { hips: "Hips", chest: null, … }
 // end read
 
 // anchor own
@@ -42,7 +43,15 @@ const more = await strut.addStyle(mine, clip, "tired");
 const file = await more.toFile(); // a .strutdb
 // end own
 
+const read = [guesses, joints?.chest];
 console.log(
-  JSON.stringify([text.slice(0, 9), first.frame, styled.poses.length / poses.length, more.info.styles, file.size]),
+  JSON.stringify([
+    text.slice(0, 9),
+    first.frame,
+    styled.poses.length / poses.length,
+    more.info.styles,
+    file.size,
+    read,
+  ]),
 );
 strut.dispose();
