@@ -5,7 +5,7 @@ import { caseFile, casesAbsent } from "../../tests/cases";
 import { ROLES } from "../humanoid";
 import { loadBuiltIn } from "./built_in";
 import { Engine } from "./engine";
-import { fileRead, noteOf, Saying } from "./file_read";
+import { fileRead, linesOf, noteOf, Saying } from "./file_read";
 import type { FileReading } from "./types";
 
 const RAW = {
@@ -28,19 +28,25 @@ describe("what is said of a file", () => {
   it("is said of the file, or else of its skeleton", () => {
     const remembered = { a: { up: "z" as const } };
     const ofFile = new Saying({ reading: { up: "x" }, remembered });
-    expect(JSON.parse(ofFile.answer("a"))).toEqual({ up: "x" });
+    expect(ofFile.answer("a")).toBe("up x");
     expect(ofFile.remembered).toBe(false);
     const ofSkeleton = new Saying({ remembered });
-    expect(JSON.parse(ofSkeleton.answer("a"))).toEqual({ up: "z" });
+    expect(ofSkeleton.answer("a")).toBe("up z");
     expect([ofSkeleton.reading, ofSkeleton.remembered]).toEqual([{ up: "z" }, true]);
     const ofNone = new Saying({ remembered });
-    expect(ofNone.answer("constructor")).toBe("{}");
+    expect(ofNone.answer("constructor")).toBe("");
     expect(ofNone.remembered).toBe(false);
   });
 
   it("says nothing remembered where the file is to be read as it is", () => {
-    expect(new Saying({ reading: {}, remembered: { a: { up: "z" } } }).answer("a")).toBe("{}");
+    expect(new Saying({ reading: {}, remembered: { a: { up: "z" } } }).answer("a")).toBe("");
   });
+});
+
+it("is a line for each thing", () => {
+  const joints = { hips: "Bip01\nL", chest: null, neck: undefined };
+  const reading = { up: "-z", floor: -0.93, mirrored: false, unit: undefined, joints } as unknown as FileReading;
+  expect(linesOf(reading)).toBe("up -z\nfloor -0.93\nmirrored false\njoints\njoint hips Bip01\ufffdL\njoint chest");
 });
 
 describe("how a file was read", () => {
@@ -111,7 +117,7 @@ describe.skipIf(casesAbsent)("files of other programs", async () => {
       "This skeleton has no joint 'Paw', which was chosen as the left wrist.",
     );
     expect(() => open("00_clean", { up: "w" as "x" })).toThrow("There is no up axis 'w'");
-    expect(() => open("00_clean", { unit: 0 })).toThrow("The unit is no length that files have.");
+    expect(() => open("00_clean", { unit: 0 })).toThrow("'unit 0' is no length that files have.");
   });
 
   it("have the joints that were found as what can be said of them", () => {

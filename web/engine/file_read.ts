@@ -14,12 +14,22 @@ export interface Said {
 
 /** The parts of the module's objects that say how a file was read. */
 interface RawRead {
-  note(): string;
-  notes(): string;
-  reading(): string | undefined;
+  notes(): string[];
+  read(): RawFile | undefined;
 }
 
-/** What the module says of how a file was read (`rust/strut-formats/src/reading.rs`). */
+/** How the module says that a file was read (`rust/strut-wasm/src/input_file.rs`). */
+interface RawFile {
+  numbers(): Float64Array;
+  joints(): string[];
+  skeleton(): string;
+  free(): void;
+}
+
+/** The up axes in the engine's order (`rust/strut-core/src/retarget/axes.rs`). */
+const AXES = ["x", "-x", "y", "-y", "z", "-z"] as const satisfies readonly UpAxis[];
+
+/** What the module says of how a file was read. */
 interface RawReading {
   frames: number;
   rateHz: number;
@@ -46,22 +56,59 @@ export class Saying {
     this.#said = said;
   }
 
-  /** The reading of a skeleton as JSON. */
+  /** The reading of a skeleton, in the lines that the module takes (`rust/strut-formats/src/reading.rs`). */
   readonly answer = (skeleton: string): string => {
     const { reading, remembered = {} } = this.#said;
     const known = Object.hasOwn(remembered, skeleton) ? remembered[skeleton] : undefined;
     this.remembered = !reading && known !== undefined;
     this.reading = reading ?? known ?? {};
-    return JSON.stringify(this.reading);
+    return linesOf(this.reading);
   };
+}
+
+/** A line for all that is said; the module refuses what it does not know. */
+export function linesOf(reading: FileReading): string {
+  const { joints, ...others } = reading;
+  const lines = Object.entries(others).map(([name, value]) => (value === undefined ? "" : `${name} ${value}`));
+  if (joints) lines.push("joints");
+  for (const [role, joint] of Object.entries(joints ?? {}))
+    if (joint !== undefined) lines.push(joint === null ? `joint ${role}` : `joint ${role} ${joint}`);
+  return lines
+    .filter((line) => line !== "")
+    .map((line) => line.replace(/[\r\n]/g, "\ufffd"))
+    .join("\n");
 }
 
 /** What is said of how a file was read. */
 export function readingOf(raw: RawRead, saying: Saying): { notes: Note[]; reading: FileRead | undefined } {
-  const notes = JSON.parse(raw.notes()) as Note[];
-  const text = raw.reading();
-  return { notes, reading: text === undefined ? undefined : fileRead(JSON.parse(text) as RawReading, notes, saying) };
+  const texts = raw.notes();
+  const notes = texts.flatMap((code, i) => (i % 2 === 0 ? [{ code, text: texts[i + 1] ?? "" }] : []));
+  const file = raw.read();
+  const reading = file && fileRead(readingIn(file), notes, saying);
+  file?.free();
+  return { notes, reading };
 }
+
+function readingIn(file: RawFile): RawReading {
+  const [frames = 0, rateHz = 0, up = 0, mirrored, floor = 0, unit = 0, height = 0, confidence = 0, ...roles] =
+    file.numbers();
+  return {
+    frames,
+    rateHz,
+    up: AXES[up] ?? "y",
+    mirrored: mirrored === 1,
+    floor: decimal(floor),
+    unit: decimal(unit),
+    height,
+    confidence,
+    skeleton: file.skeleton(),
+    joints: file.joints(),
+    roles: roles.map((joint) => (joint < 0 ? null : joint)),
+  };
+}
+
+/** A number of single precision as it is written: 0.01, not 0.009999999776. */
+const decimal = (value: number): number => Number(value.toPrecision(7));
 
 /** What may be wrong, then the match of the skeletons, in sentences. */
 export function noteOf(notes: readonly Note[], match: string): string {

@@ -1,119 +1,78 @@
-//! How a file is to be read and how it was read, as JSON: plain data for other languages.
+//! What a person says of how a file is read, as text that packages for JavaScript take, and the identity of a skeleton.
+//!
+//! A line says one thing: `up -z`, `floor -0.93` and `unit 0.01` in metres, `swapSides true`, `mirrored false`,
+//! `joint left_hand Wrist L`, `joint chest` where the skeleton has none, or `joints`, as the person looked at all of them.
+//! It is read by hand: for one small object, what reads JSON would be as large as what finds the joints.
 
 use crate::joints::{JointAssignment, JointsError, Reading};
 use crate::quotation::quotation;
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use strut_core::motion::Motion;
-use strut_core::note::Note;
-use strut_core::retarget::{Binding, ReadAs, UpAxis};
+use strut_core::retarget::UpAxis;
 use strut_core::skeleton::Skeleton;
 use thiserror::Error;
-
-/// What a person says of a file: `{"up": "z", "floor": -0.93, "mirrored": true, "unit": 0.01, "joints": {"hips": "Bip01"}}`.
-#[derive(Default, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
-struct Said {
-    up: Option<String>,
-    /// Height of the floor along the up axis, metres.
-    floor: Option<f32>,
-    swap_sides: bool,
-    mirrored: Option<bool>,
-    /// Metres per unit of length.
-    unit: Option<f32>,
-    joints: Option<BTreeMap<String, Option<String>>>,
-}
 
 /// Why a text does not say how a file is to be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ReadingError {
-    /// Not of the form above.
-    #[error("this does not say how a file is to be read: {0}")]
-    Json(String),
+    /// A line that says nothing of a file.
+    #[error("'{0}' does not say how a file is read; up, floor, swapSides, mirrored, unit and joints do")]
+    Line(String),
     /// An axis that does not exist.
     #[error("there is no up axis '{0}'; x, -x, y, -y, z or -z was expected")]
     Up(String),
     /// A height or a unit beyond all bodies.
-    #[error("the {0} is no length that files have")]
-    Length(&'static str),
+    #[error("'{0}' is no length that files have")]
+    Length(String),
     /// A role that does not exist.
     #[error(transparent)]
     Joints(#[from] JointsError),
 }
 
 impl Reading {
-    /// What this JSON says; nothing where it is empty.
+    /// What these lines say.
     ///
     /// # Errors
     /// See [`ReadingError`].
-    pub fn parse(json: &str) -> Result<Self, ReadingError> {
-        if json.is_empty() {
-            return Ok(Self::default());
+    pub fn parse(lines: &str) -> Result<Self, ReadingError> {
+        let mut reading = Self::default();
+        let mut joints: Option<BTreeMap<String, Option<String>>> = None;
+        for line in lines.lines() {
+            let (name, value) = line.split_once(' ').unwrap_or((line, ""));
+            let said = &mut reading.read_as;
+            match (name, value) {
+                ("up", axis) => {
+                    let known = UpAxis::from_name(axis).ok_or_else(|| ReadingError::Up(quotation(axis, 40)))?;
+                    said.up = Some(known);
+                }
+                ("floor", _) => said.floor_metres = Some(length(line, value)?),
+                ("unit", _) => {
+                    let metres = length(line, value)?;
+                    if metres <= 0.0 {
+                        return Err(ReadingError::Length(quotation(line, 40)));
+                    }
+                    said.metres_per_unit = Some(metres);
+                }
+                ("swapSides", "true" | "false") => said.swap_sides = value == "true",
+                ("mirrored", "true" | "false") => said.mirrored = Some(value == "true"),
+                ("joints", "") => drop(joints.get_or_insert_default()),
+                ("joint", _) => {
+                    let (role, joint) =
+                        value.split_once(' ').map_or((value, None), |(role, joint)| (role, Some(joint)));
+                    joints.get_or_insert_default().insert(role.to_owned(), joint.map(str::to_owned));
+                }
+                _ => return Err(ReadingError::Line(quotation(line, 40))),
+            }
         }
-        let said: Said = serde_json::from_str(json).map_err(|e| ReadingError::Json(quotation(&e.to_string(), 200)))?;
-        let axis = |name: String| UpAxis::from_name(&name).ok_or_else(|| ReadingError::Up(quotation(&name, 40)));
-        let up = said.up.map(axis).transpose()?;
-        if said.floor.is_some_and(|height| !height.is_finite()) {
-            return Err(ReadingError::Length("floor"));
-        }
-        if said.unit.is_some_and(|metres| !(metres.is_finite() && metres > 0.0)) {
-            return Err(ReadingError::Length("unit"));
-        }
-        let Said { floor: floor_metres, unit: metres_per_unit, swap_sides, mirrored, joints, .. } = said;
-        let read_as = ReadAs { joints: None, metres_per_unit, up, floor_metres, swap_sides, mirrored };
-        Ok(Self { joints: joints.map(JointAssignment::new).transpose()?, read_as })
+        reading.joints = joints.map(JointAssignment::new).transpose()?;
+        Ok(reading)
     }
 }
 
-/// How a file was read.
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Read<'a> {
-    frames: usize,
-    rate_hz: f64,
-    up: &'static str,
-    mirrored: bool,
-    floor: f32,
-    unit: f32,
-    height: f32,
-    confidence: f32,
-    skeleton: String,
-    joints: Vec<&'a str>,
-    roles: Vec<Option<usize>>,
-}
-
-/// A note.
-#[derive(Serialize)]
-struct SaidNote<'a> {
-    code: &'static str,
-    text: &'a str,
-}
-
-/// Notes as JSON: `[{"code": …, "text": …}, …]`.
-pub fn notes_json(notes: &[Note]) -> String {
-    let notes: Vec<_> = notes.iter().map(|note| SaidNote { code: note.code.name(), text: &note.text }).collect();
-    serde_json::to_string(&notes).unwrap_or_default()
-}
-
-/// How a file was read, as JSON: its `frames` and `rateHz`, `up`, `mirrored`, `floor` (metres), `unit` (metres per unit of
-/// length), `height` of the body (metres), `confidence` in the roles, the identity of the `skeleton`, the names of its
-/// `joints`, and the joint of each of the `roles`.
-pub fn reading_json(binding: &Binding, motion: &Motion) -> String {
-    let skeleton = &motion.skeleton;
-    let read = Read {
-        frames: motion.frames(),
-        rate_hz: motion.frame_time_secs.recip(),
-        up: binding.up.name(),
-        mirrored: binding.is_mirrored,
-        floor: binding.floor_metres,
-        unit: binding.metres_per_unit,
-        height: binding.proportions.stature(),
-        confidence: binding.confidence,
-        skeleton: skeleton_id(skeleton),
-        joints: skeleton.joints().iter().map(|joint| joint.name.as_str()).collect(),
-        roles: binding.joint_of_role.to_vec(),
-    };
-    serde_json::to_string(&read).unwrap_or_default()
+/// The length that a line gives.
+fn length(line: &str, value: &str) -> Result<f32, ReadingError> {
+    // Files are read with numbers of double precision, too.
+    let metres = value.parse::<f64>().ok().map(|metres| metres as f32).filter(|metres| metres.is_finite());
+    metres.ok_or_else(|| ReadingError::Length(quotation(line, 40)))
 }
 
 /// Identity of a skeleton by which what a person said of it is found again: a hash (FNV-1a) of the names and the tree of its
@@ -134,7 +93,6 @@ pub fn skeleton_id(skeleton: &Skeleton) -> String {
 mod tests {
     use super::*;
     use strut_core::math::Vec3;
-    use strut_core::note::NoteCode;
     use strut_core::skeleton::Joint;
 
     fn skeleton(names: [&str; 3], parents: [usize; 2]) -> Skeleton {
@@ -145,29 +103,31 @@ mod tests {
     }
 
     #[test]
-    fn a_reading_is_plain_data() {
+    fn a_line_says_one_thing() {
         assert_eq!(Reading::parse("").unwrap(), Reading::default());
-        assert_eq!(Reading::parse("{}").unwrap(), Reading::default());
-        let said = Reading::parse(
-            r#"{"up": "-Z", "floor": -0.93, "mirrored": false, "unit": 0.01, "joints": {"hips": "Bip01", "chest": null}}"#,
-        )
-        .unwrap();
+        let lines = "up -Z\nfloor -0.93\nmirrored false\nunit 0.01\njoint hips Bip01 L\njoint chest";
+        let said = Reading::parse(lines).unwrap();
         assert_eq!(said.read_as.up, Some(UpAxis::NegZ));
         assert_eq!((said.read_as.floor_metres, said.read_as.metres_per_unit), (Some(-0.93), Some(0.01)));
-        assert_eq!(said.read_as.mirrored, Some(false));
-        assert_eq!(said.joints.unwrap().joints()["hips"].as_deref(), Some("Bip01"));
+        assert_eq!((said.read_as.mirrored, said.read_as.swap_sides), (Some(false), false));
+        let joints = said.joints.unwrap();
+        assert_eq!((joints.joints()["hips"].as_deref(), &joints.joints()["chest"]), (Some("Bip01 L"), &None));
+        assert!(Reading::parse("swapSides true\njoints").unwrap().joints.unwrap().joints().is_empty());
     }
 
     #[test]
-    fn other_texts_are_refused_with_what_was_expected() {
+    fn other_lines_are_refused_with_what_was_expected() {
         let refusal = |text: &str| Reading::parse(text).unwrap_err().to_string();
-        assert!(
-            refusal(r#"{"flor": 1}"#).starts_with("this does not say how a file is to be read: unknown field `flor`")
+        assert_eq!(
+            refusal("flor 1"),
+            "'flor 1' does not say how a file is read; up, floor, swapSides, mirrored, unit and joints do"
         );
-        assert_eq!(refusal(r#"{"up": "w"}"#), "there is no up axis 'w'; x, -x, y, -y, z or -z was expected");
-        assert_eq!(refusal(r#"{"unit": 0}"#), "the unit is no length that files have");
-        assert_eq!(refusal(r#"{"floor": 1e39}"#), "the floor is no length that files have");
-        assert!(refusal(r#"{"joints": {"hip": "Bip01"}}"#).starts_with("there is no role 'hip'"));
+        assert!(refusal("mirrored 1").starts_with("'mirrored 1' does not say"));
+        assert_eq!(refusal("up w"), "there is no up axis 'w'; x, -x, y, -y, z or -z was expected");
+        for line in ["unit 0", "unit -1", "unit", "floor 1e39", "floor low", "floor NaN"] {
+            assert_eq!(refusal(line), format!("'{line}' is no length that files have"));
+        }
+        assert!(refusal("joint hip Bip01").starts_with("there is no role 'hip'"));
     }
 
     #[test]
@@ -177,12 +137,5 @@ mod tests {
         assert_eq!(id.len(), 16);
         assert_ne!(id, skeleton_id(&skeleton(["a", "b", "c"], [0, 1])));
         assert_ne!(id, skeleton_id(&skeleton(["a", "bc", ""], [0, 0])));
-    }
-
-    #[test]
-    fn notes_are_codes_and_sentences() {
-        let notes = [Note::new(NoteCode::Up, "Up is \"+Z\".")];
-        assert_eq!(notes_json(&notes), r#"[{"code":"up","text":"Up is \"+Z\"."}]"#);
-        assert_eq!(notes_json(&[]), "[]");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::database::{Database, unpackable};
 #[cfg(feature = "files")]
-use crate::input_file::InputFile;
+use crate::input_file::{FileRead, InputFile, texts_of};
 #[cfg(feature = "files")]
 use js_sys::Function;
 use strut_core::contact;
@@ -12,8 +12,6 @@ use strut_core::note::Note;
 use strut_core::transfer::ClipInput;
 #[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
-#[cfg(feature = "files")]
-use strut_formats::reading::notes_json;
 use strut_formats::strutdb::packed;
 #[cfg(feature = "files")]
 use strut_wasm_common::bvh_of;
@@ -78,7 +76,7 @@ impl Input {
 #[cfg(feature = "files")]
 #[wasm_bindgen]
 impl Input {
-    /// A BVH file; `said` gives what a person says of a skeleton by its identity: a reading as JSON, or nothing.
+    /// A BVH file; `said` gives what a person says of a skeleton by its identity: lines of `strut_formats::reading`.
     ///
     /// # Errors
     /// With what is wrong with the bytes, or with what was said.
@@ -92,14 +90,14 @@ impl Input {
         self.file.as_ref().map(InputFile::note).unwrap_or_default()
     }
 
-    /// What may be wrong, as JSON.
-    pub fn notes(&self) -> String {
-        notes_json(&self.notes)
+    /// What may be wrong: codes and sentences, one after the other.
+    pub fn notes(&self) -> Vec<String> {
+        texts_of(&self.notes)
     }
 
-    /// How its file was read, as JSON; `undefined` if it came from none.
-    pub fn reading(&self) -> Option<String> {
-        self.file.as_ref().map(InputFile::reading)
+    /// How its file was read; `undefined` if it came from none.
+    pub fn read(&self) -> Option<FileRead> {
+        self.file.as_ref().map(InputFile::read)
     }
 }
 

@@ -4,14 +4,47 @@ use js_sys::Function;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::motion::Motion;
 use strut_core::note::Note;
-use strut_core::retarget::{Binding, to_humanoid};
+use strut_core::retarget::{Binding, UpAxis, to_humanoid};
 use strut_core::skeleton::Skeleton;
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
 use strut_formats::joints::Reading;
-use strut_formats::reading::{ReadingError, reading_json, skeleton_id};
+use strut_formats::reading::{ReadingError, skeleton_id};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// How a file was read.
+#[wasm_bindgen]
+pub struct FileRead {
+    numbers: Vec<f64>,
+    joints: Vec<String>,
+    skeleton: String,
+}
+
+#[wasm_bindgen]
+impl FileRead {
+    /// Frames, frames a second, the number of the up axis among `UpAxis::ALL`, 1 for a mirror image, the height of the floor,
+    /// metres per unit, the height of the body, the confidence in the roles, then the joint of each role, −1 where there is none.
+    pub fn numbers(&self) -> Vec<f64> {
+        self.numbers.clone()
+    }
+
+    /// Names of the joints.
+    pub fn joints(&self) -> Vec<String> {
+        self.joints.clone()
+    }
+
+    /// Identity of the skeleton.
+    pub fn skeleton(&self) -> String {
+        self.skeleton.clone()
+    }
+}
+
+/// Notes as their codes and sentences, one after the other.
+pub(crate) fn texts_of(notes: &[Note]) -> Vec<String> {
+    notes.iter().flat_map(|note| [note.code.name().to_owned(), note.text.to_string()]).collect()
+}
 
 /// The parts of a file that an export needs.
 #[derive(Clone)]
@@ -41,7 +74,7 @@ impl InputFile {
     /// # Errors
     /// With what is wrong with the bytes, or with the skeleton.
     #[cfg(feature = "parity")]
-    pub(crate) fn read(bytes: &[u8]) -> Result<Self, EngineError> {
+    pub(crate) fn detect(bytes: &[u8]) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
         Self::of(bvh, notes, |_| Ok(Reading::default()))
     }
@@ -91,9 +124,26 @@ impl InputFile {
         &self.notes
     }
 
-    /// How it was read, as JSON.
-    pub(crate) fn reading(&self) -> String {
-        reading_json(&self.binding, &self.motion)
+    /// How it was read.
+    pub(crate) fn read(&self) -> FileRead {
+        let Self { motion, binding, .. } = self;
+        let up = UpAxis::ALL.iter().position(|(axis, _)| *axis == binding.up).unwrap_or_default();
+        let numbers = [
+            motion.frames() as f64,
+            self.rate_hz(),
+            up as f64,
+            f64::from(u8::from(binding.is_mirrored)),
+            f64::from(binding.floor_metres),
+            f64::from(binding.metres_per_unit),
+            f64::from(binding.proportions.stature()),
+            f64::from(binding.confidence),
+        ];
+        let roles = binding.joint_of_role.iter().map(|joint| joint.map_or(-1.0, |joint| joint as f64));
+        FileRead {
+            numbers: numbers.into_iter().chain(roles).collect(),
+            joints: motion.skeleton.joints().iter().map(|joint| joint.name.clone()).collect(),
+            skeleton: skeleton_id(&motion.skeleton),
+        }
     }
 
     /// A styled motion of `rate_hz` on its skeleton and at its own rate.

@@ -1,9 +1,8 @@
 //! What a motion's file says, before it is carried over to a database.
 
 use crate::input::packed_motion;
-use crate::input_file::InputFile;
+use crate::input_file::{FileRead, InputFile, texts_of};
 use js_sys::Function;
-use strut_formats::reading::notes_json;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -53,13 +52,13 @@ impl MotionFacts {
         self.file.as_ref().map(InputFile::note).unwrap_or_default()
     }
 
-    /// What may be wrong with how the file was read, as JSON.
-    pub fn notes(&self) -> String {
-        notes_json(self.file.as_ref().map_or(&[], InputFile::doubts))
+    /// What may be wrong with how the file was read: codes and sentences, one after the other.
+    pub fn notes(&self) -> Vec<String> {
+        texts_of(self.file.as_ref().map_or(&[], InputFile::doubts))
     }
 
-    /// How the file was read, as JSON; `undefined` if there is none.
-    pub fn reading(&self) -> Option<String> {
-        self.file.as_ref().map(InputFile::reading)
+    /// How the file was read; `undefined` if there is none.
+    pub fn read(&self) -> Option<FileRead> {
+        self.file.as_ref().map(InputFile::read)
     }
 }

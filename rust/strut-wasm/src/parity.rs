@@ -99,7 +99,7 @@ impl ParityReport {
 
         let mut clips = Vec::new();
         for (name, bytes) in &self.files {
-            let input = Input::from_file(&database, InputFile::read(bytes)?)?;
+            let input = Input::from_file(&database, InputFile::detect(bytes)?)?;
             clip_stages(&mut report, name, &database, &input, nudged_frame)?;
             clips.extend(labelled_clip(name, &input));
         }
