@@ -61,6 +61,8 @@ note_codes! {
     Milliseconds = "milliseconds",
     /// Position channels were taken as added to the offsets.
     AddedPositions = "added-positions",
+    /// The body is far from the origin of the file.
+    Far = "far",
 }
 
 /// A sentence for the person whose file it is.

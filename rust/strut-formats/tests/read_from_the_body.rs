@@ -11,7 +11,7 @@ use strut_core::note::NoteCode;
 use strut_core::retarget::{Binding, UpAxis, to_humanoid};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_core::transfer::ClipInput;
-use strut_formats::bvh;
+use strut_formats::bvh::{self, Bvh, Channel};
 
 /// The motion on the default body, and the codes of what was noted.
 fn read(motion: &Motion) -> (HumanoidMotion, Vec<NoteCode>) {
@@ -80,6 +80,47 @@ fn check(path: &Path) {
     let (mirrored, codes) = read(&changed(&motion, |t| t * Vec3::new(-1.0, 1.0, 1.0), Quat::mirrored));
     assert!(apart(&mirrored, &clean) < 0.001, "{name}: mirrored: {} m", apart(&mirrored, &clean));
     assert_eq!(codes, [NoteCode::Mirrored], "{name}: mirrored");
+}
+
+/// A file whose body is elsewhere, in its own unit.
+fn moved(file: &Bvh, place: [f64; 3]) -> Bvh {
+    let mut moved = file.clone();
+    let channels = file.channels();
+    for (column, channel) in file.joints[0].channels.iter().enumerate() {
+        if let Channel::Position(axis) = channel {
+            let values = moved.values.iter_mut().skip(column).step_by(channels);
+            values.for_each(|value| *value += place[*axis as usize]);
+        }
+    }
+    moved
+}
+
+/// A body that is 10 km away is brought near, and written back to where it was.
+#[test]
+fn every_clip_is_the_same_far_from_the_origin() {
+    for path in mocap::clips().unwrap_or_default() {
+        let name = path.display();
+        let (near, notes) = bvh::parse_noted(&std::fs::read(&path).unwrap()).unwrap();
+        assert!(notes.is_empty(), "{name}: {notes:?}");
+        let motion = near.to_motion().unwrap();
+        let (clean, _) = read(&motion);
+        let metres_per_unit = f64::from(Binding::detect(&motion).unwrap().metres_per_unit);
+        let far = moved(&near, [1e4 / metres_per_unit, 0.0, -5e3 / metres_per_unit]);
+        let (far, notes) = bvh::parse_noted(bvh::write(&far).as_bytes()).unwrap();
+        assert_eq!(notes.iter().map(|note| note.code).collect::<Vec<_>>(), [NoteCode::Far], "{name}");
+        let brought_near = far.to_motion().unwrap();
+        let (mut same, codes) = read(&brought_near);
+        assert!(codes.is_empty(), "{name}: {codes:?}");
+        let shift = clean.poses[0].root - same.poses[0].root;
+        same.poses.iter_mut().for_each(|pose| pose.root += shift);
+        assert!(apart(&same, &clean) < 0.001, "{name}: {} m", apart(&same, &clean));
+        let written = far.with_motion(&brought_near).unwrap();
+        let place = |file: &Bvh, frame: usize| [0, 1, 2].map(|column| file.row(frame)[column]);
+        let off =
+            |frame| [0, 1, 2].map(|i| (place(&written, frame)[i] - place(&far, frame)[i]).abs() * metres_per_unit);
+        let off = (0..far.frames).flat_map(off).fold(0.0, f64::max);
+        assert!(off < 1e-5, "{name}: written {off} m off");
+    }
 }
 
 #[test]

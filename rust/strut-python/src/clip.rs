@@ -1,17 +1,16 @@
-//! Clips with what is known of their skeletons.
+//! Clips with what is said of them.
 
 use crate::error::bad_input;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
-use strut_core::humanoid::{JOINTS, Role};
-use strut_core::motion;
-use strut_core::retarget::{Binding, ReadAs};
-use strut_formats::bvh;
+use strut_core::note::Note;
+use strut_core::retarget::{ReadAs, UpAxis};
 use strut_formats::corpus::Clip;
-use strut_tasks::suggestion::unknown;
+use strut_formats::joints::{JointAssignment, Reading};
 use strut_tasks::{Outcome, TaskError};
 
 /// A clip and its name in messages.
@@ -20,15 +19,8 @@ pub(crate) struct Named {
     pub(crate) clip: Clip,
     /// The file.
     pub(crate) bytes: Vec<u8>,
-    pub(crate) known: Known,
-}
-
-/// What is said of a skeleton and not detected.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Known {
-    /// The joint of roles, or that there is none.
-    roles: Vec<(Role, Option<String>)>,
-    pub(crate) metres_per_unit: Option<f32>,
+    /// What was said of it.
+    pub(crate) reading: Reading,
 }
 
 /// A recorded motion of a humanoid.
@@ -37,54 +29,47 @@ pub(crate) struct Motion {
     pub(crate) named: Arc<Named>,
 }
 
-impl Known {
-    /// From a dict of joints by role.
-    pub(crate) fn of(roles: Option<&Bound<'_, PyDict>>, metres_per_unit: Option<f32>) -> PyResult<Self> {
-        let names: Vec<&str> = Role::ALL.iter().map(|role| role.name()).collect();
-        let role_of = |(role, joint): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-            let wrong = || PyTypeError::new_err("roles are a dict of names of joints, or None, by the names of roles");
-            let name: String = role.extract().map_err(|_| wrong())?;
-            let role = Role::ALL.into_iter().find(|role| role.name() == name);
-            let role = role.ok_or_else(|| bad_input(joint.py(), unknown("role", &name, &names)))?;
-            Ok((role, joint.extract().map_err(|_| wrong())?))
-        };
-        let roles = roles.into_iter().flatten().map(role_of).collect::<PyResult<_>>()?;
-        Ok(Self { roles, metres_per_unit })
-    }
-
-    /// The binding of a motion, the rest of which is detected.
-    fn bind(&self, motion: &motion::Motion) -> Result<Binding, String> {
-        let mut roles: Option<[Option<usize>; JOINTS]> = None;
-        for (role, joint) in &self.roles {
-            let index = joint.as_deref().map(|name| {
-                let names: Vec<&str> = motion.skeleton.joints().iter().map(|joint| joint.name.as_str()).collect();
-                motion.skeleton.find(name).ok_or_else(|| unknown("joint", name, &names))
-            });
-            let roles = roles.get_or_insert_with(|| Binding::likely_roles(motion));
-            roles[role.index()] = index.transpose()?;
-        }
-        let read_as = ReadAs { joints: roles, metres_per_unit: self.metres_per_unit, ..ReadAs::default() };
-        Binding::read(motion, &read_as).map_err(|reason| reason.to_string())
-    }
-
-    /// The roles as Python's values.
-    pub(crate) fn roles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let roles = PyDict::new(py);
-        self.roles.iter().try_for_each(|(role, joint)| roles.set_item(role.name(), joint))?;
-        Ok(roles)
+impl Named {
+    pub(crate) fn new(name: String, bytes: Vec<u8>, reading: Reading) -> Outcome<Self> {
+        let clip = Clip::read(&bytes, &reading).map_err(|reason| TaskError::in_file(Path::new(&name), reason))?;
+        Ok(Self { name, clip, bytes, reading })
     }
 }
 
-impl Named {
-    pub(crate) fn new(name: String, bytes: Vec<u8>, known: Known) -> Outcome<Self> {
-        let clip = || -> Result<Clip, String> {
-            let (file, mut notes) = bvh::parse_noted(&bytes).map_err(|e| e.to_string())?;
-            let motion = file.to_motion().map_err(|e| e.to_string())?;
-            let binding = known.bind(&motion)?;
-            notes.extend_from_slice(&binding.doubts);
-            Ok(Clip { file, motion, binding, notes })
+/// What is said of a motion; `roles` has names of joints, or None, by names of roles, `floor` is in metres.
+pub(crate) fn reading(
+    py: Python<'_>,
+    roles: Option<&Bound<'_, PyDict>>,
+    up: Option<&str>,
+    floor: Option<f32>,
+    swap_sides: bool,
+) -> PyResult<Reading> {
+    let read = |roles: &Bound<'_, PyDict>| {
+        let wrong = || PyTypeError::new_err("roles are a dict of names of joints, or None, by the names of roles");
+        let pair = |(role, joint): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+            Ok((role.extract().map_err(|_| wrong())?, joint.extract().map_err(|_| wrong())?))
         };
-        let clip = clip().map_err(|reason| TaskError::in_file(Path::new(&name), reason))?;
-        Ok(Self { name, clip, bytes, known })
+        let joints = roles.iter().map(pair).collect::<PyResult<BTreeMap<String, Option<String>>>>()?;
+        JointAssignment::new(joints).map_err(|reason| bad_input(py, reason))
+    };
+    let up_axis = |up| {
+        let unlike = || bad_input(py, format_args!("up is '{up:.40}'; x, -x, y, -y, z or -z was expected"));
+        UpAxis::from_name(up).ok_or_else(unlike)
+    };
+    if let Some(floor) = floor.filter(|floor| !floor.is_finite()) {
+        return Err(bad_input(py, format_args!("the floor is at {floor} m; a finite number was expected")));
     }
+    let read_as = ReadAs { up: up.map(up_axis).transpose()?, floor_metres: floor, swap_sides, ..ReadAs::default() };
+    Ok(Reading { joints: roles.map(read).transpose()?, read_as })
+}
+
+/// Notes as dicts of a code and a text.
+pub(crate) fn notes<'py>(py: Python<'py>, notes: &[Note]) -> PyResult<Bound<'py, PyList>> {
+    let dict_of = |note: &Note| {
+        let dict = PyDict::new(py);
+        dict.set_item("code", note.code.name())?;
+        dict.set_item("text", &*note.text)?;
+        Ok(dict)
+    };
+    PyList::new(py, notes.iter().map(dict_of).collect::<PyResult<Vec<_>>>()?)
 }

@@ -2,22 +2,24 @@
 
 use crate::arrays::{array_of, flags, floats};
 use crate::call::watched;
-use crate::clip::{Known, Motion, Named};
+use crate::clip::{self, Motion, Named, reading};
 use crate::database::Database;
 use crate::error::bad_input;
 use crate::options::number;
 use numpy::PyArray2;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyList};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, Role};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion;
+use strut_core::retarget::{ReadAs, UpAxis};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
+use strut_formats::joints::{JointAssignment, Reading};
 use strut_tasks::stylize::input_of;
 use strut_tasks::{Outcome, TaskError, files};
 
@@ -77,21 +79,34 @@ impl Arrays {
 }
 
 /// What pickle calls, and with what.
-type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, String, Bound<'py, PyDict>, Option<f32>));
+type Reduced<'py> = (Bound<'py, PyAny>, Reopened<'py>);
+
+/// A motion's bytes and name, then what was said of it: roles, up axis, floor, sides and unit.
+type Reopened<'py> =
+    (Bound<'py, PyBytes>, String, Option<Bound<'py, PyDict>>, Option<&'static str>, Option<f32>, bool, Option<f32>);
 
 #[pymethods]
 impl Motion {
     /// Opens a BVH file by its path, or from its bytes. `roles` has names of joints, or None, for roles that are not as detected.
+    /// `up` is the file's up axis: x, -x, y, -y, z or -z. `floor` is the height of the ground along it, metres. `swap_sides` has left
+    /// and right the other way round than they are read. What is not given is read from the body.
     #[staticmethod]
-    #[pyo3(signature = (source, *, roles=None))]
-    fn open(py: Python<'_>, source: &Bound<'_, PyAny>, roles: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
-        let known = Known::of(roles, None)?;
+    #[pyo3(signature = (source, *, roles=None, up=None, floor=None, swap_sides=false))]
+    fn open(
+        py: Python<'_>,
+        source: &Bound<'_, PyAny>,
+        roles: Option<&Bound<'_, PyDict>>,
+        up: Option<&str>,
+        #[pyo3(from_py_with = number)] floor: Option<f32>,
+        swap_sides: bool,
+    ) -> PyResult<Self> {
+        let reading = reading(py, roles, up, floor, swap_sides)?;
         let named = if let Ok(bytes) = source.cast::<PyBytes>() {
             let bytes = bytes.as_bytes().to_owned();
-            watched(py, None, |_| Named::new("the motion".into(), bytes, known))
+            watched(py, None, |_| Named::new("the motion".into(), bytes, reading))
         } else {
             let path: PathBuf = source.extract()?;
-            watched(py, None, |_| Named::new(path.display().to_string(), files::read(&path, bvh::MAX_BYTES)?, known))
+            watched(py, None, |_| Named::new(path.display().to_string(), files::read(&path, bvh::MAX_BYTES)?, reading))
         };
         Ok(Self { named: Arc::new(named?) })
     }
@@ -134,23 +149,30 @@ impl Motion {
         let offsets = floats(offsets, "offsets", &[Some(joints), Some(3)])?;
         let translations = floats(translations, "translations", &[None, Some(joints), Some(3)])?;
         let rotations = floats(rotations_xyzw, "rotations_xyzw", &[None, Some(joints), Some(4)])?;
-        let known = Known::of(roles, metres_per_unit)?;
+        let mut reading = reading(py, roles, Some("y"), None, false)?;
+        reading.read_as.metres_per_unit = metres_per_unit;
         let arrays = Arrays { names, parents, offsets, translations, rotations, rate_hz, is_z_up: up == "z" };
-        let named = watched(py, None, |_| Named::new("the motion".into(), arrays.file()?, known))?;
+        let named = watched(py, None, |_| Named::new("the motion".into(), arrays.file()?, reading))?;
         Ok(Self { named: Arc::new(named) })
     }
 
     /// What `open` and `from_arrays` made, again.
     #[staticmethod]
+    #[allow(clippy::too_many_arguments)] // Pickle has no keywords.
     fn _reopen(
         py: Python<'_>,
         bytes: &[u8],
         name: String,
-        roles: &Bound<'_, PyDict>,
+        roles: Option<&Bound<'_, PyDict>>,
+        up: Option<&str>,
+        floor: Option<f32>,
+        swap_sides: bool,
         metres_per_unit: Option<f32>,
     ) -> PyResult<Self> {
-        let (bytes, known) = (bytes.to_owned(), Known::of(Some(roles), metres_per_unit)?);
-        let named = watched(py, None, |_| Named::new(name, bytes, known))?;
+        let mut reading = reading(py, roles, up, floor, swap_sides)?;
+        reading.read_as.metres_per_unit = metres_per_unit;
+        let bytes = bytes.to_owned();
+        let named = watched(py, None, |_| Named::new(name, bytes, reading))?;
         Ok(Self { named: Arc::new(named) })
     }
 
@@ -214,11 +236,23 @@ impl Motion {
         format!("<strut.Motion {}: {} frames, {:.2} s>", self.name(), self.frames(), self.duration_secs())
     }
 
-    /// The file's bytes, with the name and what was said of the skeleton.
+    /// What may be wrong in how it was read, as dicts of a code and a text; empty for a clean clip.
+    #[getter]
+    fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        clip::notes(py, &self.named.clip.notes)
+    }
+
+    /// The file's bytes, with the name and what was said of it.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let (py, named) = (slf.py(), &slf.get().named);
-        let Named { name, bytes, known, .. } = &**named;
-        let arguments = (PyBytes::new(py, bytes), name.clone(), known.roles(py)?, known.metres_per_unit);
+        let Named { name, bytes, reading: Reading { joints, read_as }, .. } = &**named;
+        let dict_of = |joints: &JointAssignment| {
+            let roles = PyDict::new(py);
+            joints.joints().iter().try_for_each(|(role, joint)| roles.set_item(role, joint)).map(|()| roles)
+        };
+        let (roles, up) = (joints.as_ref().map(dict_of).transpose()?, read_as.up.map(UpAxis::name));
+        let ReadAs { floor_metres, swap_sides, metres_per_unit, .. } = *read_as;
+        let arguments = (PyBytes::new(py, bytes), name.clone(), roles, up, floor_metres, swap_sides, metres_per_unit);
         Ok((slf.get_type().getattr("_reopen")?, arguments))
     }
 }

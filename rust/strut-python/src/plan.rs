@@ -1,17 +1,20 @@
 //! Batches whose jobs are done by workers.
 
 use crate::call::watched;
+use crate::clip::reading;
 use crate::corpus::paths_of;
 use crate::database::Database;
 use crate::error::{bad_input, exception};
-use crate::options::{set_options, set_parts, styles};
+use crate::options::{number, set_options, set_parts, styles};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyDictMethods, PyString, PyTuple};
+use pyo3::types::{IntoPyDict, PyDict, PyDictMethods, PyString, PyTuple};
 use std::path::PathBuf;
 use strut_tasks::batch::{self, BatchRequest, PlannedJob, Record, Retry, Shard, Status, Variant, read_variants};
+use strut_tasks::note_report::NoteReport;
 use strut_tasks::stylize::StyleSettings;
 use strut_tasks::threads::with_threads;
+use strut_tasks::weights::StyleWeights;
 use strut_tasks::{Outcome, TaskError};
 
 /// A batch whose jobs are done by workers, each with a copy of it, and recorded by the process that plans it.
@@ -31,7 +34,7 @@ type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyTuple>, Bound<'py, PyDict>
 #[pymethods]
 impl Plan {
     #[new]
-    #[pyo3(signature = (inputs, out, db, variants, *, parts=None, retry=None, verify=false, **options))]
+    #[pyo3(signature = (inputs, out, db, variants, *, parts=None, retry=None, verify=false, roles=None, up=None, floor=None, swap_sides=false, **options))]
     #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
     fn new(
         py: Python<'_>,
@@ -42,22 +45,34 @@ impl Plan {
         parts: Option<&Bound<'_, PyDict>>,
         retry: Option<&str>,
         verify: bool,
+        roles: Option<&Bound<'_, PyDict>>,
+        up: Option<&str>,
+        #[pyo3(from_py_with = number)] floor: Option<f32>,
+        swap_sides: bool,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let keywords = options.map_or_else(|| Ok(PyDict::new(py)), PyDictMethods::copy)?;
         keywords.set_item("parts", parts)?;
         keywords.set_item("retry", retry)?;
         keywords.set_item("verify", verify)?;
+        keywords.set_item("roles", roles)?;
+        keywords.set_item("up", up)?;
+        keywords.set_item("floor", floor)?;
+        keywords.set_item("swap_sides", swap_sides)?;
         let positional = PyTuple::new(py, [inputs, out.clone().into_pyobject(py)?.as_any(), db, variants])?;
         let database = match db.cast::<Database>() {
             Ok(database) => database.clone(),
             Err(_) => Bound::new(py, Database::at(py, db.extract()?)?)?,
         };
         let database = database.get();
+        let mut base = StyleSettings::new(StyleWeights::default());
+        set_parts(&mut base, parts)?;
+        set_options(&mut base, options)?;
+        base.reading = reading(py, roles, up, floor, swap_sides)?;
         let request = BatchRequest {
             inputs: paths_of(inputs)?,
             database: PathBuf::from(database.message_name()),
-            variants: self::variants(variants, &base_settings(parts, options)?)?,
+            variants: self::variants(variants, &move |styles| StyleSettings { styles, ..base.clone() })?,
             output: out,
             shard: Shard::WHOLE,
             threads: None,
@@ -105,23 +120,8 @@ impl Plan {
     }
 }
 
-/// Parts and options, for styles to come.
-fn base_settings(
-    parts: Option<&Bound<'_, PyDict>>,
-    options: Option<&Bound<'_, PyDict>>,
-) -> PyResult<impl Fn(strut_tasks::weights::StyleWeights) -> StyleSettings> {
-    let none = strut_tasks::weights::StyleWeights::default();
-    let mut base = StyleSettings::new(none);
-    set_parts(&mut base, parts)?;
-    set_options(&mut base, options)?;
-    Ok(move |styles| StyleSettings { styles, ..base.clone() })
-}
-
 /// The variants from styles as they are typed, from a dict, or from a table.
-fn variants(
-    value: &Bound<'_, PyAny>,
-    settings: &impl Fn(strut_tasks::weights::StyleWeights) -> StyleSettings,
-) -> PyResult<Vec<Variant>> {
+fn variants(value: &Bound<'_, PyAny>, settings: &impl Fn(StyleWeights) -> StyleSettings) -> PyResult<Vec<Variant>> {
     let py = value.py();
     let fail = |error: TaskError| exception(py, &error);
     if let Ok(typed) = value.cast::<PyString>() {
@@ -176,6 +176,8 @@ fn record_dict<'py>(py: Python<'py>, record: &Record) -> PyResult<Bound<'py, PyD
     dict.set_item("bytes", record.bytes)?;
     dict.set_item("frames", record.frames)?;
     dict.set_item("repaired", record.repaired)?;
+    let notes = record.notes.iter().map(|note| [("code", &note.code), ("text", &note.text)].into_py_dict(py));
+    dict.set_item("notes", notes.collect::<PyResult<Vec<_>>>()?)?;
     dict.set_item("status", record.status.name())?;
     dict.set_item("code", &record.code)?;
     dict.set_item("message", &record.message)?;
@@ -185,6 +187,8 @@ fn record_dict<'py>(py: Python<'py>, record: &Record) -> PyResult<Bound<'py, PyD
 }
 
 fn record_of(row: &Bound<'_, PyAny>) -> PyResult<Record> {
+    let notes: Vec<Bound<'_, PyAny>> = field(row, "notes")?;
+    let note_of = |note: &Bound<'_, PyAny>| Ok(NoteReport { code: field(note, "code")?, text: field(note, "text")? });
     let status: String = field(row, "status")?;
     let unlike = || bad_input(row.py(), format_args!("the status is '{status}'; done, skipped or failed was expected"));
     Ok(Record {
@@ -198,7 +202,7 @@ fn record_of(row: &Bound<'_, PyAny>) -> PyResult<Record> {
         bytes: field(row, "bytes")?,
         frames: field(row, "frames")?,
         repaired: field(row, "repaired")?,
-        notes: Vec::new(),
+        notes: notes.iter().map(note_of).collect::<PyResult<_>>()?,
         status: Status::from_name(&status).ok_or_else(unlike)?,
         code: field(row, "code")?,
         message: field(row, "message")?,

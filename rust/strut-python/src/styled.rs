@@ -2,7 +2,7 @@
 
 use crate::arrays::{array_of, column, flags};
 use crate::call::watched;
-use crate::clip::{Motion, Named};
+use crate::clip::{Motion, Named, notes};
 use crate::database::Database;
 use crate::error::exception;
 use crate::options::{number, settings, styles};
@@ -111,13 +111,7 @@ impl StyledMotion {
     /// What may be wrong, as dicts of a code and a text; empty for a clean clip.
     #[getter]
     fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let dict_of = |note: &Note| {
-            let dict = PyDict::new(py);
-            dict.set_item("code", note.code.name())?;
-            dict.set_item("text", &*note.text)?;
-            Ok(dict)
-        };
-        PyList::new(py, self.notes.iter().map(dict_of).collect::<PyResult<Vec<_>>>()?)
+        notes(py, &self.notes)
     }
 
     /// Length, seconds.

@@ -137,6 +137,23 @@ def test_roles_are_corrected(db: strut.Database, jump: strut.Motion):
             strut.Motion.open(jump.name, roles=wrong)
 
 
+def test_a_motion_is_read_as_it_is_said(db: strut.Database, jump: strut.Motion):
+    higher = strut.Motion.open(jump.name, floor=-0.1)
+    raised = higher.poses(db)[:, 1] - jump.poses(db)[:, 1]
+    assert raised.min() == pytest.approx(raised.max(), abs=1e-5) and raised.min() > 0.05
+    lying = strut.Motion.open(jump.name, up="z")
+    mirrored = strut.Motion.open(jump.name, swap_sides=True)
+    assert jump.notes == []
+    for motion in (higher, lying, mirrored):
+        assert not np.array_equal(motion.poses(db), jump.poses(db))
+        again = pickle.loads(pickle.dumps(motion))
+        np.testing.assert_array_equal(again.poses(db), motion.poses(db))
+        assert again.notes == motion.notes
+    for wrong in ({"up": "w"}, {"floor": float("nan")}):
+        with pytest.raises(strut.StrutError):
+            strut.Motion.open(jump.name, **wrong)
+
+
 def test_styles_change_over_time(db: strut.Database, jump: strut.Motion):
     old, proud = (strut.stylize(jump, db, style) for style in ("old", "proud"))
     constant = strut.stylize(jump, db, "old", track=[(0, "old"), (1.0, {"old": 1})])

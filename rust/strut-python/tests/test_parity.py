@@ -62,6 +62,9 @@ def names_of(options: type) -> set[str]:
     return {name.strip("_").replace("_", "-") for name in options.__annotations__}
 
 
+READING = {"joints", "up", "floor", "swap-sides"}
+"""How a file is read is said of a motion."""
+
 FILES = {"help", "json", "output"}
 """What a file is written to is an argument of `save`."""
 
@@ -69,10 +72,11 @@ FILES = {"help", "json", "output"}
 @pytest.mark.parametrize(
     ("function", "options", "command", "renamed", "only_here", "only_there"),
     [
-        (strut.stylize, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motion", "progress", "track"}, {"input"}),
-        (strut.stylize_many, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motions"}, {"input", "trace"}),
-        (strut.Stylizer, strut.Options, "stylize", {"styles": "style", "parts": "part"}, set(), {"input", "trace", "threads"}),
-        (strut.batch.Plan, strut.Options, "stylize-batch", {"out": "output", "parts": "part"}, {"inputs"}, {"style", "shard", "strict", "threads"}),
+        (strut.stylize, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motion", "progress", "track"}, {"input"} | READING),
+        (strut.stylize_many, strut.Options, "stylize", {"styles": "style", "parts": "part"}, {"motions"}, {"input", "trace"} | READING),
+        (strut.Stylizer, strut.Options, "stylize", {"styles": "style", "parts": "part"}, set(), {"input", "trace", "threads"} | READING),
+        (strut.batch.Plan, strut.Options, "stylize-batch", {"out": "output", "parts": "part", "roles": "joints"}, {"inputs"}, {"style", "shard", "strict", "threads"}),
+        (strut.Motion.open, None, "inspect", {"roles": "joints"}, {"source"}, set()),
         (strut.Database.build, None, "build-db", {"rate-hz": "rate"}, {"clips", "progress", "threads"}, {"report", "registration"}),
         (strut.Database.add_style, None, "add-style", {"motion": "input", "name": "style"}, {"action", "threads"}, {"db"}),
         (strut.WalkModel.train, None, "train-walk", {}, {"clips", "threads", "progress"}, set()),

@@ -2,6 +2,7 @@
 
 use super::anatomy::{FourLegs, four_legs};
 use super::axes::{UpAxis, up_axis};
+use super::body_tree::BodyTree;
 use super::find_roles::find_roles;
 use super::read_as::ReadAs;
 use super::rest_pose::{RestPose, positions, rest_pose};
@@ -105,7 +106,7 @@ pub enum BindError {
     /// A required role has no joint.
     #[error("This skeleton has no {} that we can find. Choose the joint, or drop another file.", joint_word(*.0))]
     Missing(Role),
-    /// A chosen joint is not in the skeleton, or does not descend from the joint of the role above.
+    /// A chosen joint is not in the skeleton, or does not hang on the joint of the role above.
     #[error("Joint '{joint}' cannot be the {}: it does not hang on the rest of the body.", joint_word(*.role))]
     Misplaced {
         /// The role.
@@ -226,6 +227,8 @@ impl Binding {
         check_roles(skeleton, joint_of_role)?;
         let rest = rest_pose(skeleton, joint_of_role, sample);
         let at_rest = positions(skeleton, &sample.translations, &rest.world_rotations);
+        let begins = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), joint_of_role).begins;
+        let at_rest: Vec<Vec3> = begins.iter().map(|&joint| at_rest[joint]).collect();
         let mut proportions = offsets_between(&role_positions(joint_of_role, &at_rest));
         let leg = leg_length(&proportions);
         for role in REQUIRED.into_iter().filter(|r| *r != Role::Hips && *r != Role::Spine) {
@@ -284,12 +287,13 @@ impl Binding {
     }
 }
 
-/// Every required role has a joint, and every joint descends from that of the nearest role above.
+/// Every required role has a joint, and every joint hangs on that of the nearest role above.
 pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(), BindError> {
     if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
         return Err(BindError::Missing(role));
     }
-    let parent = |j: usize| skeleton.joints().get(j).and_then(|joint| joint.parent);
+    let tree = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles);
+    let parent = |j: usize| tree.parents.get(j).copied().flatten();
     for role in Role::ALL {
         let Some(joint) = roles[role.index()] else { continue };
         let misplaced = |name: String| Err(BindError::Misplaced { role, joint: name });

@@ -6,6 +6,7 @@
 //! pairs of chains. The trunk needs no names: it lies between the parent
 //! joint of the legs and that of the arms, and the hips are where the ways to the two part.
 
+use super::body_tree::BodyTree;
 use super::names::{NameHint, Part, Side};
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Role};
@@ -70,7 +71,7 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
             }
         }
     }
-    find_trunk(&tree, &hints, &mut joint_of_role);
+    find_trunk(&tree, sample, &hints, &mut joint_of_role);
 
     let found = joint_of_role.iter().flatten().count() as f32 / JOINTS as f32;
     let confidence = found * 0.5 * (confidence[0] + confidence[1]);
@@ -80,21 +81,32 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
 /// The hierarchy with precomputed quantities for the searches.
 struct Tree {
     parents: Vec<Option<usize>>,
+    /// An order in which parents come first.
+    order: Vec<usize>,
     children: Vec<Vec<usize>>,
-    /// Distance of each joint from its parent, file units.
+    /// Distance of where each bone begins from where its parent's does, file units.
     lengths: Vec<f32>,
 }
 
 impl Tree {
     fn of(skeleton: &Skeleton, sample: &Sample) -> Self {
-        let parents: Vec<Option<usize>> = skeleton.joints().iter().map(|j| j.parent).collect();
-        let mut children = vec![Vec::new(); parents.len()];
-        for (joint, parent) in parents.iter().enumerate() {
-            if let Some(p) = parent {
-                children[*p].push(joint);
-            }
-        }
-        Self { parents, children, lengths: sample.translations.iter().map(|t| t.length()).collect() }
+        let file = BodyTree::of_file(skeleton.joints().iter().map(|j| j.parent).collect());
+        Self::with_lengths(file, sample.translations.iter().map(|t| t.length()).collect())
+    }
+
+    /// The same bones with another root.
+    fn rooted_at(&self, root: usize, sample: &Sample) -> Self {
+        let body = BodyTree::of_file(self.parents.clone()).rooted_at(root);
+        let begins = |joint: usize| body.begins[joint];
+        let length = |joint: usize| {
+            body.parents[joint].map_or(0.0, |parent| sample.mean_distance(begins(parent), begins(joint)))
+        };
+        let lengths = (0..self.parents.len()).map(length).collect();
+        Self::with_lengths(body, lengths)
+    }
+
+    fn with_lengths(BodyTree { parents, order, .. }: BodyTree, lengths: Vec<f32>) -> Self {
+        Self { children: children_of(&parents), parents, order, lengths }
     }
 
     /// From the root to this joint, both included.
@@ -133,19 +145,32 @@ impl Tree {
 
     /// The longest chain of bones from `joint` outwards, `joint` first.
     fn longest_chain(&self, joint: usize) -> Vec<usize> {
-        // Children follow their parents, so one backward pass knows every subtree's reach.
+        // Children follow their parents, so one backward pass knows the reach of every subtree.
         let mut reach = vec![0.0_f32; self.parents.len()];
         let mut next = vec![None; self.parents.len()];
-        for j in (joint..self.parents.len()).rev() {
+        for &j in self.order.iter().rev() {
             for &c in &self.children[j] {
                 let length = self.lengths[c] + reach[c];
                 if next[j].is_none() || length > reach[j] {
                     (reach[j], next[j]) = (length, Some(c));
                 }
             }
+            if j == joint {
+                break;
+            }
         }
         std::iter::successors(Some(joint), |&j| next[j]).collect()
     }
+}
+
+fn children_of(parents: &[Option<usize>]) -> Vec<Vec<usize>> {
+    let mut children = vec![Vec::new(); parents.len()];
+    for (joint, parent) in parents.iter().enumerate() {
+        if let Some(p) = parent {
+            children[*p].push(joint);
+        }
+    }
+    children
 }
 
 /// The joints of one path from root to leaf whose names fit the limb best: parts in order, optional ones
@@ -304,11 +329,16 @@ fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [Lim
     // By depth, and of equal depth the longest first.
     sort_by_number(&mut pairs, |p| -p.length);
     sort_by_number(&mut pairs, |p| tree.depth(p.joint) as f32);
-    let legs = pairs.first()?;
-    let arms = pairs
+    let nearest = pairs.first()?;
+    let farther = pairs
         .iter()
-        .filter(|p| p.joint != legs.joint && tree.is_ancestor(legs.joint, p.joint))
+        .filter(|p| p.joint != nearest.joint && tree.is_ancestor(nearest.joint, p.joint))
         .max_by(|a, b| a.length.total_cmp(&b.length))?;
+    // A file that begins at the chest ends in a pelvis, on which only the longer limbs and single joints hang.
+    let branches = |joint: usize| tree.children[joint].iter().filter(|&&c| !tree.children[c].is_empty()).count();
+    let from_the_chest =
+        branches(farther.joint) == 2 && branches(nearest.joint) > 3 && farther.length > 1.1 * nearest.length;
+    let (legs, arms) = if from_the_chest { (farther, nearest) } else { (nearest, farther) };
     let mut leg_joints = [limb_joints(tree, &legs.chains[0], 0)?, limb_joints(tree, &legs.chains[1], 0)?];
     let mut arm_joints = [limb_joints(tree, &arms.chains[0], 1)?, limb_joints(tree, &arms.chains[1], 1)?];
     if leftness(sample, arms.joint, &leg_joints)? < 0.0 {
@@ -387,16 +417,30 @@ fn leftness(sample: &Sample, above: usize, legs: &[LimbJoints; 2]) -> Option<f32
 }
 
 /// Fills hips, spine, chest, neck and head from the limbs.
-fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINTS]) {
+fn find_trunk(tree: &Tree, sample: &Sample, hints: &[NameHint], roles: &mut [Option<usize>; JOINTS]) {
     let at = |r: Role| roles[r.index()];
     let (Some(left_leg), Some(right_leg)) = (at(Role::LeftUpperLeg), at(Role::RightUpperLeg)) else { return };
     let (Some(left_arm), Some(right_arm)) = (at(Role::LeftUpperArm), at(Role::RightUpperArm)) else { return };
     let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
     let pelvis = tree.lowest_common_ancestor(left_leg, right_leg);
     // The hips are the joint where the way to the legs and the way to the arms part. A separate pelvis below it has no role,
-    // unless the skeleton begins at the chest.
+    // unless the skeleton begins in the trunk: at the chest, the head or the spine.
     let parting = tree.lowest_common_ancestor(pelvis, bearer);
-    let mut hips = if parting == bearer { pelvis } else { parting };
+    let named_hips = tree.path_to(pelvis).into_iter().rev().take_while(|&j| j != parting);
+    let named_hips = named_hips.filter(|&j| hints[j].weight(Part::Hips) > 0.0).last();
+    let rerooted = match named_hips {
+        _ if parting == bearer && parting != pelvis => Some(pelvis),
+        Some(hips) if hints[parting].weight(Part::Trunk) > 0.0 => Some(hips),
+        _ => None,
+    };
+    if let Some(hips) = rerooted {
+        let tree = tree.rooted_at(hips, sample);
+        let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
+        // Where the spine begins, the hips end: it doubles nothing.
+        let spine = tree.between(hips, bearer).first().copied();
+        return find_trunk_on(&tree, hints, roles, hips, spine, [left_arm, right_arm]);
+    }
+    let mut hips = parting;
     // Biped hangs the thighs on the spine.
     if hints[hips].weight(Part::Trunk) > 0.0
         && let Some(parent) = tree.parents[hips]
@@ -404,6 +448,19 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
     {
         hips = parent;
     }
+    find_trunk_on(tree, hints, roles, hips, None, [left_arm, right_arm]);
+}
+
+/// Fills hips, spine, chest, neck and head of a tree that hangs on the hips.
+fn find_trunk_on(
+    tree: &Tree,
+    hints: &[NameHint],
+    roles: &mut [Option<usize>; JOINTS],
+    hips: usize,
+    spine: Option<usize>,
+    [left_arm, right_arm]: [usize; 2],
+) {
+    let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
     if bearer == hips || !tree.is_ancestor(hips, bearer) {
         roles[Role::Hips.index()] = Some(hips);
         return;
@@ -417,7 +474,7 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
         let apart = between.iter().copied().find(|&j| tree.distance(from, j) > 0.01 * tree.distance(hips, chest));
         apart.or(between.last().copied())
     };
-    let spine = first_apart(hips, &tree.between(hips, chest));
+    let spine = spine.filter(|&s| s != chest).or_else(|| first_apart(hips, &tree.between(hips, chest)));
     roles[Role::Hips.index()] = Some(hips);
     roles[Role::Spine.index()] = spine.or(Some(chest));
     roles[Role::Chest.index()] = spine.map(|_| chest);
@@ -428,8 +485,8 @@ fn find_trunk(tree: &Tree, hints: &[NameHint], roles: &mut [Option<usize>; JOINT
 /// The head: the joint called so, else the last joint of the longest chain above the arms before it
 /// branches into a face.
 fn find_head(tree: &Tree, hints: &[NameHint], bearer: usize, arms: [usize; 2]) -> Option<usize> {
-    let named = (bearer + 1..hints.len())
-        .filter(|&j| hints[j].weight(Part::Head) > 0.0 && tree.is_ancestor(bearer, j))
+    let named = (0..hints.len())
+        .filter(|&j| j != bearer && hints[j].weight(Part::Head) > 0.0 && tree.is_ancestor(bearer, j))
         .max_by(|&a, &b| hints[a].weight(Part::Head).total_cmp(&hints[b].weight(Part::Head)).then(b.cmp(&a)));
     if named.is_some() {
         return named;

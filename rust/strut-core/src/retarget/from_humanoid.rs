@@ -1,6 +1,7 @@
 //! From the canonical humanoid back to a file's skeleton.
 
 use super::Binding;
+use super::body_tree::BodyTree;
 use super::sample::local;
 use super::scale::BodyScale;
 use super::stance::{SolePoint, Stance};
@@ -202,7 +203,8 @@ impl FromHumanoid {
 fn trunk_shares(binding: &Binding) -> Vec<(usize, f32)> {
     let [spine, chest] = [Role::Spine, Role::Chest].map(|r| binding.joint_of_role[r.index()]);
     let (Some(spine), Some(chest)) = (spine, chest) else { return Vec::new() };
-    let above = std::iter::successors(binding.parents[chest], |&j| binding.parents[j]);
+    let tree = BodyTree::of(binding.parents.clone(), &binding.joint_of_role);
+    let above = std::iter::successors(tree.parents[chest], |&j| tree.parents[j]);
     let between: Vec<usize> = above.take_while(|&j| j != spine).collect();
     let steps = (between.len() + 1) as f32;
     between.iter().enumerate().map(|(i, &joint)| (joint, 1.0 - (i + 1) as f32 / steps)).collect()

@@ -9,6 +9,7 @@ mod anatomy;
 mod axes;
 mod between_bodies;
 mod binding;
+mod body_tree;
 mod find_roles;
 mod floor;
 mod from_humanoid;

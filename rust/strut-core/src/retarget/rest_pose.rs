@@ -6,6 +6,7 @@
 //! rotations of the trunk, all snapped to the nearest local coordinate axes, so that every clip of a
 //! skeleton gives the same rest pose.
 
+use super::body_tree::BodyTree;
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Role};
 use crate::math::float_funcs::{asin, atan2, sin_cos};
@@ -61,7 +62,8 @@ fn hinge_of(bone: Role) -> Vec3 {
 
 /// The rest pose of a skeleton whose required roles are known.
 pub(super) fn rest_pose(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS], sample: &Sample) -> RestPose {
-    let body = Body { skeleton, roles, sample, role_of_joint: invert(skeleton.len(), roles) };
+    let tree = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles);
+    let body = Body { skeleton, tree, roles, sample, role_of_joint: invert(skeleton.len(), roles) };
     match body.zero_pose_frame() {
         Some(frame) => RestPose {
             world_rotations: body.bend_zero_pose(frame),
@@ -95,6 +97,7 @@ pub(super) fn positions(skeleton: &Skeleton, translations: &[Vec3], world_rotati
 
 struct Body<'a> {
     skeleton: &'a Skeleton,
+    tree: BodyTree,
     roles: &'a [Option<usize>; JOINTS],
     sample: &'a Sample,
     role_of_joint: Vec<Option<Role>>,
@@ -111,7 +114,16 @@ impl Body<'_> {
     }
 
     fn parent(&self, joint: usize) -> Option<usize> {
-        self.skeleton.joints()[joint].parent
+        self.tree.parents[joint]
+    }
+
+    /// Mean place where the bone of a joint begins, relative to where that of `of` does and in its frame.
+    fn mean_local(&self, of: usize, joint: usize) -> Vec3 {
+        let [from, to] = [of, joint].map(|j| self.tree.begins[j]);
+        if [from, to] == [of, joint] {
+            return self.sample.mean_local(of, joint);
+        }
+        self.sample.mean(|w| w[of].1.inv_mul_vec3(w[to].0 - w[from].0))
     }
 
     /// Top of the trunk, to which the spine points.
@@ -157,7 +169,7 @@ impl Body<'_> {
             }
         }
         let hips = 0.5 * (zero[self.required(Role::LeftUpperLeg)] + zero[self.required(Role::RightUpperLeg)]);
-        let up = (zero[self.trunk_top()] - hips).normalize_or_zero();
+        let up = (zero[self.tree.begins[self.trunk_top()]] - hips).normalize_or_zero();
         let left = toward(Role::RightUpperLeg, Role::LeftUpperLeg);
         let arms_apart = toward(Role::RightHand, Role::LeftHand).dot(left);
         let legs_parallel = down.length() > 1.6;
@@ -173,7 +185,7 @@ impl Body<'_> {
         let n = self.skeleton.len();
         let zero = positions(self.skeleton, &self.sample.translations, &vec![Quat::IDENTITY; n]);
         let mut rest = vec![frame; n];
-        for j in 0..n {
+        for &j in &self.tree.order {
             let Some(p) = self.parent(j) else { continue };
             rest[j] = rest[p];
             let Some(role) = self.role_of_joint[j] else { continue };
@@ -197,7 +209,7 @@ impl Body<'_> {
     fn read_anatomy(&self) -> Vec<Quat> {
         let n = self.skeleton.len();
         let mut rest = vec![Quat::IDENTITY; n];
-        for j in 0..n {
+        for &j in &self.tree.order {
             rest[j] = match self.role_of_joint[j] {
                 Some(Role::Hips) => self.hips_frame(j).inverse(),
                 Some(role) => self.joint_rest(role, j, &rest),
@@ -212,10 +224,10 @@ impl Body<'_> {
 
     /// Axes of the pelvis in the hips' own frame: hip joints give left, the trunk gives up.
     fn hips_frame(&self, hips: usize) -> Quat {
-        let local = |r: Role| self.sample.mean_local(hips, self.required(r));
+        let local = |r: Role| self.mean_local(hips, self.required(r));
         let left = local(Role::LeftUpperLeg) - local(Role::RightUpperLeg);
         let trunk = [Role::Spine, Role::Chest, Role::Neck].iter().filter_map(|&r| self.at(r));
-        let ups = trunk.map(|j| self.sample.mean_local(hips, j));
+        let ups = trunk.map(|j| self.mean_local(hips, j));
         let up = ups.into_iter().find(|v| v.length() > 0.1 * left.length()).unwrap_or(Vec3::Y);
         frame_of(left, snapped(up))
     }
@@ -240,7 +252,7 @@ impl Body<'_> {
     }
 
     fn joint_rest(&self, role: Role, joint: usize, rest: &[Quat]) -> Quat {
-        let bone = self.bone_end(role).map(|end| self.sample.mean_local(joint, end));
+        let bone = self.bone_end(role).map(|end| self.mean_local(joint, end));
         let bone = bone.filter(|b| b.length() > 1e-6);
         match (role, bone) {
             (Role::LeftFoot | Role::RightFoot, Some(toes)) => {
@@ -278,7 +290,7 @@ impl Body<'_> {
     /// Frame of a limb bone: its direction and the axis about which the knee or elbow bends.
     fn limb_rest(&self, role: Role, end: Role, direction: Vec3, rest: &[Quat]) -> Quat {
         let (joint, end) = (self.required(role), self.required(end));
-        let bone = self.sample.mean_local(joint, end).normalize_or_zero();
+        let bone = self.mean_local(joint, end).normalize_or_zero();
         let chain = limb_chain(role);
         let [upper, middle, tip] = chain.map(|r| self.required(r));
         let hinge = hinge_of(role);

@@ -62,6 +62,11 @@ impl Sample {
         self.mean(|w| w[of].1.inv_mul_vec3(w[joint].0 - w[of].0))
     }
 
+    /// Mean distance between two joints.
+    pub(super) fn mean_distance(&self, a: usize, b: usize) -> f32 {
+        self.mean(|w| Vec3::splat((w[a].0 - w[b].0).length())).x
+    }
+
     /// Mean of a rotation over the frames.
     pub(super) fn mean_rotation(&self, f: impl Fn(&[(Vec3, Quat)]) -> Quat) -> Quat {
         let rotations: Vec<Quat> = self.frames.iter().map(|frame| f(frame)).collect();

@@ -20,6 +20,7 @@
 mod any_skeleton;
 mod error;
 mod euler;
+mod far;
 mod humanoid;
 mod motion;
 mod number;

@@ -1,6 +1,7 @@
 //! [`Bvh`] ↔ [`Motion`].
 
 use super::euler::{compose, decompose};
+use super::far::Far;
 use super::{Axis, Bvh, BvhError, Channel, MAX_ABS_VALUE};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
@@ -48,7 +49,8 @@ impl Bvh {
         steps > 0 && (0..steps).map(largest).sum::<f64>() < SMALL_STEP * steps as f64
     }
 
-    /// The clip as local translations and rotations. Lengths stay in the file's unit.
+    /// The clip as local translations and rotations. Lengths stay in the file's unit. A body far from the file's origin is
+    /// brought near it.
     ///
     /// # Errors
     /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not read by
@@ -64,8 +66,9 @@ impl Bvh {
         let channels = self.channels();
         let mut translations = Vec::with_capacity(self.frames * self.joints.len());
         let mut rotations = Vec::with_capacity(self.frames * self.joints.len());
+        let far = self.far();
         for row in self.values.chunks_exact(channels.max(1)) {
-            for (translation, rotation) in self.transforms(row) {
+            for (translation, rotation) in self.transforms_near(row, far) {
                 translations.push(translation);
                 rotations.push(rotation);
             }
@@ -76,8 +79,13 @@ impl Bvh {
     /// Local translation and rotation of every joint in a frame with these values, [`Bvh::channels`] of them; joints that lack
     /// some are left out.
     pub fn transforms(&self, row: &[f64]) -> impl Iterator<Item = (Vec3, Quat)> {
+        self.transforms_near(row, None)
+    }
+
+    /// The same, with the place of a body that is far taken away.
+    fn transforms_near(&self, row: &[f64], far: Option<Far>) -> impl Iterator<Item = (Vec3, Quat)> {
         let added = self.added_positions;
-        self.joints.iter().scan(row, move |rest, joint| {
+        self.joints.iter().enumerate().scan(row, move |rest, (j, joint)| {
             let (own, others) = rest.split_at_checked(joint.channels.len())?;
             *rest = others;
             let mut translation = joint.offset;
@@ -86,6 +94,9 @@ impl Bvh {
                     let at = &mut translation[*axis as usize];
                     *at = if added && joint.parent.is_some() { *at + value } else { value };
                 }
+            }
+            if let Some(far) = far.filter(|far| far.joint == j) {
+                translation = std::array::from_fn(|axis| translation[axis] - far.place[axis]);
             }
             let turns = joint.channels.iter().zip(own).filter_map(|(channel, &value)| match channel {
                 Channel::Rotation(axis) => Some((*axis, value.to_radians())),
@@ -97,7 +108,7 @@ impl Bvh {
     }
 
     /// The motion as a file of this hierarchy: same names, offsets and channel order, the motion's frame
-    /// time and local transforms. Only what the channels can express is kept.
+    /// time and local transforms. Only what the channels can express is kept. The body is as far from the origin as in this file.
     ///
     /// Angles continue from frame to frame without wrapping, beginning at those nearest to this file's
     /// first frame. Values are rounded to six decimals, finer than `f32` resolves.
@@ -115,13 +126,19 @@ impl Bvh {
         let mut previous: Vec<f64> = self.values.iter().copied().take(channels).collect();
         previous.resize(channels, 0.0);
         let mut solver = AngleSolver::default();
+        let far = self.far();
         for f in 0..motion.frames() {
             let mut first = 0;
-            for ((joint, t), q) in self.joints.iter().zip(motion.translations_at(f)).zip(motion.rotations_at(f)) {
+            let transforms = motion.translations_at(f).iter().zip(motion.rotations_at(f));
+            for (j, (joint, (t, q))) in self.joints.iter().zip(transforms).enumerate() {
                 let row = first..first + joint.channels.len();
                 first = row.end;
                 let is_added = self.added_positions && joint.parent.is_some();
                 let t = if is_added { *t - vec3(joint.offset) } else { *t };
+                let mut t = t.to_array().map(f64::from);
+                if let Some(far) = far.filter(|far| far.joint == j) {
+                    t = std::array::from_fn(|axis| t[axis] + far.place[axis]);
+                }
                 solver.write(&joint.channels, t, *q, &mut previous[row.clone()]);
                 if let Some(&value) = previous[row].iter().find(|v| v.is_nan() || v.abs() > MAX_ABS_VALUE) {
                     return Err(BvhError::Unwritable { frame: f, joint: joint.name.clone(), value });
@@ -149,12 +166,12 @@ struct AngleSolver {
 
 impl AngleSolver {
     /// Replaces the joint's channel values of the frame before by those of a translation and rotation.
-    fn write(&mut self, channels: &[Channel], translation: Vec3, rotation: Quat, values: &mut [f64]) {
+    fn write(&mut self, channels: &[Channel], translation: [f64; 3], rotation: Quat, values: &mut [f64]) {
         self.axes.clear();
         self.before.clear();
         for (channel, value) in channels.iter().zip(values.iter_mut()) {
             match channel {
-                Channel::Position(axis) => *value = f64::from(translation[*axis as usize]),
+                Channel::Position(axis) => *value = translation[*axis as usize],
                 Channel::Rotation(axis) => {
                     self.axes.push(*axis);
                     self.before.push(value.to_radians());

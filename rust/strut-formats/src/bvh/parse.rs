@@ -59,6 +59,15 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
             "Position channels were added to the offsets of their joints; in place of them they would fold up the body.",
         ));
     }
+    if let Some(far) = bvh.far() {
+        let [x, y, z] = far.place;
+        cursor.notes.push(Note::new(
+            NoteCode::Far,
+            format!(
+                "The body is far from the origin of the file, at ({x:.0}, {y:.0}, {z:.0}): it was brought near it."
+            ),
+        ));
+    }
     Ok((bvh, cursor.notes))
 }
 

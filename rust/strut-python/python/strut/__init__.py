@@ -11,7 +11,7 @@ from ._arrays import Arrays, Styled
 from ._errors import StrutError
 from ._many import stylize_many
 from ._strut import Database, KeyStyleModel, Motion, StyledMotion, Stylizer, Walker, WalkModel, evaluate, stylize
-from ._types import EvaluateOptions, Options, TraceLine
+from ._types import EvaluateOptions, Note, Options, TraceLine
 from .metrics import positions
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "EvaluateOptions",
     "KeyStyleModel",
     "Motion",
+    "Note",
     "Options",
     "StrutError",
     "Styled",

@@ -6,8 +6,10 @@ from numpy.typing import NDArray
 
 from ._arrays import Arrays, Styled
 from ._errors import StrutError
-from ._types import EvaluateOptions, Options, PathLike, Progress, Styles, Track, TraceLine
+from ._types import EvaluateOptions, Note, Options, PathLike, Progress, Styles, Track, TraceLine
 from .batch import Job, Record
+
+_UpAxis = Literal["x", "-x", "y", "-y", "z", "-z"]
 
 __all__ = [
     "Database",
@@ -76,7 +78,14 @@ class Database:
 @final
 class Motion:
     @staticmethod
-    def open(source: PathLike | bytes, *, roles: Mapping[str, str | None] | None = None) -> Motion: ...
+    def open(
+        source: PathLike | bytes,
+        *,
+        roles: Mapping[str, str | None] | None = None,
+        up: _UpAxis | None = None,
+        floor: float | None = None,
+        swap_sides: bool = False,
+    ) -> Motion: ...
     @staticmethod
     def from_arrays(
         names: Sequence[str],
@@ -91,7 +100,15 @@ class Motion:
         roles: Mapping[str, str | None] | None = None,
     ) -> Motion: ...
     @staticmethod
-    def _reopen(bytes: bytes, name: str, roles: Mapping[str, str | None], metres_per_unit: float | None) -> Motion: ...
+    def _reopen(
+        bytes: bytes,
+        name: str,
+        roles: Mapping[str, str | None] | None,
+        up: _UpAxis | None,
+        floor: float | None,
+        swap_sides: bool,
+        metres_per_unit: float | None,
+    ) -> Motion: ...
     def poses(self, db: Database) -> NDArray[np.float32]: ...
     def contacts(self, db: Database) -> NDArray[np.uint8]: ...
     @property
@@ -106,7 +123,14 @@ class Motion:
     def roles(self) -> dict[str, str]: ...
     @property
     def note(self) -> str: ...
-    def __reduce__(self) -> tuple[Callable[..., Motion], tuple[bytes, str, dict[str, str | None], float | None]]: ...
+    @property
+    def notes(self) -> list[Note]: ...
+    def __reduce__(
+        self,
+    ) -> tuple[
+        Callable[..., Motion],
+        tuple[bytes, str, dict[str, str | None] | None, _UpAxis | None, float | None, bool, float | None],
+    ]: ...
 
 @final
 class StyledMotion:
@@ -118,6 +142,8 @@ class StyledMotion:
     def planted(self) -> NDArray[np.uint8]: ...
     @property
     def class_weights(self) -> dict[str, float]: ...
+    @property
+    def notes(self) -> list[Note]: ...
     @property
     def duration_secs(self) -> float: ...
     @property
@@ -155,6 +181,10 @@ class Plan:
         parts: Mapping[str, Styles] | None = None,
         retry: Literal["failed", "skipped", "all"] | None = None,
         verify: bool = False,
+        roles: Mapping[str, str | None] | None = None,
+        up: _UpAxis | None = None,
+        floor: float | None = None,
+        swap_sides: bool = False,
         **options: Unpack[Options],
     ) -> Plan: ...
     def pending(self, *, progress: Progress | None = None) -> list[Job]: ...

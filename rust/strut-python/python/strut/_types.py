@@ -34,6 +34,15 @@ class Options(TypedDict, total=False):
     search: str | None
 
 
+class Note(TypedDict):
+    """What may be wrong in how a file was read or styled."""
+
+    code: str
+    """What it is about; docs/reading.md lists the codes."""
+    text: str
+    """The sentence."""
+
+
 class TraceLine(TypedDict):
     """How a frame was computed."""
 

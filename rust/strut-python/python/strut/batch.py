@@ -13,6 +13,7 @@ The files, their keys and the manifest are those of `strut stylize-batch`: each 
 from typing import Literal, TypedDict
 
 from ._strut import Plan
+from ._types import Note
 
 __all__ = ["Job", "Plan", "Record"]
 
@@ -43,6 +44,8 @@ class Record(TypedDict):
     frames: int | None
     repaired: int | None
     """Unusable frames of the input that were replaced."""
+    notes: list[Note]
+    """What may be wrong with the output."""
     status: Literal["done", "skipped", "failed"]
     code: Literal["bad-file", "bad-input", "io", "fault"] | None
     message: str | None
