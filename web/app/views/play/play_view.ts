@@ -468,7 +468,8 @@ class PlayView implements View {
   }
 
   #onEscape({ key, defaultPrevented }: KeyboardEvent): void {
-    if (key !== "Escape" || defaultPrevented || !this.#shown || document.querySelector("dialog[open]")) return;
+    if (key !== "Escape" || defaultPrevented || !this.#shown || document.querySelector("dialog[open], :popover-open"))
+      return;
     this.#closeReading();
   }
 

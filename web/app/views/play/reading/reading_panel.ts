@@ -6,6 +6,7 @@ import { button } from "../../../../ui/controls/buttons";
 import { icon } from "../../../../ui/controls/icons";
 import { formatNumber, html, saveFile, setText } from "../../../../ui/dom";
 import { grouped } from "../../../strings/numerals";
+import { announce } from "../../../ui/announce";
 import { askForRoles } from "../../../ui/roles_dialog";
 import { jointFile, readJointFile } from "./joint_file";
 import { otherNotes } from "./other_notes";
@@ -85,13 +86,7 @@ export class ReadingPanel {
     this.#input = input;
     const { reading: read, notes } = input;
     if (!read) return;
-    setText(
-      this.#facts,
-      words.facts(
-        grouped(read.frames),
-        formatNumber(read.rateHz, Number.isInteger(Math.round(read.rateHz * 100) / 100) ? 0 : 2),
-      ),
-    );
+    setText(this.#facts, words.facts(grouped(read.frames), String(Math.round(100 * read.rateHz) / 100)));
     this.#up.value = read.up;
     this.#sides.value = read.mirrored ? "1" : "0";
     this.#floor.value = String(Math.round(1000 * read.floorMetres) / 10);
@@ -162,7 +157,8 @@ export class ReadingPanel {
 
   /** Has the file be read so; where it cannot be, the rows show again how it is. */
   async #read(reading: FileReading): Promise<void> {
-    if (!(await this.#listeners.onRead(reading))) this.#showAgain();
+    if (await this.#listeners.onRead(reading)) announce(words.again);
+    else this.#showAgain();
   }
 
   #showAgain(): void {
