@@ -162,6 +162,14 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(() => source("Joints")).toBe("by name");
   });
 
+  it("has its other notes below the rows, and beside the input", async () => {
+    await drop("T17_fewer");
+    await openPanel();
+    await eventually(() => panel().getByRole("list", { name: "Notes" }).textContent()).toMatch(/frames/);
+    await eventually(() => page.locator(".input-note").textContent()).toMatch(/frames/);
+    await screenshot(page, "how-read-notes");
+  });
+
   it("closes with the file, and a built-in motion has nothing to say", async () => {
     await page.getByLabel("Input motion").selectOption({ label: "neutral walk" });
     await eventually(() => panel().isVisible()).toBe(false);
