@@ -28,13 +28,30 @@ const files = ["walk_neutral_001.bvh", "walk_old_001.bvh"].map(
 );
 const clip = await strut.openMotion(readFileSync("clips/walk_depressed_001.bvh", "utf8"));
 
+// anchor read
+const take = await strut.openMotion(readFileSync("clips/walk_depressed_001.bvh", "utf8"), {
+  reading: { up: "y", floor: 0, joints: { chest: null } }, // what you do not say is read from the body
+});
+for (const { code, text } of take.notes) console.warn(`${code}: ${text}`);
+const guesses = take.reading?.guesses; // such as ["up"]
+const joints = take.reading?.joints; // { hips: "Hips", chest: null, … }
+// end read
+
 // anchor own
 const mine = await strut.openDatabase(files); // BVH files whose names say action and style: walk_old_1.bvh
 const more = await strut.addStyle(mine, clip, "tired");
 const file = await more.toFile(); // a .strutdb
 // end own
 
+const read = [guesses, joints?.chest];
 console.log(
-  JSON.stringify([text.slice(0, 9), first.frame, styled.poses.length / poses.length, more.info.styles, file.size]),
+  JSON.stringify([
+    text.slice(0, 9),
+    first.frame,
+    styled.poses.length / poses.length,
+    more.info.styles,
+    file.size,
+    read,
+  ]),
 );
 strut.dispose();

@@ -86,8 +86,9 @@ test("the package styles a walk in Node", () => {
 
 test("the code of the package's README styles, and builds a database", () => {
   cpSync(join(EXAMPLES, "js", "styling.mjs"), join(folder, "styling.mjs"));
-  const [text, frame, share, styles, bytes] = JSON.parse(run(process.execPath, "styling.mjs")) as unknown[];
+  const [text, frame, share, styles, bytes, read] = JSON.parse(run(process.execPath, "styling.mjs")) as unknown[];
   expect([text, frame, share, styles]).toEqual(["HIERARCHY", 0, 1, ["neutral", "old", "tired"]]);
+  expect(read).toEqual([[], null]);
   expect(bytes).toBeGreaterThan(100_000);
 });
 

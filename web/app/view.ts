@@ -1,7 +1,7 @@
 /** What a view is to the page, and what the page is to a view. */
 
 import type { DroppedFile } from "../client/build/protocol";
-import type { ExactPoses } from "../client/protocol";
+import type { ExactPoses, FileReading } from "../client/protocol";
 import type { Role } from "../humanoid";
 import type { Session } from "../player/session";
 import type { Performer, Viewer } from "../viewer";
@@ -45,6 +45,8 @@ export interface ViewHost {
   checkJoints(): void;
   /** Opens an input by its name in the library; whether it is open now. */
   chooseInput(name: string): Promise<boolean>;
+  /** Reads the open file as a person says; whether it could be read so. */
+  readAs(reading: FileReading): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */
   chooseFile(): void;
   /** Makes a motion the input of Play, and goes there; `exact` are the poses that its file was written from. */

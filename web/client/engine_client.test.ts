@@ -84,6 +84,21 @@ describe("handles", () => {
     expect((await session.step(0)).pose).toHaveLength(POSE_FLOATS);
   });
 
+  test("a file is read as a person says, and says how it was read", async () => {
+    const { client, database } = await openDemo();
+    const reading = { floor: 0.5, unit: 0.01 };
+    const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk, reading });
+    const info = await motion.on(database);
+    expect(info.reading).toMatchObject({ floorMetres: 0.5, floorFrom: "said", said: reading });
+    expect((await motion.read()).reading).toEqual(info.reading);
+    const { id } = info.reading!.skeleton;
+    const remembered = { [id]: { unit: 0.01 } };
+    const next = await client.openMotion({ kind: "bvh", name: "next", bytes: proudWalk, remembered });
+    expect((await next.on(database)).reading).toMatchObject({ said: { unit: 0.01 }, remembered: true });
+    const unlike = await client.openMotion({ kind: "bvh", name: "unlike", bytes: proudWalk, reading: {}, remembered });
+    expect((await unlike.on(database)).reading).toMatchObject({ said: {}, remembered: false });
+  });
+
   test("disposing of a database closes what was made of it, and only that", async () => {
     const { client, database, motion, info } = await openDemo();
     const other = await client.openDatabase({ kind: "demo" });

@@ -90,10 +90,10 @@ export class EngineClient {
     const { connection } = this;
     const id = connection.nextId();
     // The caller may use its bytes otherwise; they are needed again after a fault.
-    const isFile = source.kind === "bvh";
-    const copy = isFile ? { kind: source.kind, name: source.name, bytes: source.bytes.slice(0) } : source;
-    await connection.call("openMotion", [id, copy], options);
-    return new ClientMotion(connection, id, copy, isFile ? source.exact : undefined);
+    const { exact, ...kept } =
+      source.kind === "bvh" ? { ...source, bytes: source.bytes.slice(0) } : { ...source, exact: undefined };
+    await connection.call("openMotion", [id, kept], options);
+    return new ClientMotion(connection, id, kept, exact);
   }
 
   /** A motion that is played in a database. */

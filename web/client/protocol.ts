@@ -7,6 +7,7 @@
  */
 import type { BuiltInSet } from "../engine/built_in";
 import type { Recorded } from "../engine/crowd/limits";
+import type { RememberedReadings, Said } from "../engine/file_read";
 import type {
   Analysis,
   CallOptions,
@@ -14,6 +15,7 @@ import type {
   DatabaseInfo,
   Examples,
   InputInfo,
+  Note,
   Performed,
   SearchFigures,
   StylizeOptions,
@@ -26,7 +28,7 @@ import type { LiveFrame } from "./live_frame";
 
 export { isCancellation, isFault, isUnloaded, StrutError, type StrutErrorCode } from "../engine/errors";
 export * from "../engine/types";
-export type { BuiltInSet, LiveFrame };
+export type { BuiltInSet, LiveFrame, RememberedReadings };
 
 /** What an engine recorded of a motion, and how long that is, seconds. */
 export interface RecordedMotion extends Recorded {
@@ -47,6 +49,8 @@ export interface StyledClip extends Analysis {
   frameMs: number;
   /** The text of a BVH file on the motion's own skeleton; empty unless it was asked for. */
   bvh: string;
+  /** What may be wrong in how the motion was read. */
+  notes: readonly Note[];
 }
 
 /** Default half-life of a change of style. */
@@ -77,7 +81,7 @@ export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strut
 /** Where a motion comes from. */
 export type InputSource =
   | { kind: "built-in"; name: string; set?: BuiltInSet }
-  | { kind: "bvh"; name: string; bytes: ArrayBuffer; exact?: ExactPoses };
+  | ({ kind: "bvh"; name: string; bytes: ArrayBuffer; exact?: ExactPoses } & Said);
 
 /** The poses that a file was written from: it holds them rounded, and not the height of the hips. */
 export interface ExactPoses {

@@ -1,5 +1,5 @@
 /** What a player has open: a motion, a database, and the figure that shows them. */
-import type { CallOptions } from "../client/protocol";
+import type { CallOptions, FileReading } from "../client/protocol";
 import type { Database, Motion, Source } from "../package/types";
 import { html } from "../ui/dom";
 import type { Cast, CastSource } from "./cast";
@@ -21,6 +21,8 @@ export interface Opened {
 /** What is to be opened. */
 export interface Wanted {
   motion: Source | Motion;
+  /** What a link says of how the motion's file is read. */
+  reading: FileReading | undefined;
   database: Source | Database;
   character: CastSource;
   settings: Settings;
@@ -31,13 +33,13 @@ export interface Wanted {
  * @throws StrutError
  */
 export async function openFigure(
-  { motion: source, database: base, character, settings }: Wanted,
+  { motion: source, reading, database: base, character, settings }: Wanted,
   { cast, picture, listeners }: { cast: Cast; picture: HTMLElement; listeners: FigureListeners },
   call: CallOptions,
 ): Promise<Opened> {
   const engine = sharedEngine();
   const casting = cast.take(character, call).catch((thrown: unknown) => thrown);
-  const leases = await allOrNone([engine.database(base, call), engine.motion(source, {})]);
+  const leases = await allOrNone([engine.database(base, call), engine.motion(source, { reading })]);
   const [database, motion] = leases;
   // The figure before it is seen until this one takes its place.
   const container = html("div", { class: "picture" });

@@ -371,7 +371,8 @@ export class StrutPlayer extends ElementBase {
       this.dispatchEvent(new CustomEvent("progress", { detail: { label, fraction } }));
     };
     this.#poster.fraction = 0;
-    const wanted = { motion, database: this.db, character: this.character, settings };
+    const reading = file && settings.linked.reading;
+    const wanted = { motion, reading, database: this.db, character: this.character, settings };
     return openFigure(wanted, { cast: this.#cast, picture: this.#picture, listeners }, { onProgress });
   }
 

@@ -1,6 +1,6 @@
 /** One engine for all players of a page, and what they have open in it: the same file is opened once. */
 import type { CallOptions } from "../client/protocol";
-import type { Database, Motion, Source, Strut } from "../package/types";
+import type { Database, Motion, MotionOptions, Source, Strut } from "../package/types";
 
 /** Something open that several players use; each of them releases it. */
 export interface Lease<T> {
@@ -85,7 +85,7 @@ export class SharedEngine {
   }
 
   /** An open motion, or one that is opened. @throws StrutError */
-  motion(source: Source | Motion, call: CallOptions): Promise<Lease<Motion>> {
+  motion(source: Source | Motion, call: MotionOptions & CallOptions): Promise<Lease<Motion>> {
     if (isOpened(source)) return Promise.resolve(given(source));
     return this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call);
   }

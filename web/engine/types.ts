@@ -6,6 +6,8 @@
  * hips relative to the world. Times are seconds.
  */
 
+import type { Role } from "../humanoid";
+
 /** A database that is open in the worker. */
 export interface DatabaseInfo {
   /** Name of the file without its ending, or of the built-in database. */
@@ -26,6 +28,76 @@ export interface DatabaseInfo {
   classes: { action: string; style: string; frames: number }[];
 }
 
+/** An axis of a file that points up. */
+export const UP_AXES = ["y", "-y", "z", "-z", "x", "-x"] as const;
+/** An axis of a file that points up. */
+export type UpAxis = (typeof UP_AXES)[number];
+
+/** Joints by role, by their names; `null` says that the skeleton has no such joint. */
+export type JointNames = Readonly<Partial<Record<Role, string | null>>>;
+
+/** What a person says of a file, in place of what is read from the body. What is left out is read. */
+export interface FileReading {
+  /** The file's up axis. */
+  up?: UpAxis;
+  /** Height of the floor along the up axis, metres. */
+  floor?: number;
+  /** Whether left and right are the other way round than they are read. */
+  swapSides?: boolean;
+  /** Whether the file is a mirror image, whatever the body shows; `swapSides` does not count then. */
+  mirrored?: boolean;
+  /** Metres per unit of length. */
+  unit?: number;
+  /** The joint of each role; those of roles that are left out are found. */
+  joints?: JointNames;
+}
+
+/** What may be wrong in how a motion was read. */
+export interface Note {
+  /** What it is about; docs/reading.md lists the codes. */
+  code: string;
+  /** The sentence. */
+  text: string;
+}
+
+/** How a file was read, and where each part of that comes from. */
+export interface FileRead {
+  /** Frames of the file. */
+  frames: number;
+  /** Frames a second of the file. */
+  rateHz: number;
+  /** The file's up axis. */
+  up: UpAxis;
+  /** Whether +Y was taken as it is, the axis was guessed from the body, or a person said it. */
+  upFrom: "as-is" | "guessed" | "said";
+  /** Whether left and right are exchanged: the file is a mirror image. */
+  mirrored: boolean;
+  /** Whether the sides are as they are named, were guessed from the body, or a person said them. */
+  sidesFrom: "as-is" | "guessed" | "said";
+  /** Height of the floor along the up axis, metres. */
+  floorMetres: number;
+  /** Whether the floor was measured, or a person said it. */
+  floorFrom: "measured" | "said";
+  /** Metres per unit of length. */
+  metresPerUnit: number;
+  /** Whether the unit was measured on the body, or a person said it. */
+  unitFrom: "measured" | "said";
+  /** Height of the body, metres. */
+  heightMetres: number;
+  /** The joint of each role. */
+  joints: Readonly<Record<Role, string | null>>;
+  /** Whether all joints were found by their names, some by the shape of the skeleton, or a person said some. */
+  jointsFrom: "names" | "shape" | "said";
+  /** The skeleton: its identity, which is the same for the same names in the same tree, and the names of its joints. */
+  skeleton: { id: string; joints: readonly string[] };
+  /** What was guessed and can be said instead. */
+  guesses: readonly ("up" | "sides" | "joints")[];
+  /** What a person said. */
+  said: FileReading;
+  /** Whether that was remembered of an earlier file with the skeleton. */
+  remembered: boolean;
+}
+
 /** What a motion's file says, before it is carried over to a database. */
 export interface MotionFacts {
   /** Frames of the file. */
@@ -36,6 +108,10 @@ export interface MotionFacts {
   durationSecs: number;
   /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
   note: string;
+  /** What may be wrong in how the file was read. */
+  notes: readonly Note[];
+  /** How the file was read; `undefined` for a motion that came from none. */
+  reading: FileRead | undefined;
 }
 
 /** What the engine holds. */
@@ -52,8 +128,12 @@ export interface InputInfo {
   frames: number;
   rateHz: number;
   durationSecs: number;
-  /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
+  /** Sentences for people on what may be wrong and on the match of the skeletons; empty if there is nothing to say. */
   note: string;
+  /** What may be wrong in how it was read. */
+  notes: readonly Note[];
+  /** How its file was read; `undefined` for a motion that came from none. */
+  reading: FileRead | undefined;
   /** The input on the database's humanoid, `frames` poses. */
   poses: Float32Array;
   /** Foot contacts of the input, left and right interleaved, 1 while planted. */

@@ -1,5 +1,5 @@
 /** State of the Play view: styles, model and picture. */
-import { BODY_PARTS, type BodyPart, METHODS, type Method } from "../client/protocol";
+import { BODY_PARTS, type BodyPart, type FileReading, METHODS, type Method } from "../client/protocol";
 import type { Range } from "../ui/controls/range";
 import type { Selection } from "../ui/polygon/selection";
 import {
@@ -14,6 +14,7 @@ import {
   selection,
   text,
 } from "./fields";
+import { decodeReading, encodeReading } from "./reading";
 
 /** Styles of the parts of the body that have their own. */
 export type Parts = Readonly<Partial<Record<BodyPart, Selection>>>;
@@ -57,6 +58,8 @@ export interface PlayState {
   /** Whether the output is smoothed where the database does not cover the input. */
   coherence: boolean;
   method: Method;
+  /** What is said of how the input's file is read; nothing for a built-in input. */
+  reading: FileReading;
   /** The action and the style that the input is said to be; empty where the engine reads them from it. */
   action: string;
   inputStyle: string;
@@ -161,6 +164,7 @@ export const PLAY_FIELDS: Fields<PlayState> = {
   footplant: flag("footplant", true, true),
   coherence: flag("coherence", true, true),
   method: choice("method", "mar", METHODS, true),
+  reading: listed("read", {}, encodeReading, decodeReading),
   action: text("action", "", true),
   inputStyle: text("from", "", true),
   side: choice("side", "a", SIDES, true),

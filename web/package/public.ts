@@ -5,10 +5,14 @@ export type {
   BodyPart,
   CallOptions,
   DatabaseInfo,
+  FileRead,
+  FileReading,
   FrameRange,
+  JointNames,
   LiveFrame,
   MemoryInfo,
   ModelOptions,
+  Note,
   OpenMemory,
   Progress,
   Reading,
@@ -16,6 +20,7 @@ export type {
   StyleKey,
   StyleWeights,
   StylizeOptions,
+  UpAxis,
 } from "../client/protocol";
 export type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 export type { TraceFrame } from "../formats/trace";

@@ -12,11 +12,14 @@ import {
   type DatabaseInfo,
   type DatabaseSource,
   DEFAULT_OPTIONS,
+  type FileRead,
+  type FileReading,
   type FrameRange,
   type InputSource,
   type LiveFrame,
   type MemoryInfo,
   type MotionFacts,
+  type Note,
   StrutError,
   type StyledClip,
   type StylizeOptions,
@@ -29,7 +32,18 @@ import type { Live, LiveOptions } from "../streams/live";
 import type { PoseSource } from "../streams/pose_source";
 import { addedStyle, buildDatabase, fileOf, isZip, packedFile } from "./builds";
 import { builtInName, readSource } from "./sources";
-import type { Database, LiveStylizer, Motion, Options, Playback, Source, Strut, StyledMotion, Thread } from "./types";
+import type {
+  Database,
+  LiveStylizer,
+  Motion,
+  MotionOptions,
+  Options,
+  Playback,
+  Source,
+  Strut,
+  StyledMotion,
+  Thread,
+} from "./types";
 
 /** Replaced by the version of `package.json` when the package is built. */
 declare const STRUT_VERSION: string;
@@ -77,9 +91,9 @@ export class StrutEngine implements Strut {
     return this.client.openKeyStyle({ file: new Uint8Array(bytes) }, call);
   }
 
-  async openMotion(source: Source, call: CallOptions = {}): Promise<Motion> {
+  async openMotion(source: Source, { reading, ...call }: MotionOptions & CallOptions = {}): Promise<Motion> {
     const name = builtInName(source);
-    const opened = name === undefined ? await motionFile(source, call) : await this.#builtIn(name);
+    const opened = name === undefined ? await motionFile(source, reading, call) : await this.#builtIn(name);
     const motion = await this.client.openMotion(opened, call);
     try {
       const facts = await motion.read(call);
@@ -199,14 +213,17 @@ class OpenedMotion implements Motion {
   readonly rateHz: number;
   readonly durationSecs: number;
   readonly note: string;
+  readonly notes: readonly Note[];
+  readonly reading: FileRead | undefined;
 
   constructor(
     readonly handle: ClientMotion,
     readonly name: string,
-    { frames, rateHz, durationSecs, note }: MotionFacts,
+    { frames, rateHz, durationSecs, note, notes, reading }: MotionFacts,
     private readonly own: (database: Database) => ClientDatabase,
   ) {
-    [this.frames, this.rateHz, this.durationSecs, this.note] = [frames, rateHz, durationSecs, note];
+    [this.frames, this.rateHz, this.durationSecs] = [frames, rateHz, durationSecs];
+    [this.note, this.notes, this.reading] = [note, notes, reading];
   }
 
   async poses(database: Database, call?: CallOptions): Promise<Float32Array> {
@@ -263,6 +280,7 @@ class StyledResult implements StyledMotion {
   readonly planted: Uint8Array;
   readonly classWeights: Float32Array;
   readonly durationOutSecs: number;
+  readonly notes: readonly Note[];
   readonly #animation: HumanoidAnimation;
   readonly #classes: DatabaseInfo["classes"];
   readonly #writers: Writers;
@@ -271,6 +289,7 @@ class StyledResult implements StyledMotion {
 
   constructor(name: string, clip: StyledClip, { rateHz, classes, proportions }: DatabaseInfo, writers: Writers) {
     const { poses, timeOut, planted, classWeights, durationOutSecs, bvh } = clip;
+    this.notes = clip.notes;
     [this.name, this.proportions] = [name, proportions];
     this.#animation = { name, proportions, poses, times: timeOut };
     this.#writers = writers;
@@ -333,9 +352,13 @@ const WALK_INPUT = "neutral walk";
 /** A name as it stands in a URL: `neutral walk, run and walk` is `neutral-walk-run-and-walk`. */
 const inUrl = (name: string): string => name.toLowerCase().replace(/[^a-z0-9]+/g, "-");
 
-async function motionFile(source: Source, { signal }: CallOptions): Promise<InputSource> {
+async function motionFile(
+  source: Source,
+  reading: FileReading | undefined,
+  { signal }: CallOptions,
+): Promise<InputSource> {
   const { name, bytes } = await readSource(source, "motion", signal);
-  return { kind: "bvh", name: name || "motion", bytes };
+  return { kind: "bvh", name: name || "motion", bytes, reading };
 }
 
 function foreign(what: string, opener: string): StrutError {

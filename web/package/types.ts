@@ -7,7 +7,17 @@
 import type { ClientSession, StyleChange } from "../client/handles";
 import type { KeyStyleModel } from "../client/models/key_style";
 import type { WalkModel } from "../client/models/walk";
-import type { CallOptions, DatabaseInfo, MemoryInfo, Styled, StyleWeights, StylizeOptions } from "../client/protocol";
+import type {
+  CallOptions,
+  DatabaseInfo,
+  FileRead,
+  FileReading,
+  MemoryInfo,
+  Note,
+  Styled,
+  StyleWeights,
+  StylizeOptions,
+} from "../client/protocol";
 import type { Analysis, ModelOptions } from "../engine/types";
 import type { ClipOptions, RigNode, ThreeLike } from "../formats/animation_clip";
 import type { TraceFrame } from "../formats/trace";
@@ -19,6 +29,12 @@ export type Source = string | URL | ArrayBuffer | Uint8Array<ArrayBuffer> | Blob
 
 /** Options of styling; what is not given is the engine's default. */
 export type Options = Partial<StylizeOptions>;
+
+/** How a motion is opened. */
+export interface MotionOptions {
+  /** What is said of a file in place of what is read from the body. */
+  reading?: FileReading | undefined;
+}
 
 /** How the package is loaded. */
 export interface LoadOptions {
@@ -51,9 +67,10 @@ export interface Strut {
 
   /**
    * Opens a motion: a BVH file or its text, or a built-in one such as `"strut:neutral-walk"`.
+   * @param options also `reading`: what is said of the file in place of what is read from the body
    * @throws StrutError `bad-file`, `bad-input`, `load` or `cancelled`
    */
-  openMotion(source: Source, call?: CallOptions): Promise<Motion>;
+  openMotion(source: Source, options?: MotionOptions & CallOptions): Promise<Motion>;
 
   /**
    * Styles a whole motion.
@@ -126,6 +143,10 @@ export interface Motion {
   readonly durationSecs: number;
   /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
   readonly note: string;
+  /** What may be wrong in how the file was read; empty for a clean one. */
+  readonly notes: readonly Note[];
+  /** How the file was read; `undefined` for a built-in motion. */
+  readonly reading: FileRead | undefined;
   /** The motion on the body and at the rate of a database: 87 numbers a frame. */
   poses(database: Database, call?: CallOptions): Promise<Float32Array>;
   /** Closes it. */
@@ -140,6 +161,8 @@ export interface StyledMotion extends Analysis {
   readonly proportions: Float32Array;
   /** Input frames a second. */
   readonly rateHz: number;
+  /** What may be wrong in how the motion was read, with what only shows on the database: cuts and repaired frames. */
+  readonly notes: readonly Note[];
   /** What the engine did in every frame. */
   readonly trace: TraceFrame[];
   /** The text of a BVH file on the motion's own skeleton. @throws StrutError `bad-input` after `bvh: false` */

@@ -1,5 +1,5 @@
 /** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
-import type { BuiltInSet, ExactPoses, InputSource } from "../client/protocol";
+import type { BuiltInSet, ExactPoses, FileReading, InputSource } from "../client/protocol";
 
 /** Name of the input that is steered instead of played. */
 export const DRIVE = "drive";
@@ -16,6 +16,8 @@ export class InputLibrary {
   readonly #dropped = new Map<string, ArrayBuffer>();
   /** Poses that a file was written from. */
   readonly #exact = new Map<string, ExactPoses>();
+  /** What was said of how files are read. */
+  readonly #readings = new Map<string, FileReading>();
 
   get dropped(): string[] {
     return [...this.#dropped.keys()];
@@ -47,9 +49,15 @@ export class InputLibrary {
     return name;
   }
 
+  /** Keeps what is said of how a file is read, also of one that is yet to be added. */
+  say(name: string, reading: FileReading): void {
+    this.#readings.set(name, reading);
+  }
+
   /** Forgets a file that could not be opened. */
   remove(name: string): void {
     this.#dropped.delete(name);
+    this.#readings.delete(name);
     this.#exact.delete(name);
   }
 
@@ -57,7 +65,8 @@ export class InputLibrary {
   source(name: string): InputSource | undefined {
     const bytes = this.#dropped.get(name);
     const exact = this.#exact.get(name);
-    if (bytes) return { kind: "bvh", name, bytes, ...(exact && { exact }) };
+    const reading = this.#readings.get(name);
+    if (bytes) return { kind: "bvh", name, bytes, ...(exact && { exact }), ...(reading && { reading }) };
     if (!this.builtIn.includes(name)) return undefined;
     const set = this.builtInSet;
     return { kind: "built-in", name, ...(set && { set }) };

@@ -22,10 +22,13 @@ import type {
   DatabaseSource,
   ExactPoses,
   Examples,
+  FileReading,
   FrameRange,
   InputInfo,
+  InputSource,
   LiveFrame,
   RecordedMotion,
+  RememberedReadings,
   Restarted,
   ShownFrame,
   StrutClient,
@@ -109,6 +112,8 @@ export class Session {
   live: LivePerformer | undefined;
   /** The performer that a link named and that nobody was asked about yet. */
   liveAsked: string | undefined;
+  /** What people said of skeletons, which counts for files of which nothing is said. */
+  remembered: () => RememberedReadings = () => ({});
   /** What is asked of the steered character now. */
   steer: () => DriveControl = () => STILL;
   /** The last analysis of the input that is open; {@link analysed} says whether it is in the present style. */
@@ -182,6 +187,11 @@ export class Session {
     return this.live?.name ?? (this.drive ? DRIVE : this.inputName);
   }
 
+  /** What was said of how the file that is shown is read. */
+  get reading(): FileReading {
+    return (!this.endless && this.input?.reading?.said) || {};
+  }
+
   /** Whether what is shown has no time line: a character who is steered, or a performer. */
   get endless(): boolean {
     return this.drive !== undefined || this.live !== undefined;
@@ -246,9 +256,18 @@ export class Session {
     if (this.frame && !this.#isPlaying) this.#plays();
   }
 
-  /** Opens an input of the library. */
-  openInput(name: string): Promise<Outcome> {
-    return this.#attempt(() => this.#open(name));
+  /** Opens an input of the library; `reading` is what is said of its file now. */
+  openInput(name: string, reading?: FileReading): Promise<Outcome> {
+    return this.#attempt(() => this.#open(name, reading));
+  }
+
+  /** Opens the file that is open once more, read as a person says, and goes on at the same frame. */
+  readAs(reading: FileReading): Promise<Outcome> {
+    return this.#attempt(async () => {
+      const { inputName, frame } = this;
+      await this.#open(inputName, reading);
+      if (frame) this.playback.seek(frame.inputFrame);
+    });
   }
 
   /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
@@ -367,24 +386,36 @@ export class Session {
     this.#tell("onDatabase", database);
   }
 
-  async #open(name: string): Promise<void> {
+  async #open(name: string, reading?: FileReading): Promise<void> {
     if (name === DRIVE) {
       await this.#openDrive();
       return;
     }
-    const source = this.library.source(name);
-    if (!source) throw new UnknownInput(name);
+    const source = this.#sourceOf(name, reading);
     const input = await this.#progress.run("input", name, (options) => this.#client.openInput(source, options));
     this.#leaveDrive();
     this.#leaveLive();
     this.input = input;
     this.inputName = name;
+    if (input.reading) this.library.say(name, input.reading.said);
     this.analysis = undefined;
     this.examples = undefined;
     this.playback.refresh();
     this.#tell("onInput", input);
     // Unlike an edit, which may go on, it is whole.
     this.analyseSoon(0);
+  }
+
+  /** What the engine opens for a name. @throws UnknownInput */
+  #sourceOf(name: string, said: FileReading | undefined): InputSource {
+    const source = this.library.source(name);
+    if (!source) throw new UnknownInput(name);
+    if (source.kind === "built-in") return source;
+    const { exact, ...file } = source;
+    const reading = said ?? source.reading;
+    // Poses that a file was written from are not read at all.
+    const isRead = reading !== undefined && Object.keys(reading).length > 0;
+    return { ...file, ...(exact && !isRead && { exact }), reading, remembered: this.remembered() };
   }
 
   /** Has a character be steered from where the one on screen is. */

@@ -136,6 +136,13 @@ impl Proportions {
         self.offsets[R::LeftLowerLeg.index()].length() + self.offsets[R::LeftFoot.index()].length()
     }
 
+    /// Height of the body in the T-pose, metres: of its head joint, with as much above it as the mannequin's 1.68 m have.
+    pub fn stature(&self) -> f32 {
+        let head_joint = |p: &Self| [R::Hips, R::Spine, R::Chest, R::Neck, R::Head].map(|r| p.offsets[r.index()].y);
+        let height = |p: &Self| head_joint(p).iter().sum::<f32>();
+        1.68 * height(self) / height(&Self::default())
+    }
+
     /// Whether every offset is finite and every limb bone has a length.
     pub fn is_valid(&self) -> bool {
         self.offsets.iter().all(|o| o.is_finite() && o.length() < 100.0)

@@ -7,6 +7,7 @@ pub mod corpus;
 pub mod joints;
 pub mod key_style_model;
 mod quotation;
+pub mod reading;
 pub mod strutdb;
 pub mod style_keys;
 #[cfg(feature = "vmc")]

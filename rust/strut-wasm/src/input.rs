@@ -2,9 +2,13 @@
 
 use crate::database::{Database, unpackable};
 #[cfg(feature = "files")]
-use crate::input_file::InputFile;
+use crate::input_file::{FileRead, InputFile, texts_of};
+#[cfg(feature = "files")]
+use js_sys::Function;
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, TooManyFrames};
+#[cfg(feature = "files")]
+use strut_core::note::Note;
 use strut_core::transfer::ClipInput;
 #[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
@@ -19,8 +23,9 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Clone)]
 pub struct Input {
     clip: ClipInput,
-    /// What may be wrong, and on the match of the skeletons; empty if there is nothing to say.
-    note: String,
+    /// What may be wrong.
+    #[cfg(feature = "files")]
+    notes: Vec<Note>,
     #[cfg(feature = "files")]
     file: Option<InputFile>,
 }
@@ -57,11 +62,6 @@ impl Input {
         self.clip.motion.poses.len()
     }
 
-    /// What may be wrong, and notes on the match of the skeletons; empty if there are none.
-    pub fn note(&self) -> String {
-        self.note.clone()
-    }
-
     /// The poses.
     pub fn poses(&self) -> Vec<f32> {
         floats_of(self.clip.motion.poses.iter())
@@ -76,27 +76,39 @@ impl Input {
 #[cfg(feature = "files")]
 #[wasm_bindgen]
 impl Input {
-    /// A BVH file.
+    /// A BVH file; `said` gives what a person says of a skeleton by its identity: lines of `strut_formats::reading`.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// With what is wrong with the bytes, or with what was said.
     #[wasm_bindgen(js_name = fromBvh)]
-    pub fn from_bvh(database: &Database, bytes: &[u8]) -> Result<Self, EngineError> {
-        Self::from_file(database, InputFile::read(bytes)?)
+    pub fn from_bvh(database: &Database, bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
+        Self::from_file(database, InputFile::read_as(bytes, said)?)
+    }
+
+    /// Sentences on the match of the skeletons; empty if there are none.
+    pub fn note(&self) -> String {
+        self.file.as_ref().map(InputFile::note).unwrap_or_default()
+    }
+
+    /// What may be wrong: codes and sentences, one after the other.
+    pub fn notes(&self) -> Vec<String> {
+        texts_of(&self.notes)
+    }
+
+    /// How its file was read; `undefined` if it came from none.
+    pub fn read(&self) -> Option<FileRead> {
+        self.file.as_ref().map(InputFile::read)
     }
 }
 
 #[cfg(feature = "files")]
 impl Input {
-    fn from_file(database: &Database, file: InputFile) -> Result<Self, EngineError> {
+    pub(crate) fn from_file(database: &Database, file: InputFile) -> Result<Self, EngineError> {
         let db = database.model().catalogue();
         let clip = ClipInput::new(file.on_body(&db.proportions), db.rate_hz).map_err(too_long)?;
         let mut notes = file.doubts().to_vec();
         notes.extend(clip.notes());
-        // What may be wrong comes first.
-        let texts = notes.iter().map(|note| note.text.to_string()).chain(std::iter::once(file.note()));
-        let note = texts.collect::<Vec<_>>().join(" ");
-        Ok(Self { clip, note, file: Some(file) })
+        Ok(Self { clip, notes, file: Some(file) })
     }
 
     pub(crate) fn clip(&self) -> &ClipInput {
@@ -126,7 +138,8 @@ impl Input {
     fn of_motion(humanoid: HumanoidMotion) -> Self {
         Self {
             clip: ClipInput::whole(humanoid),
-            note: String::new(),
+            #[cfg(feature = "files")]
+            notes: Vec::new(),
             #[cfg(feature = "files")]
             file: None,
         }

@@ -1,12 +1,50 @@
 //! BVH files of inputs.
 
+use js_sys::Function;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::motion::Motion;
 use strut_core::note::Note;
-use strut_core::retarget::{Binding, to_humanoid};
+use strut_core::retarget::{Binding, UpAxis, to_humanoid};
+use strut_core::skeleton::Skeleton;
 use strut_core::transfer::StyledMotion;
 use strut_formats::bvh::{self, Bvh, BvhError};
+use strut_formats::joints::Reading;
+use strut_formats::reading::{ReadingError, skeleton_id};
 use strut_wasm_common::EngineError;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// How a file was read.
+#[wasm_bindgen]
+pub struct FileRead {
+    numbers: Vec<f64>,
+    joints: Vec<String>,
+    skeleton: String,
+}
+
+#[wasm_bindgen]
+impl FileRead {
+    /// Frames, frames a second, the number of the up axis among `UpAxis::ALL`, 1 for a mirror image, the height of the floor,
+    /// metres per unit, the height of the body, the confidence in the roles, then the joint of each role, −1 where there is none.
+    pub fn numbers(&self) -> Vec<f64> {
+        self.numbers.clone()
+    }
+
+    /// Names of the joints.
+    pub fn joints(&self) -> Vec<String> {
+        self.joints.clone()
+    }
+
+    /// Identity of the skeleton.
+    pub fn skeleton(&self) -> String {
+        self.skeleton.clone()
+    }
+}
+
+/// Notes as their codes and sentences, one after the other.
+pub(crate) fn texts_of(notes: &[Note]) -> Vec<String> {
+    notes.iter().flat_map(|note| [note.code.name().to_owned(), note.text.to_string()]).collect()
+}
 
 /// The parts of a file that an export needs.
 #[derive(Clone)]
@@ -19,13 +57,26 @@ pub(crate) struct InputFile {
 }
 
 impl InputFile {
-    /// Reads a BVH file.
+    /// Reads a BVH file as a person says.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes, with what was said, or with the skeleton.
+    pub(crate) fn read_as(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
+        let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
+        Self::of(bvh, notes, |skeleton| {
+            let said = said.call1(&JsValue::NULL, &JsValue::from_str(&skeleton_id(skeleton)));
+            Reading::parse(&said.ok().and_then(|said| said.as_string()).unwrap_or_default())
+        })
+    }
+
+    /// Reads a BVH file of which nothing is said.
     ///
     /// # Errors
     /// With what is wrong with the bytes, or with the skeleton.
-    pub(crate) fn read(bytes: &[u8]) -> Result<Self, EngineError> {
+    #[cfg(feature = "parity")]
+    pub(crate) fn detect(bytes: &[u8]) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
-        Self::of(bvh, notes)
+        Self::of(bvh, notes, |_| Ok(Reading::default()))
     }
 
     /// The file that a motion would be.
@@ -33,12 +84,17 @@ impl InputFile {
     /// # Errors
     /// If there is no pose, or a number is beyond all that files hold.
     pub(crate) fn of_motion(motion: &HumanoidMotion) -> Result<Self, EngineError> {
-        Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?, Vec::new())
+        Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?, Vec::new(), |_| Ok(Reading::default()))
     }
 
-    fn of(bvh: Bvh, mut notes: Vec<Note>) -> Result<Self, EngineError> {
+    fn of(
+        bvh: Bvh,
+        mut notes: Vec<Note>,
+        said: impl FnOnce(&Skeleton) -> Result<Reading, ReadingError>,
+    ) -> Result<Self, EngineError> {
         let motion = bvh.to_motion().map_err(unreadable)?;
-        let binding = Binding::detect(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
+        let reading = said(&motion.skeleton).map_err(EngineError::bad_input)?;
+        let binding = reading.bind(&motion).map_err(|e| EngineError::bad_file(e, ""))?;
         notes.extend_from_slice(&binding.doubts);
         Ok(Self { bvh, motion, binding, notes })
     }
@@ -66,6 +122,28 @@ impl InputFile {
     /// What may be wrong with how it was read.
     pub(crate) fn doubts(&self) -> &[Note] {
         &self.notes
+    }
+
+    /// How it was read.
+    pub(crate) fn read(&self) -> FileRead {
+        let Self { motion, binding, .. } = self;
+        let up = UpAxis::ALL.iter().position(|(axis, _)| *axis == binding.up).unwrap_or_default();
+        let numbers = [
+            motion.frames() as f64,
+            self.rate_hz(),
+            up as f64,
+            f64::from(u8::from(binding.is_mirrored)),
+            f64::from(binding.floor_metres),
+            f64::from(binding.metres_per_unit),
+            f64::from(binding.proportions.stature()),
+            f64::from(binding.confidence),
+        ];
+        let roles = binding.joint_of_role.iter().map(|joint| joint.map_or(-1.0, |joint| joint as f64));
+        FileRead {
+            numbers: numbers.into_iter().chain(roles).collect(),
+            joints: motion.skeleton.joints().iter().map(|joint| joint.name.clone()).collect(),
+            skeleton: skeleton_id(&motion.skeleton),
+        }
     }
 
     /// A styled motion of `rate_hz` on its skeleton and at its own rate.

@@ -42,6 +42,8 @@ pub use clip_job::ClipJob;
 pub use counterpart::Counterpart;
 pub use database::Database;
 pub use input::{Input, packed_inputs};
+#[cfg(feature = "files")]
+pub use input_file::FileRead;
 #[cfg(feature = "learn")]
 pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWindows, Warps};
 #[cfg(feature = "files")]

@@ -1,7 +1,8 @@
 //! What a motion's file says, before it is carried over to a database.
 
 use crate::input::packed_motion;
-use crate::input_file::InputFile;
+use crate::input_file::{FileRead, InputFile, texts_of};
+use js_sys::Function;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -10,19 +11,19 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct MotionFacts {
     frames: usize,
     rate_hz: f64,
-    note: String,
+    file: Option<InputFile>,
 }
 
 #[wasm_bindgen]
 impl MotionFacts {
-    /// Of a BVH file.
+    /// Of a BVH file; see `Input::from_bvh`.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, or with the skeleton.
+    /// With what is wrong with the bytes, with what was said, or with the skeleton.
     #[wasm_bindgen(js_name = ofBvh)]
-    pub fn of_bvh(bytes: &[u8]) -> Result<Self, EngineError> {
-        let file = InputFile::read(bytes)?;
-        Ok(Self { frames: file.frames(), rate_hz: file.rate_hz(), note: file.note() })
+    pub fn of_bvh(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
+        let file = InputFile::read_as(bytes, said)?;
+        Ok(Self { frames: file.frames(), rate_hz: file.rate_hz(), file: Some(file) })
     }
 
     /// Of an input among packed motions.
@@ -32,7 +33,7 @@ impl MotionFacts {
     #[wasm_bindgen(js_name = ofPacked)]
     pub fn of_packed(bytes: &[u8], name: &str) -> Result<Self, EngineError> {
         let motion = packed_motion(bytes, name)?;
-        Ok(Self { frames: motion.poses.len(), rate_hz: f64::from(motion.rate_hz), note: String::new() })
+        Ok(Self { frames: motion.poses.len(), rate_hz: f64::from(motion.rate_hz), file: None })
     }
 
     /// Frames of the file.
@@ -46,8 +47,18 @@ impl MotionFacts {
         self.rate_hz
     }
 
-    /// Notes on the match of the skeletons; empty if there are none.
+    /// Sentences on the match of the skeletons; empty if there are none.
     pub fn note(&self) -> String {
-        self.note.clone()
+        self.file.as_ref().map(InputFile::note).unwrap_or_default()
+    }
+
+    /// What may be wrong with how the file was read: codes and sentences, one after the other.
+    pub fn notes(&self) -> Vec<String> {
+        texts_of(self.file.as_ref().map_or(&[], InputFile::doubts))
+    }
+
+    /// How the file was read; `undefined` if there is none.
+    pub fn read(&self) -> Option<FileRead> {
+        self.file.as_ref().map(InputFile::read)
     }
 }

@@ -6,6 +6,7 @@
 use crate::clip_job::ClipJob;
 use crate::database::Database;
 use crate::input::{Input, packed_inputs};
+use crate::input_file::InputFile;
 use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
@@ -98,7 +99,7 @@ impl ParityReport {
 
         let mut clips = Vec::new();
         for (name, bytes) in &self.files {
-            let input = Input::from_bvh(&database, bytes)?;
+            let input = Input::from_file(&database, InputFile::detect(bytes)?)?;
             clip_stages(&mut report, name, &database, &input, nudged_frame)?;
             clips.extend(labelled_clip(name, &input));
         }

@@ -207,6 +207,7 @@ export class App {
       singleKeys: () => this.#singleKeys.on,
       historyChanged: () => this.#showTopBar(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
+      readAs: (reading) => this.#workspace.readAs(reading),
       chooseFile: () => this.#drop.choose(),
       playMotion: async (name, bytes, exact) => {
         this.#store.edit({ view: "play" });

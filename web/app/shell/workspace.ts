@@ -1,10 +1,17 @@
 /** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
 
 import type { FirstSteps } from "../../client/first_steps";
-import { type DatabaseInfo, type ExactPoses, isCancellation, type StrutClient } from "../../client/protocol";
+import {
+  type DatabaseInfo,
+  type ExactPoses,
+  type FileReading,
+  isCancellation,
+  type StrutClient,
+} from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
+import { sameReading, saysNothing } from "../../link/reading";
 import { isLive } from "../../player/input_library";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
@@ -17,6 +24,7 @@ import { RELOAD, type Toasts } from "../ui/toasts";
 import { cancelled } from "../ui/words";
 import { Databases } from "./databases";
 import { isPlain } from "./first_set";
+import { ReadingMemory } from "./reading_memory";
 import type { SessionProgressLines } from "./session_progress";
 
 type Changed = ReadonlySet<keyof AppState>;
@@ -29,6 +37,8 @@ export class Workspace {
   readonly #store: Store;
   readonly #toasts: Toasts;
   readonly #progress: SessionProgressLines;
+  /** What the person said of skeletons. */
+  readonly #readings = new ReadingMemory();
   /** What is being opened because the state asks for it. */
   #opening: Promise<void> = Promise.resolve();
   /** Links that are being followed, and what the state asks for that is still being opened. */
@@ -43,6 +53,7 @@ export class Workspace {
     this.#toasts = toasts;
     this.#progress = progress;
     this.session = new Session(client, progress);
+    this.session.remembered = () => this.#readings.all();
     this.playhead = new Playhead(store, this.session);
     this.databases = new Databases(store, toasts, this.session);
     this.session.listen({
@@ -69,7 +80,7 @@ export class Workspace {
     const { session } = this;
     // Without them the stage is empty for longer.
     firstSteps?.then((steps) => session.startWith(steps, { neutral: 1 })).catch(() => {});
-    const carried = await this.#carriedInput(hash);
+    const carried = await this.#carriedInput(hash, this.#store.state.reading);
     if (carried !== undefined) this.#store.adopt({ input: carried });
     if (isPlain(hash)) {
       await this.databases.startWithFirst();
@@ -103,7 +114,7 @@ export class Workspace {
 
   async #followLink(arrived: Partial<AppState>, hash: string): Promise<void> {
     const whole = arrived.input !== undefined;
-    const carried = whole ? await this.#carriedInput(hash) : undefined;
+    const carried = whole ? await this.#carriedInput(hash, arrived.reading ?? {}) : undefined;
     this.#arriving = whole;
     this.#store.edit(carried === undefined ? arrived : { ...arrived, input: carried });
     this.#arriving = false;
@@ -117,8 +128,19 @@ export class Workspace {
   /** Opens an input of the library and makes it the state's; whether it is open now. */
   async chooseInput(name: string): Promise<boolean> {
     const opened = (await this.session.openInput(name)) === "done";
-    if (opened) this.#store.edit({ input: this.#openInput });
+    if (opened) this.#store.edit({ input: this.#openInput, reading: this.session.reading });
     return opened;
+  }
+
+  /** Reads the open file as a person says, which is remembered for its skeleton; whether it could be read so. */
+  async readAs(reading: FileReading): Promise<boolean> {
+    const { session } = this;
+    const read = (await this.#counted(session.readAs(reading))) === "done";
+    if (read) {
+      this.#store.edit({ reading: session.reading });
+      this.#rememberReading();
+    }
+    return read;
   }
 
   /** Reads a dropped motion, however slow its disk is, and opens it; the last of several that are dropped is opened. */
@@ -139,7 +161,7 @@ export class Workspace {
   async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void> {
     const name = await this.session.openFile(fileName, bytes, exact);
     if (name === undefined) return;
-    this.#store.edit({ input: name });
+    this.#store.edit({ input: name, reading: this.session.reading });
     // The link is complete now: it shows its own instant.
     if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
     this.#awaited = undefined;
@@ -167,7 +189,7 @@ export class Workspace {
     if (any(changed, "loop", "range")) session.setLoop(loop, range);
     if (changed.has("speed")) session.playback.speed = speed;
     if (!moving && any(changed, ...ENGINE_FIELDS)) this.#configure();
-    if (!this.#arriving) this.#follow(changed.has("database"), changed.has("input"));
+    if (!this.#arriving) this.#follow(changed.has("database"), any(changed, "input", "reading"));
   }
 
   /** Opens the database or the input that the state asks for anew. */
@@ -179,10 +201,10 @@ export class Workspace {
     else if (session.input && input) this.#opening = this.#counted(this.#followInput(name));
   }
 
-  async #counted(work: Promise<unknown>): Promise<void> {
+  async #counted<T>(work: Promise<T>): Promise<T> {
     this.#pending += 1;
     try {
-      await work;
+      return await work;
     } finally {
       this.#pending -= 1;
     }
@@ -215,24 +237,41 @@ export class Workspace {
     const { session } = this;
     const name = wanted || session.library.first;
     // What is being read or opened instead must not come after it.
-    if (name === session.chosen && !this.#progress.input.busy) return;
+    const { reading } = this.#store.state;
+    const reread = !sameReading(reading, session.reading);
+    if (name === session.chosen && !reread && !this.#progress.input.busy) return;
     if (!session.library.has(name)) await this.databases.complete;
     if (this.#store.state.input !== wanted) return;
-    if (session.library.has(name)) await session.openInput(name);
+    if (name === session.chosen && reread) {
+      // Undo and redo are a person's choices, too.
+      if ((await session.readAs(reading)) === "done") this.#rememberReading();
+    } else if (session.library.has(name)) await session.openInput(name, reading);
     if (this.#store.state.input === wanted) this.#settleInput();
+  }
+
+  /** Keeps what is said of the open file for others with its skeleton. */
+  #rememberReading(): void {
+    const { reading } = this.session.input ?? {};
+    if (reading) this.#readings.keep(reading.skeleton.id, reading.said);
   }
 
   /** Writes the open input to the state, and reports a missing file if the state named another one. */
   #settleInput(): void {
-    const { input: wanted, frame } = this.#store.state;
-    if (!this.session.input || wanted === this.#openInput || wanted === this.session.chosen) return;
+    const { input: wanted, frame, reading } = this.#store.state;
+    const { session } = this;
+    if (!session.input) return;
+    if (wanted === this.#openInput || wanted === session.chosen) {
+      this.#store.adopt({ reading: session.reading });
+      return;
+    }
     // A link never connects by itself.
-    if (isLive(wanted)) this.session.askForLive(wanted);
-    else if (!this.session.library.has(wanted)) {
+    if (isLive(wanted)) session.askForLive(wanted);
+    else if (!session.library.has(wanted)) {
       this.#awaited = { input: wanted, frame };
+      if (!saysNothing(reading)) session.library.say(wanted, reading);
       this.#toasts.note(strings.page.links.fileMissing(wanted));
     }
-    this.#store.adopt({ input: this.#openInput });
+    this.#store.adopt({ input: this.#openInput, reading: session.reading });
   }
 
   /** The input that is open, as the state names it. */
@@ -241,10 +280,14 @@ export class Workspace {
     return chosen === library.first ? "" : chosen;
   }
 
-  /** Puts the file that a link carries into the library; its name there. */
-  async #carriedInput(hash: string): Promise<string | undefined> {
+  /** Puts the file that a link carries into the library, read as the link says; its name there. */
+  async #carriedInput(hash: string, reading: FileReading): Promise<string | undefined> {
     const file = await linkedFile(hash);
-    return file && this.session.library.add(file.name, file.bytes);
+    if (!file) return undefined;
+    const name = this.session.library.add(file.name, file.bytes);
+    // Even where it says nothing: a link shows the same to everybody.
+    this.session.library.say(name, reading);
+    return name;
   }
 }
 

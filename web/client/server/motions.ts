@@ -63,7 +63,7 @@ export async function stylize(
   const carried = await carriedMotion(host, caller, motion, database);
   const { job, frameMs } = await styleClip(host, caller, carried, database, options);
   try {
-    return { ...job.result(), frameMs, bvh: bvh ? job.toBvh() : "" };
+    return { ...job.result(), frameMs, bvh: bvh ? job.toBvh() : "", notes: carried.input.info.notes };
   } finally {
     job.dispose();
   }

@@ -36,7 +36,7 @@ function framesBy(glue: Glue, style: string) {
   }
   const half = glue.interpolatePoses(poses.slice(0, floats / BATCH), poses.slice(floats, floats + floats / BATCH), 0.5);
   const facts = [database.frames(), database.rateHz(), database.actions(), database.neutral(), database.classes()];
-  return { styles, names, note: input.note(), contacts: input.contacts(), poses, half, facts, styled };
+  return { styles, names, contacts: input.contacts(), poses, half, facts, styled };
 }
 
 test("it styles the first motions as the whole engine does", () => {

@@ -53,7 +53,7 @@ impl Binding {
         check_roles(&motion.skeleton, &roles)?;
         leave_out_toes_without_length(&sample, &mut roles);
         let found_mirrored = is_mirrored(&roles, &sample);
-        let mirrored = found_mirrored != read_as.swap_sides;
+        let mirrored = read_as.mirrored.unwrap_or(found_mirrored != read_as.swap_sides);
         if mirrored {
             sample = Sample::of_mirror_image(motion);
         }

@@ -17,4 +17,6 @@ pub struct ReadAs {
     /// Whether left and right are the other way round than they are read: a mirror image is taken as it is, any other file
     /// as a mirror image.
     pub swap_sides: bool,
+    /// Whether the file is a mirror image, whatever the body shows; `swap_sides` does not count then.
+    pub mirrored: Option<bool>,
 }

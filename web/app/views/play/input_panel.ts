@@ -6,6 +6,7 @@ import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { inputTitle, spoken } from "../../ui/words";
+import { otherNotes } from "./reading/other_notes";
 
 /** Minimum time between updates of the recognised class, so that it can be read. */
 const READING_MS = 250;
@@ -13,6 +14,8 @@ const READING_MS = 250;
 export interface InputListeners {
   onChoose: (name: string) => void;
   onFile: () => void;
+  /** How the input's file was read is to be shown, or not any more. */
+  onReading: () => void;
 }
 
 export class InputPanel {
@@ -23,6 +26,8 @@ export class InputPanel {
   // Not a live region: while a motion plays it changes all the time.
   readonly #weight = html("span", { class: "value" });
   readonly #note = html("p", { class: "caption input-note" });
+  /** Opens the panel that shows how the input's file was read. */
+  readonly howRead: HTMLButtonElement;
   #readAt = 0;
   /** The reading of the next update; `undefined` where none is scheduled. */
   #newest: Reading | undefined;
@@ -31,11 +36,20 @@ export class InputPanel {
     this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
     const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
     file.title = strings.play.input.dropWhy;
+    this.howRead = button(strings.play.input.howRead, listeners.onReading, { label: true, class: "outlined how-read" });
+    this.howRead.setAttribute("aria-haspopup", "dialog");
+    this.howRead.hidden = true;
+    this.reading = false;
     this.element = html(
       "section",
       { class: "section input", "aria-labelledby": "input-heading" },
       top,
-      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, strings.play.input.heading)),
+      html(
+        "div",
+        { class: "section-heading" },
+        html("h2", { id: "input-heading" }, strings.play.input.heading),
+        this.howRead,
+      ),
       html(
         "div",
         { class: "input-row" },
@@ -69,9 +83,27 @@ export class InputPanel {
   }
 
   set input(input: InputInfo) {
-    setText(this.#note, input.note);
-    this.#note.title = input.note;
+    // The panel behind the button says the rest.
+    const notes = otherNotes(input.notes).map(({ text }) => text);
+    setText(this.#note, notes.join(" "));
+    this.#note.title = notes.join(" ");
+    this.#showGuesses(input);
     this.#readAt = 0;
+  }
+
+  /** Whether the panel is open that shows how the file was read. */
+  set reading(open: boolean) {
+    setAttributes(this.howRead, { "aria-expanded": String(open) });
+  }
+
+  /** What a person can correct is counted; a file without guesses has the words alone. */
+  #showGuesses({ reading, note }: InputInfo): void {
+    const { howRead, guesses } = strings.play.input;
+    this.howRead.hidden = !reading;
+    this.howRead.title = note;
+    const count = reading?.guesses.length ?? 0;
+    this.howRead.classList.toggle("guessed", count > 0);
+    this.howRead.lastElementChild?.replaceChildren(count > 0 ? guesses(count) : howRead);
   }
 
   /** Shows the class with the largest weight in the newest frame, at most every {@link READING_MS}. */

@@ -20,6 +20,7 @@ import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
 import type { Performance } from "./live/performance";
 import { ModelPanel } from "./model_panel";
+import type { ReadingPanel } from "./reading/reading_panel";
 import { StylePanel } from "./style_panel";
 import { Tabs } from "./tabs";
 import { plantedStretches } from "./timeline/curves";
@@ -61,6 +62,8 @@ class PlayView implements View {
   #driving: Driving | undefined;
   /** While somebody performs, and the code for that is loaded. */
   #performance: Performance | undefined;
+  /** The panel that shows how the input's file was read, once it was asked for. */
+  #reading: ReadingPanel | undefined;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -80,7 +83,11 @@ class PlayView implements View {
     });
     this.#heading = new Heading(store, session, playhead, this.#viewport);
     this.#input = new InputPanel(
-      { onChoose: (name) => void this.#choose(name), onFile: () => host.chooseFile() },
+      {
+        onChoose: (name) => void this.#choose(name),
+        onFile: () => host.chooseFile(),
+        onReading: () => void this.#toggleReading(),
+      },
       progress.input.element,
     );
     this.#model = new ModelPanel(store);
@@ -132,6 +139,7 @@ class PlayView implements View {
     );
     store.subscribe((state, changed) => this.#onChange(state, changed), signal);
     onSystemTheme(() => this.#recolour(), signal);
+    document.addEventListener("keydown", (event) => this.#onEscape(event), { signal });
     this.#show(store.state);
     this.#catchUp();
   }
@@ -238,6 +246,8 @@ class PlayView implements View {
     this.#viewport.forgetTrail();
     this.#input.list(library, chosen);
     this.#input.input = input;
+    if (this.#reading) this.#reading.input = input;
+    if (!input.reading) this.#closeReading();
     this.#transport.input = input;
     this.#timeline.input = input;
     this.#trackKeys.input = input;
@@ -250,6 +260,7 @@ class PlayView implements View {
     this.#driving?.dispose();
     this.#driving = undefined;
     this.element.classList.toggle("driving", drive !== undefined);
+    if (drive) this.#closeReading();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
     this.#input.list(session.library, session.chosen);
@@ -273,6 +284,7 @@ class PlayView implements View {
     this.#performance?.dispose();
     this.#performance = undefined;
     this.element.classList.toggle("live", live !== undefined);
+    if (live) this.#closeReading();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
     this.#input.list(session.library, session.chosen);
@@ -411,6 +423,54 @@ class PlayView implements View {
   #onScrub(frame: number | undefined): void {
     if (frame !== undefined) this.#moveTo(frame);
     else this.#show(this.#host.store.state, new Set());
+  }
+
+  /** Shows how the input's file was read, or does not any more. */
+  async #toggleReading(): Promise<void> {
+    const { session, toasts } = this.#host;
+    if (this.#reading && !this.#reading.element.hidden) {
+      this.#closeReading();
+      return;
+    }
+    try {
+      this.#reading ??= await this.#loadReading();
+    } catch (error) {
+      toasts.failure(error);
+      return;
+    }
+    if (!session.input?.reading || this.#host.signal.aborted) return;
+    this.#reading.input = session.input;
+    this.#reading.element.hidden = false;
+    this.#input.reading = true;
+    this.element.classList.add("with-reading");
+    this.#reading.element.focus({ preventScroll: true });
+  }
+
+  async #loadReading(): Promise<ReadingPanel> {
+    const { ReadingPanel } = await import("./reading/reading_panel");
+    const panel = new ReadingPanel({
+      onRead: (reading) => this.#host.readAs(reading),
+      onClose: () => this.#closeReading(),
+      onRefused: (sentence) => this.#host.toasts.error(sentence),
+    });
+    this.element.append(panel.element);
+    return panel;
+  }
+
+  #closeReading(): void {
+    const panel = this.#reading?.element;
+    if (!panel || panel.hidden) return;
+    const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
+    panel.hidden = true;
+    this.#input.reading = false;
+    this.element.classList.remove("with-reading");
+    if (hadFocus) this.#input.howRead.focus({ preventScroll: true });
+  }
+
+  #onEscape({ key, defaultPrevented }: KeyboardEvent): void {
+    if (key !== "Escape" || defaultPrevented || !this.#shown || document.querySelector("dialog[open], :popover-open"))
+      return;
+    this.#closeReading();
   }
 
   async #choose(name: string): Promise<void> {

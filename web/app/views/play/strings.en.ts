@@ -65,6 +65,8 @@ export const play = {
     readsAsWhy: "What the engine takes the input for, and how sure it is",
     drive: "Drive it yourself",
     live: "Live source…",
+    howRead: "How this file was read",
+    guesses: (n: number) => (n === 1 ? "1 guess" : `${n} guesses`),
     builtIn: "Built in",
     dropped: "Dropped here",
   },

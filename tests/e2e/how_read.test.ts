@@ -1,0 +1,216 @@
+/** How files of other programs were read, said by the page and corrected there. */
+import { readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import { beforeAll, describe, expect, it } from "vitest";
+import type { StrutHook } from "../../web/app/shell/hook";
+import { caseFile, casesAbsent } from "../cases";
+import { axeFaults } from "./axe";
+import { dropFile, eventually, inputName, openSite, screenshot, settledPose, visit } from "./browser";
+import { showTheme } from "./rest";
+
+declare const window: { strut: StrutHook };
+
+const WIDE = { width: 1440, height: 900 };
+const NARROW = { width: 390, height: 844 };
+const HEADING = "How this file was read";
+
+let page: Page;
+
+beforeAll(async () => {
+  if (casesAbsent) return;
+  const opened = await openSite({ size: WIDE, screenPixels: 1 });
+  page = opened.page;
+  return opened.close;
+});
+
+/** Drops a case, under a name of its own, and waits until it is the input. */
+async function drop(name: string, as = name): Promise<void> {
+  await dropFile(page, `${as}.bvh`, readFileSync(caseFile(name)));
+  await eventually(() => inputName(page)).toBe(as);
+}
+
+const panel = () => page.getByRole("dialog", { name: HEADING });
+const opener = () => page.locator(".how-read");
+const row = (name: string) => panel().locator(".reading-row", { hasText: name });
+const control = (name: string) => panel().getByLabel(name, { exact: true });
+const source = (name: string) => row(name).locator(".row-source").textContent();
+const reading = () => page.evaluate(() => window.strut.state.reading);
+
+/** Opens the panel, if it is not open. */
+async function openPanel(): Promise<void> {
+  if (!(await panel().isVisible())) await opener().click();
+  await eventually(() => panel().isVisible()).toBe(true);
+}
+
+/** Height of the hips of the styled figure at rest. */
+async function hips(): Promise<number> {
+  return (await settledPose(page))[1]!;
+}
+
+describe.skipIf(casesAbsent)("a file of another program", () => {
+  it("says what was guessed, and is read again as a person says", async () => {
+    await drop("A05_ydown_full");
+    await eventually(() => opener().textContent()).toBe("1 guess");
+    await openPanel();
+    await eventually(() => control("Up axis").inputValue()).toBe("-y");
+    await eventually(() => source("Up axis")).toBe("guessed");
+    await eventually(() => source("Floor")).toBe("measured");
+    await eventually(() => source("Joints")).toBe("by name");
+    await control("Up axis").selectOption("y");
+    await eventually(reading).toEqual({ up: "y" });
+    await eventually(() => source("Up axis")).toBe("as you said");
+    await eventually(() => opener().textContent()).toBe(HEADING);
+    await eventually(() => panel().getByText("Remembered for every file with this skeleton.").isVisible()).toBe(true);
+  });
+
+  it("takes back what was said with undo, and says it again with redo", async () => {
+    await page.keyboard.press("Control+z");
+    await eventually(reading).toEqual({});
+    await eventually(() => control("Up axis").inputValue()).toBe("-y");
+    await page.keyboard.press("Control+Shift+z");
+    await eventually(reading).toEqual({ up: "y" });
+    await eventually(() => control("Up axis").inputValue()).toBe("y");
+    await panel().getByRole("button", { name: "Reset all" }).click();
+    await eventually(reading).toEqual({});
+    await eventually(() => source("Up axis")).toBe("guessed");
+    await eventually(() => panel().getByRole("button", { name: "Reset all" }).isDisabled()).toBe(true);
+  });
+
+  it("is exchanged and stands where its feet rest", async () => {
+    await drop("A06_mirrored_lefthanded");
+    await eventually(() => source("Sides")).toBe("guessed");
+    await eventually(() => control("Sides").inputValue()).toBe("1");
+    await drop("A20_ground_-93");
+    await eventually(() => control("Floor, centimetres").inputValue()).toMatch(/^-9[234]/);
+    await eventually(() => source("Floor")).toBe("measured");
+    await eventually(() => opener().textContent()).toBe(HEADING);
+    await visit(page, "play=0&frame=40&input=A20_ground_-93");
+    const before = await hips();
+    const floor = control("Floor, centimetres");
+    await floor.fill("-83");
+    await floor.press("Enter");
+    await eventually(reading).toEqual({ floor: -0.83 });
+    // The floor is nearer to the hips.
+    await eventually(hips).toBeLessThan(before - 0.03);
+    await panel().getByRole("button", { name: "Floor: as it was found" }).click();
+    await eventually(reading).toEqual({});
+    await eventually(async () => Math.abs((await hips()) - before)).toBeLessThan(0.01);
+  });
+
+  it("keeps its reading in the link", async () => {
+    await visit(page, "play=0&frame=40&input=A20_ground_-93&read=up~y%3Bfloor~-0.9");
+    await eventually(reading).toEqual({ up: "y", floor: -0.9 });
+    await eventually(() => control("Floor, centimetres").inputValue()).toBe("-90");
+    await eventually(() => page.evaluate(() => location.hash)).toContain("read=");
+    await visit(page, "play=0&frame=40&input=A20_ground_-93");
+    await eventually(reading).toEqual({});
+  });
+
+  it("is used without a pointer", async () => {
+    await panel().getByRole("button", { name: "Close" }).click();
+    await eventually(() => panel().isVisible()).toBe(false);
+    await opener().focus();
+    await page.keyboard.press("Enter");
+    await eventually(() => panel().isVisible()).toBe(true);
+    await eventually(() => opener().getAttribute("aria-expanded")).toBe("true");
+    const focused = () => page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "");
+    await page.keyboard.press("Tab");
+    await eventually(focused).toBe("Close");
+    await page.keyboard.press("Tab");
+    await eventually(focused).toBe("Up axis");
+    await page.keyboard.press("Escape");
+    await eventually(() => panel().isVisible()).toBe(false);
+    await eventually(() => page.evaluate(() => document.activeElement?.classList.contains("how-read"))).toBe(true);
+  });
+
+  it("has its joints exported, imported and chosen, which is remembered for the next file", async () => {
+    await openPanel();
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      panel().getByRole("button", { name: "Export…" }).click(),
+    ]);
+    expect(download.suggestedFilename()).toBe("A20_ground_-93 joints.json");
+    const { joints } = JSON.parse(readFileSync(await download.path(), "utf8"));
+    expect(Object.keys(joints)).toHaveLength(21);
+    const take = (text: string) =>
+      panel()
+        .locator("input[type=file]")
+        .setInputFiles({ name: "mine.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    const alert = () => page.getByRole("alert").textContent();
+    await take("HIERARCHY");
+    await eventually(alert).toContain("“mine.json” is no JSON file.");
+    await take('{"joints": {"left_hand": "Paw"}}');
+    await eventually(alert).toContain("This skeleton has no joint 'Paw', which was chosen as the left wrist.");
+    // What was open stays.
+    expect(await reading()).toEqual({});
+    await take(JSON.stringify({ joints: { ...joints, left_toes: null } }));
+    await eventually(() => source("Joints")).toBe("as you said");
+    await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("20 of 21");
+    await panel().getByRole("button", { name: "Edit…" }).click();
+    const dialog = page.getByRole("dialog", { name: "Which joint is which" });
+    await dialog.getByLabel("right toes").selectOption({ label: "none" });
+    await dialog.getByRole("button", { name: "Use these joints" }).click();
+    await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("19 of 21");
+    await drop("00_clean");
+    await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("19 of 21");
+    await eventually(() =>
+      panel().getByText("Read as you said of an earlier file with this skeleton.").isVisible(),
+    ).toBe(true);
+    await panel().getByRole("button", { name: "Reset all" }).click();
+    await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("21 of 21");
+    await drop("00_clean", "clean again");
+    await eventually(() => source("Joints")).toBe("by name");
+  });
+
+  it("has its other notes below the rows, and beside the input", async () => {
+    await drop("T17_fewer");
+    await openPanel();
+    await eventually(() => panel().getByRole("list", { name: "Notes" }).textContent()).toMatch(/frames/);
+    await eventually(() => page.locator(".input-note").textContent()).toMatch(/frames/);
+    await screenshot(page, "how-read-notes");
+  });
+
+  it("closes with the file, and a built-in motion has nothing to say", async () => {
+    await page.getByLabel("Input motion").selectOption({ label: "neutral walk" });
+    await eventually(() => panel().isVisible()).toBe(false);
+    await eventually(() => opener().isVisible()).toBe(false);
+  });
+
+  for (const theme of ["dark", "light"] as const)
+    it(`is shown whole on wide and narrow screens (${theme})`, async () => {
+      await page.setViewportSize(WIDE);
+      await showTheme(page, theme);
+      await drop("A05_ydown_full");
+      await visit(page, "play=0&frame=60&input=A05_ydown_full");
+      await openPanel();
+      await settledPose(page);
+      const overflow = () => panel().evaluate((e) => e.scrollWidth - e.clientWidth);
+      const clipped = () =>
+        panel()
+          .locator("h2, p, li, span, button")
+          .evaluateAll((all) => all.filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.textContent));
+      expect([await overflow(), await clipped()]).toEqual([0, []]);
+      await eventually(() => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight)).toBe(0);
+      await eventually(() => axeFaults(page)).toEqual([]);
+      // The figures stand beside the panel.
+      const right = (await panel().boundingBox())!;
+      for (const label of ["input", "styled"]) {
+        const at = () => page.locator(".stage-view").getByText(label, { exact: true }).boundingBox();
+        await eventually(async () => (await at())!.x).toBeGreaterThan(right.x + right.width);
+      }
+      await screenshot(page, `how-read-wide-${theme}`);
+      await page.setViewportSize(NARROW);
+      await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+      expect([await overflow(), await clipped()]).toEqual([0, []]);
+      await eventually(() => axeFaults(page)).toEqual([]);
+      const controls = await panel().locator("button:visible, select:visible, input:visible").all();
+      for (const box of await Promise.all(controls.map((control) => control.boundingBox())))
+        expect(Math.min(box!.width, box!.height)).toBeGreaterThanOrEqual(44);
+      await screenshot(page, `how-read-narrow-${theme}`);
+      await panel().evaluate((e) => e.scrollTo(0, e.scrollHeight));
+      await screenshot(page, `how-read-narrow-end-${theme}`);
+      await panel().getByRole("button", { name: "Close" }).click();
+      await page.getByRole("button", { name: "Input", exact: true }).click();
+      await screenshot(page, `how-read-narrow-input-${theme}`);
+    });
+});

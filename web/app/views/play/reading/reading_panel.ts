@@ -1,0 +1,219 @@
+/** The panel that shows how a file was read: what was found, guessed or said, each to be corrected. */
+import "./reading_panel.css";
+import { type FileRead, type FileReading, type InputInfo, type JointNames, UP_AXES } from "../../../../client/protocol";
+import { ROLES } from "../../../../humanoid";
+import { button } from "../../../../ui/controls/buttons";
+import { icon } from "../../../../ui/controls/icons";
+import { formatNumber, html, saveFile, setText } from "../../../../ui/dom";
+import { grouped } from "../../../strings/numerals";
+import { announce } from "../../../ui/announce";
+import { askForRoles } from "../../../ui/roles_dialog";
+import { jointFile, readJointFile } from "./joint_file";
+import { otherNotes } from "./other_notes";
+import { ROW_NAMES, type RowName, rowTexts, saysOfSkeleton, saysRow, UNITS, withoutRow } from "./rows";
+import { readingWords as words } from "./strings.en";
+
+export interface ReadingListeners {
+  /** The file is to be read so. */
+  onRead: (reading: FileReading) => Promise<boolean>;
+  onClose: () => void;
+  /** A file of joints is none: a sentence. */
+  onRefused: (sentence: string) => void;
+}
+
+/** A row: its control, and what is said of it. */
+interface Row {
+  element: HTMLElement;
+  source: HTMLElement;
+  why: HTMLElement;
+  reset: HTMLButtonElement;
+}
+
+export class ReadingPanel {
+  readonly element: HTMLElement;
+  readonly #listeners: ReadingListeners;
+  readonly #facts = html("p", { class: "caption" });
+  readonly #up = select(UP_AXES.map((axis) => [axis, words.axes[axis]]));
+  readonly #sides = select([
+    ["0", words.sides.named],
+    ["1", words.sides.exchanged],
+  ]);
+  readonly #floor = html("input", { type: "number", step: "any", inputmode: "decimal" });
+  readonly #unit = html("select");
+  readonly #count = html("span", { class: "joint-count" });
+  readonly #rows: Record<RowName, Row>;
+  readonly #notes = html("ul", { class: "reading-notes", "aria-label": words.notes });
+  readonly #memory = html("p", { class: "caption" });
+  readonly #resetAll: HTMLButtonElement;
+  #input: InputInfo | undefined;
+
+  constructor(listeners: ReadingListeners) {
+    this.#listeners = listeners;
+    this.#up.addEventListener("change", () => {
+      const up = UP_AXES.find((axis) => axis === this.#up.value);
+      if (up) this.#say("up", { up });
+    });
+    this.#sides.addEventListener("change", () => this.#say("sides", { mirrored: this.#sides.value === "1" }));
+    this.#floor.addEventListener("change", () => this.#sayFloor());
+    this.#unit.addEventListener("change", () => this.#say("unit", { unit: Number(this.#unit.value) }));
+    this.#rows = {
+      up: this.#row("up", selectBox(this.#up), this.#up),
+      sides: this.#row("sides", selectBox(this.#sides), this.#sides),
+      floor: this.#row(
+        "floor",
+        html("span", { class: "floor-field" }, this.#floor, html("span", { class: "caption" }, words.floor.unit)),
+        this.#floor,
+      ),
+      unit: this.#row("unit", selectBox(this.#unit), this.#unit),
+      joints: this.#jointsRow(),
+    };
+    this.#floor.setAttribute("aria-label", words.floor.name);
+    this.#resetAll = button(words.resetAll, () => void this.#read({}), { label: true });
+    const close = button(words.close, listeners.onClose, { icon: "close" });
+    this.element = html(
+      "section",
+      { class: "reading-panel", role: "dialog", "aria-labelledby": "reading-heading", tabindex: -1, hidden: true },
+      html("div", { class: "reading-head" }, html("h2", { id: "reading-heading" }, words.heading), close),
+      this.#facts,
+      ...ROW_NAMES.map((name) => this.#rows[name].element),
+      this.#notes,
+      html("div", { class: "reading-foot" }, this.#memory, this.#resetAll),
+    );
+  }
+
+  /** The input whose file is shown. */
+  set input(input: InputInfo) {
+    this.#input = input;
+    const { reading: read, notes } = input;
+    if (!read) return;
+    setText(this.#facts, words.facts(grouped(read.frames), String(Math.round(100 * read.rateHz) / 100)));
+    this.#up.value = read.up;
+    this.#sides.value = read.mirrored ? "1" : "0";
+    this.#floor.value = String(Math.round(1000 * read.floorMetres) / 10);
+    this.#showUnit(read);
+    const found = ROLES.filter((role) => read.joints[role] !== null).length;
+    setText(this.#count, words.joints.count(found, ROLES.length));
+    const texts = rowTexts(read, notes);
+    for (const name of ROW_NAMES) {
+      const { source, why, reset } = this.#rows[name];
+      setText(source, texts[name].source);
+      source.classList.toggle("guessed", texts[name].guessed);
+      setText(why, texts[name].why);
+      reset.disabled = !saysRow(read.said, name);
+    }
+    const others = otherNotes(notes);
+    this.#notes.replaceChildren(...others.map(({ text }) => html("li", {}, text)));
+    this.#notes.hidden = others.length === 0;
+    const { remembered, willRemember, asBefore } = words;
+    setText(this.#memory, read.remembered ? asBefore : saysOfSkeleton(read.said) ? remembered : willRemember);
+    this.#resetAll.disabled = !ROW_NAMES.some((name) => saysRow(read.said, name));
+  }
+
+  #row(name: RowName, control: HTMLElement, labelled?: HTMLElement): Row {
+    const id = `reading-${name}`;
+    const source = html("span", { class: "row-source", id: `${id}-source` });
+    const why = html("span", { class: "row-why", id: `${id}-why` });
+    const reset = button(words.reset(words.rows[name]), () => void this.#read(withoutRow(this.#said, name)), {
+      icon: "reset",
+      class: "row-reset",
+    });
+    labelled?.setAttribute("aria-label", words.rows[name]);
+    labelled?.setAttribute("aria-describedby", `${source.id} ${why.id}`);
+    control.classList.add("row-control");
+    const title = html("span", { class: "row-name" }, words.rows[name]);
+    const element = html("div", { class: "reading-row" }, title, control, source, why, reset);
+    return { element, source, why, reset };
+  }
+
+  #jointsRow(): Row {
+    const { edit, editWhy, exportWhy, importWhy } = words.joints;
+    const editor = button(edit, () => void this.#edit(), { label: true, class: "outlined" });
+    editor.title = editWhy;
+    editor.setAttribute("aria-describedby", "reading-joints-source reading-joints-why");
+    const row = this.#row("joints", html("span", { class: "joint-control" }, this.#count, editor));
+    const picker = html("input", { type: "file", accept: ".json,application/json", hidden: true });
+    picker.addEventListener("change", () => void this.#import(picker));
+    const save = button(words.joints.export, () => this.#export(), { label: true, class: "plain" });
+    const load = button(words.joints.import, () => picker.click(), { label: true, class: "plain" });
+    [save.title, load.title] = [exportWhy, importWhy];
+    row.element.append(html("span", { class: "joint-files" }, save, load, picker));
+    return row;
+  }
+
+  /** What was said of the file. */
+  get #said(): FileReading {
+    return this.#input?.reading?.said ?? {};
+  }
+
+  #say(row: RowName, said: FileReading): void {
+    void this.#read({ ...withoutRow(this.#said, row), ...said });
+  }
+
+  #sayFloor(): void {
+    const centimetres = this.#floor.valueAsNumber;
+    if (Number.isFinite(centimetres)) this.#say("floor", { floor: Math.round(1e4 * centimetres) / 1e6 });
+    else this.#showAgain();
+  }
+
+  /** Has the file be read so; where it cannot be, the rows show again how it is. */
+  async #read(reading: FileReading): Promise<void> {
+    if (await this.#listeners.onRead(reading)) announce(words.again);
+    else this.#showAgain();
+  }
+
+  #showAgain(): void {
+    if (this.#input) this.input = this.#input;
+  }
+
+  async #edit(): Promise<void> {
+    const read = this.#input?.reading;
+    if (!read) return;
+    const { joints } = read.skeleton;
+    const roles = ROLES.map((role) => joints.indexOf(read.joints[role] ?? ""));
+    const chosen = await askForRoles({ joints, roles, note: words.joints.ask });
+    if (chosen) this.#say("joints", { joints: namesOf(chosen, joints) });
+  }
+
+  #export(): void {
+    const { reading, name = "" } = this.#input ?? {};
+    if (!reading) return;
+    const file = new Blob([jointFile(reading.joints)], { type: "application/json" });
+    saveFile(words.joints.fileName(name), file);
+  }
+
+  async #import(picker: HTMLInputElement): Promise<void> {
+    const file = picker.files?.[0];
+    picker.value = "";
+    if (!file) return;
+    const read = await file.text().then(
+      (text) => readJointFile(file.name, text),
+      () => ({ fault: words.joints.noJson(file.name) }),
+    );
+    if ("fault" in read) this.#listeners.onRefused(read.fault);
+    else this.#say("joints", read);
+  }
+
+  #showUnit({ metresPerUnit }: FileRead): void {
+    const known = UNITS.find(({ metres }) => Math.abs(metres - metresPerUnit) < 1e-6 * metres);
+    const other = known
+      ? []
+      : [{ metres: metresPerUnit, name: words.unit.other(formatNumber(100 * metresPerUnit, 2)) }];
+    this.#unit.replaceChildren(
+      ...[...UNITS, ...other].map(({ metres, name }) => html("option", { value: String(metres) }, name)),
+    );
+    this.#unit.value = String(known?.metres ?? metresPerUnit);
+  }
+}
+
+/** Joints by role, from the number of the joint of each. */
+function namesOf(chosen: Int32Array, joints: readonly string[]): JointNames {
+  return Object.fromEntries(ROLES.map((role, i) => [role, joints[chosen[i] ?? -1] ?? null]));
+}
+
+function select(options: readonly (readonly [value: string, name: string])[]): HTMLSelectElement {
+  return html("select", {}, ...options.map(([value, name]) => html("option", { value }, name)));
+}
+
+function selectBox(choice: HTMLSelectElement): HTMLElement {
+  return html("span", { class: "select" }, choice, icon("chevron"));
+}
