@@ -73,7 +73,7 @@ pub(crate) fn bvh(data: &[u8]) {
             assert_eq!(file.values.len(), file.frames * file.channels());
             // What was read is written, and read again it is the same.
             let text = bvh::write(&file);
-            assert_eq!(bvh::parse(text.as_bytes()).as_ref(), Ok(&file));
+            assert_eq!(bvh::parse(&text).as_ref(), Ok(&file));
             if let Err(e) = bounded(data, BVH_TIMES, Clip::parse) {
                 says_something(&e);
             }
