@@ -58,6 +58,7 @@ const SECTIONS = [
     title: "Evaluation",
     pages: [
       "evaluation.md",
+      "real_files.md",
       "walk.md",
       "key-style.md",
       "driving.md",

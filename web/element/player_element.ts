@@ -5,6 +5,7 @@
 import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
 import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
+import { bvhBytes } from "../formats/bvh_bytes";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
@@ -255,7 +256,7 @@ export class StrutPlayer extends ElementBase {
     const strut = await sharedEngine().strut();
     const options = { ...figure.options, bvh: format === "bvh" };
     const styled = await strut.stylize(motion.value, database.value, options);
-    if (format === "bvh") return new Blob([styled.toBVH()], { type: "text/plain" });
+    if (format === "bvh") return new Blob([bvhBytes(styled.toBVH())], { type: "text/plain" });
     const glb = () => this.#cast.character?.toGLB(styled) ?? styled.toGLB();
     return new Blob([format === "glb" ? glb() : styled.toVRMA()], { type: "model/gltf-binary" });
   }

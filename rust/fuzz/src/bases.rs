@@ -137,5 +137,5 @@ pub static BVH: LazyLock<[String; 2]> = LazyLock::new(|| {
         joint.channels = positions.into_iter().chain(rotations).collect();
     }
     other.values = values;
-    [bvh::write(&own), bvh::write(&other)]
+    [bvh::write_text(&own), bvh::write_text(&other)]
 });

@@ -18,12 +18,14 @@ use strut_formats::vmc::{FrameReader, Message, Performer, decode, encode};
 use strut_formats::{key_style_model, style_keys, walk_model};
 
 /// Words of BVH files.
-pub(crate) const BVH_WORDS: [&str; 14] = [
+pub(crate) const BVH_WORDS: [&str; 16] = [
     "HIERARCHY",
     "ROOT",
     "JOINT",
     "End",
     "Site",
+    "End_Site",
+    "{ OFFSET",
     "{",
     "}",
     "OFFSET",
@@ -73,7 +75,7 @@ pub(crate) fn bvh(data: &[u8]) {
             assert_eq!(file.values.len(), file.frames * file.channels());
             // What was read is written, and read again it is the same.
             let text = bvh::write(&file);
-            assert_eq!(bvh::parse(text.as_bytes()).as_ref(), Ok(&file));
+            assert_eq!(bvh::parse(&text).as_ref(), Ok(&file));
             if let Err(e) = bounded(data, BVH_TIMES, Clip::parse) {
                 says_something(&e);
             }
@@ -89,7 +91,14 @@ pub(crate) fn bvh_edited(data: &[u8]) {
 /// A changed BVH file.
 pub(crate) fn edited_bvh(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
     let base = u.choose(&*bases::BVH)?;
-    edits::text(u, base, &BVH_WORDS)
+    let text = edits::text(u, base, &BVH_WORDS)?;
+    Ok(match u.int_in_range(0..=9)? {
+        7 => format!("\u{FEFF}{}", String::from_utf8_lossy(&text)).encode_utf16().flat_map(u16::to_le_bytes).collect(),
+        8 => text.iter().map(|b| if *b == b'\n' { b' ' } else { *b }).collect(),
+        // Most names of joints have this letter; this one's second byte is a brace.
+        9 => text.split(|b| *b == b'g').collect::<Vec<_>>().join(&b"\x83{"[..]),
+        _ => text,
+    })
 }
 
 /// Databases as they come.

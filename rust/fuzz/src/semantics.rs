@@ -43,7 +43,7 @@ pub(crate) fn style_a_file(data: &[u8]) {
         match clip.file.with_motion(&motion) {
             Err(e) => says_something(&e),
             Ok(out) => {
-                let again = bvh::parse(bvh::write(&out).as_bytes()).expect("what was written can be read");
+                let again = bvh::parse(&bvh::write(&out)).expect("what was written can be read");
                 assert_eq!(again.joints, clip.file.joints);
                 assert_eq!(again.frames, motion.frames());
             }
@@ -181,7 +181,7 @@ fn can_be_written(motion: &HumanoidMotion) {
     match Bvh::from_humanoid(motion) {
         Err(e) => says_something(&e),
         Ok(out) => {
-            let again = bvh::parse(bvh::write(&out).as_bytes()).expect("what was written can be read");
+            let again = bvh::parse(&bvh::write(&out)).expect("what was written can be read");
             assert_eq!(again.frames, motion.poses.len());
         }
     }

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         for clip in motions {
             let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
             let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;
-            outputs.stage(&path, bvh::write(&file).as_bytes())?;
+            outputs.stage(&path, &bvh::write(&file))?;
             clips += 1;
         }
     }

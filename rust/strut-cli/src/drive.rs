@@ -88,7 +88,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let neutral = HumanoidMotion { proportions, rate_hz, poses: log.poses };
     for (target, motion) in [(Some(&args.output), &finished), (args.input_out.as_ref(), &neutral)] {
         let Some(target) = target else { continue };
-        outputs.stage(target, bvh::write(&Bvh::from_humanoid(motion).map_err(Failure::new)?).as_bytes())?;
+        outputs.stage(target, &bvh::write(&Bvh::from_humanoid(motion).map_err(Failure::new)?))?;
     }
     outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;

@@ -48,7 +48,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let motion = styling.motion(&mut synthesis, Method::KeyStyle);
     let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
     let mut outputs = Outputs::default();
-    outputs.stage(&args.output, bvh::write(&bvh).as_bytes())?;
+    outputs.stage(&args.output, &bvh::write(&bvh))?;
     outputs.commit()?;
     let model = synthesis.model();
     let guesses = keys.iter().filter(|key| synthesis.support(&key.style) < model.least_support).count();

@@ -231,5 +231,5 @@ fn bvh_of(session: &Session, poses: &[Pose]) -> Result<Vec<u8>, String> {
     }
     let motion =
         HumanoidMotion { proportions: session.proportions(), rate_hz: session.rate_hz(), poses: poses.to_vec() };
-    Ok(bvh::write(&Bvh::from_humanoid(&motion).map_err(|reason| reason.to_string())?).into_bytes())
+    Ok(bvh::write(&Bvh::from_humanoid(&motion).map_err(|reason| reason.to_string())?))
 }

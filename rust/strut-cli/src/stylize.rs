@@ -84,7 +84,7 @@ fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
     let styled =
         Bar::watching(|on_progress| styling.style(&source.path, &clip, log.as_mut(), Spread::Frames, on_progress))?;
     let mut outputs = Outputs::default();
-    outputs.stage(&args.output, bvh::write(&styled.file).as_bytes())?;
+    outputs.stage(&args.output, &bvh::write(&styled.file))?;
     if let (Some(log), Some(target)) = (log, &args.trace) {
         outputs.stage(target, &log.into_json_lines(&styled.motion.frames).map_err(Failure::new)?)?;
     }
@@ -191,7 +191,7 @@ fn style_into(
         let clip = styling.read(&source.path, &source.bytes()?)?;
         let styled = styling.style(&source.path, &clip, None, spread, &unwatched)?;
         let mut outputs = Outputs::default();
-        outputs.stage(target, bvh::write(&styled.file).as_bytes())?;
+        outputs.stage(target, &bvh::write(&styled.file))?;
         bar.step();
         let report = StyledReport::new(source, target, &styled, &styling);
         Ok((outputs, (text(target, &clip, &styled, &styling), report)))

@@ -67,7 +67,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let motion = order.walk(&model, Arc::new(RuntimeWalkModel::new(&model)), &unwatched)?.motion;
     let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
     let mut outputs = Outputs::default();
-    outputs.stage(&args.output, bvh::write(&bvh).as_bytes())?;
+    outputs.stage(&args.output, &bvh::write(&bvh))?;
     outputs.commit()?;
     let way = motion.poses.iter().zip(&motion.poses[1..]).map(|(a, b)| (b.root - a.root).length()).sum::<f32>();
     let secs = motion.poses.len() as f32 / RATE_HZ;

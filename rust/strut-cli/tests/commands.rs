@@ -176,7 +176,7 @@ fn many_clips_are_styled_as_one_by_one() {
         let mut motion = strut_demo::input_clips().remove(0).motion;
         motion.poses.drain(..10 * i);
         motion.poses.truncate(60 + 40 * i);
-        let text = bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap());
+        let text = bvh::write_text(&bvh::Bvh::from_humanoid(&motion).unwrap());
         fs::write(at.join(format!("clips/{name}.bvh")), text).unwrap();
     }
     let db = ["stylize", "--db", "demo.strutdb", "--style", "old"];

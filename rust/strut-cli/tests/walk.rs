@@ -155,7 +155,7 @@ fn demo_walk() -> HumanoidMotion {
 }
 
 fn bvh_of(motion: &HumanoidMotion) -> String {
-    bvh::write(&Bvh::from_humanoid(motion).unwrap())
+    bvh::write_text(&Bvh::from_humanoid(motion).unwrap())
 }
 
 /// BVH text without the joints of the toes: their parents end where they were.

@@ -57,6 +57,8 @@ note_codes! {
     TextAfter = "text-after",
     /// The hierarchy has joints or end sites that are written in an unusual way.
     Hierarchy = "hierarchy",
+    /// Text that is not UTF-8.
+    Encoding = "encoding",
     /// The frame time was taken as milliseconds.
     Milliseconds = "milliseconds",
     /// Position channels were taken as added to the offsets.

@@ -85,6 +85,18 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         (replaced("ROOT Hips", "ROOT"), "line 3, column 1 has '{'; a joint name of 1 to 256 bytes was expected"),
         // A name that ended in a brace could not be written.
         (replaced("Left Leg", "Left Leg {{"), "line 6, column 18 has '{'; OFFSET was expected"),
+        (
+            replaced("Left Leg", "Left\tLeg"),
+            "line 6 has the joint name 'Left\u{FFFD}Leg' with a tab in it; blanks or underscores were expected",
+        ),
+        (
+            replaced("Left Leg", "Left\u{7}Leg"),
+            "line 6, column 8 has 'Left\u{FFFD}Leg'; a joint name without control characters was expected",
+        ),
+        (
+            replaced("Frames: 2", "Frames: 1000000000"),
+            "line 17 announces 1000000000 frames; 1 to 1000000 were expected",
+        ),
         (replaced("\t}\n}", "\t}\n}\nROOT Other\n{"), "line 16 begins a second ROOT; one skeleton a file is supported"),
         (replaced("\t\t}\n\t}", "\t\t}\n\t\tEnd Site\n\t}"), "line 15, column 2 has '}'; { was expected"),
         (replaced("MOTION", "Motion?"), "line 16, column 1 has 'Motion?'; MOTION was expected"),
@@ -148,6 +160,9 @@ fn what_other_programs_write_is_read_with_a_note() {
         ([WALK, "# made by hand\n"].concat(), vec!["text-after"]),
         (WALK.replacen("End Site", "End", 1), vec!["hierarchy"]),
         (WALK.replacen("End Site", "EndSite", 1), vec!["hierarchy"]),
+        (WALK.replacen("End Site", "End_Site", 1), vec!["hierarchy"]),
+        ([WALK, &"# made by hand\n".repeat(1000)].concat(), vec!["text-after"]),
+        ([WALK, "v1.2 of the exporter\n"].concat(), vec!["text-after"]),
         (WALK.replacen("End Site", "End Site tip", 1), vec!["hierarchy"]),
         (WALK.replacen("0 -40 0\n", "0 -40 0\n\t\t\tCHANNELS 0\n", 1), vec!["hierarchy"]),
         (WALK.replacen("\t\t}\n\t}", "\t\t}\n\t\tEnd Site\n\t\t{\n\t\tOFFSET 1 1 1\n\t\t}\n\t}", 1), vec!["hierarchy"]),
@@ -175,8 +190,128 @@ fn damaged_rows_are_refused_although_the_numbers_make_whole_frames() {
     // A number of the second row stands in the first.
     assert_eq!(damaged("1 2 3 4 5 6 7 8 9 10\n2 3 4 5 6 7 8 9\n"), "line 19 has 10 numbers; this skeleton needs 9");
     assert_eq!(damaged("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8 9 10\n"), "line 19 has 8 numbers; this skeleton needs 9");
-    let last = damaged("1 2 3 4 5 6 7 8 9\nx0.5 2 3 4 5 6 7 8 9\n");
-    assert_eq!(last, "line 20, column 1 has 'x0.5'; a number was expected");
+    // Rows that are short and long by the same number, whatever is between.
+    for (rows, line, found) in [
+        ("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6 7 8 9 10\n", 19, 8),
+        ("1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6\n1 2 3 4 5 6 7 8 9 10 11 12\n", 20, 6),
+        ("1 2 3 4 5 6 7 8 9 10 11 12\n1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6\n", 19, 12),
+    ] {
+        assert_eq!(damaged(rows), format!("line {line} has {found} numbers; this skeleton needs 9"));
+    }
+    // The last row, whole, or with the one before it, or cut off where rows are missing.
+    for last in
+        ["x0.5 2 3 4 5 6 7 8 9\n", "x0.5 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\n", "x0.5 2 3\n", "x0.5 2 3 4 5 6\n# end\n"]
+    {
+        let error = damaged(&["1 2 3 4 5 6 7 8 9\n", last].concat());
+        assert_eq!(error, "line 20, column 1 has 'x0.5'; a number was expected");
+    }
+}
+
+#[test]
+fn a_hierarchy_may_be_on_one_line() {
+    let walk = bvh::parse(WALK.as_bytes()).unwrap();
+    let (hierarchy, motion) = WALK.split_at(WALK.find("MOTION").unwrap());
+    let on_one_line = hierarchy.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+    let all = WALK.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+    let cases = [
+        (format!("{on_one_line}\n{motion}"), vec![]),
+        (format!("{on_one_line} {motion}"), vec![]),
+        (format!("{}\n{motion}", on_one_line.replace(" {", "{").replace("{ ", "{")), vec![]),
+        (WALK.replace("\n{\n", " {\n").replace("\n\t{\n", " {\n").replace("\n\t\t{\n", " {\n"), vec![]),
+        (WALK.replace("\n\tCHANNELS", " CHANNELS").replace("\n\t\tCHANNELS", " CHANNELS"), vec![]),
+        (WALK.replace("\n\t{\n\t\tOFFSET", "\t{\tOFFSET"), vec![]),
+        (WALK.replace("End Site\n\t\t{\n", "End Site tip {"), vec!["hierarchy"]),
+        (all, vec!["rows"]),
+    ];
+    for (text, expected) in cases {
+        let (file, codes) = noted(&text);
+        assert_eq!((codes, &file), (expected, &walk), "{text}");
+    }
+}
+
+#[test]
+fn names_are_the_rest_of_their_line_also_with_braces() {
+    for name in [
+        "Left Leg",
+        "Left {OFFSET} Leg",
+        "Left {OFFSET",
+        "a{b",
+        "{a} OFFSET 1",
+        "OFFSET 1 2 3",
+        "Leg { CHANNELS",
+        "左足",
+    ] {
+        for brace in ["\n{", "{", " {", " { "] {
+            let text = WALK.replacen("Left Leg\n\t{", &[name, brace].concat(), 1);
+            assert_eq!(noted(&text).0.joints[1].name, name, "{text}");
+        }
+    }
+}
+
+#[test]
+fn utf_16_is_read_and_written_as_utf_8() {
+    let text = WALK.replace("Left Leg", "左足");
+    let walk = bvh::parse(text.as_bytes()).unwrap();
+    let units = || format!("\u{FEFF}{text}").encode_utf16().collect::<Vec<u16>>();
+    let little: Vec<u8> = units().iter().flat_map(|unit| unit.to_le_bytes()).collect();
+    let big: Vec<u8> = units().iter().flat_map(|unit| unit.to_be_bytes()).collect();
+    for bytes in [little, big] {
+        let (file, notes) = bvh::parse_noted(&bytes).unwrap();
+        assert_eq!(file, walk);
+        assert_eq!(notes.len(), 1);
+        assert_eq!(notes[0].text, "The file is in UTF-16. It is written back in UTF-8.");
+        assert_eq!(bvh::parse_noted(&bvh::write(&file)).unwrap(), (file.clone(), vec![]));
+        assert_eq!(bvh::parse_hierarchy(&bytes).unwrap().joints, walk.joints);
+        // Half a character at the end is none.
+        assert!(bvh::parse(&bytes[..bytes.len() - 1]).is_ok());
+    }
+}
+
+/// A walk whose second joint has a name of these bytes, with what stands between it and `OFFSET`.
+fn named(name: &[u8], brace: &str) -> Vec<u8> {
+    let (before, after) = WALK.split_once("Left Leg\n\t{\n").unwrap();
+    [before.as_bytes(), name, brace.as_bytes(), after.as_bytes()].concat()
+}
+
+#[test]
+fn names_in_other_encodings_are_written_back_as_they_came() {
+    let cases: [(&[u8], &str); 6] = [
+        // Shift-JIS, of which the second has a letter that ends in the byte of a brace.
+        (b"\x8D\xB6\x91\xAB", "左足"),
+        (b"\x8D\xB6\x83\x7B", "左ボ"),
+        (b"Gr\xF6\xDFe", "Größe"),
+        (b"\xCD\xEE\xE3\xE0 1", "Íîãà 1"),
+        (b"\x8E\x84", "\u{18E}\u{184}"),
+        // Valid UTF-8 of a control character.
+        (b"\xC2\x85", "Â\u{185}"),
+    ];
+    for (bytes, seen) in cases {
+        for brace in ["\n{\n", " {\n", "{\n", "{", "{ "] {
+            let (file, notes) = bvh::parse_noted(&named(bytes, brace)).unwrap();
+            let joint = &file.joints[1];
+            assert_eq!((joint.name.as_str(), joint.name_bytes.as_deref()), (seen, Some(bytes)));
+            assert!(!joint.name.contains(char::is_control));
+            assert_eq!(notes.len(), 1);
+            assert_eq!(notes[0].text, "Names from line 6 on are not in UTF-8. They are written back byte for byte.");
+            let written = bvh::write(&file.with_motion(&file.to_motion().unwrap()).unwrap());
+            assert!(written.windows(bytes.len()).any(|w| w == bytes));
+            assert_eq!(bvh::parse(&written).unwrap().joints, file.joints);
+        }
+    }
+}
+
+#[test]
+fn joints_without_channels_cannot_need_more_memory_than_there_is() {
+    let joints = "JOINT j\n{\nOFFSET 0 1 0\n".repeat(511);
+    let text = format!(
+        "HIERARCHY\nROOT r\n{{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n{joints}{}MOTION\nFrames: 140000\nFrame Time: 0.1\n{}",
+        "}\n".repeat(512),
+        "0\n".repeat(140_000)
+    );
+    assert_eq!(
+        error(&text),
+        "the file has 140000 frames of 512 joints; at most 67108864 joints in all frames are supported"
+    );
 }
 
 #[test]
@@ -291,7 +426,7 @@ fn hierarchy() -> impl Strategy<Value = Vec<Joint>> {
             for _ in 0..up {
                 parent = parent.and_then(|p| joints[p].parent).or(parent);
             }
-            joints.push(Joint { name, parent, offset, channels, end_site });
+            joints.push(Joint { name, name_bytes: None, parent, offset, channels, end_site });
         }
         joints
     })
@@ -319,7 +454,7 @@ proptest! {
 
     #[test]
     fn reading_what_was_written_gives_the_same_document(document in document()) {
-        let read = bvh::parse(bvh::write(&document).as_bytes()).unwrap();
+        let read = bvh::parse(&bvh::write(&document)).unwrap();
         // Whether positions are added is judged by the numbers.
         prop_assert_eq!(&read, &Bvh { added_positions: read.added_positions, ..document });
     }

@@ -74,7 +74,7 @@ impl Arrays {
         }
         let motion = motion::Motion::new(skeleton, 1.0 / self.rate_hz, translations, rotations);
         let file = Bvh::from_motion(&motion.map_err(TaskError::new)?).map_err(TaskError::new)?;
-        Ok(bvh::write(&file).into_bytes())
+        Ok(bvh::write(&file))
     }
 }
 

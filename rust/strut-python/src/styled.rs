@@ -144,14 +144,14 @@ impl StyledMotion {
 
     /// The text of a BVH file with the input's skeleton, names, units, channel order and frame rate.
     fn to_bvh(&self) -> String {
-        bvh::write(&self.file)
+        bvh::write_text(&self.file)
     }
 
     /// Writes that file.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         watched(py, None, |_| {
             let mut outputs = Outputs::default();
-            outputs.stage(&path, bvh::write(&self.file).as_bytes())?;
+            outputs.stage(&path, &bvh::write(&self.file))?;
             outputs.commit()
         })
     }

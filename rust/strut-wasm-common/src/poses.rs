@@ -52,7 +52,7 @@ pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
 /// # Errors
 /// If there is no pose, or a number is beyond all that files hold.
 pub fn bvh_of(motion: &HumanoidMotion) -> Result<String, EngineError> {
-    Bvh::from_humanoid(motion).map(|file| bvh::write(&file)).map_err(EngineError::bad_input)
+    Bvh::from_humanoid(motion).map(|file| bvh::write_text(&file)).map_err(EngineError::bad_input)
 }
 
 /// Fills an array of JavaScript's: a call every frame of the screen allocates nothing.

@@ -247,7 +247,7 @@ mod tests {
             poses: [0.0, 0.5, 1.0].map(pose).into(),
         };
         let file = Bvh::from_humanoid(&motion).unwrap();
-        let text = bvh::write(&file);
+        let text = bvh::write_text(&file);
         let rows: Vec<Vec<f32>> = (0..3).map(|f| file.row(f).iter().map(|v| *v as f32).collect()).collect();
         let mut by_channels = stream();
         by_channels.take_bvh(&text[..text.find("Frame Time").unwrap()]).unwrap();

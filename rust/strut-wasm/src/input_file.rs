@@ -153,7 +153,7 @@ impl InputFile {
     pub(crate) fn export(&self, styled: &StyledMotion, rate_hz: f32) -> Result<String, EngineError> {
         let Self { bvh, motion, binding, .. } = self;
         let styled = bvh.with_motion(&styled.on_skeleton(rate_hz, motion, binding));
-        styled.map(|bvh| bvh::write(&bvh)).map_err(unreadable)
+        styled.map(|bvh| bvh::write_text(&bvh)).map_err(unreadable)
     }
 }
 

@@ -2,6 +2,7 @@
 
 import type { StyledPoses } from "../../character/types";
 import type { CallOptions } from "../../client/protocol";
+import { bvhBytes } from "../../formats/bvh_bytes";
 import { traceAsCsv, traceAsJson } from "../../formats/trace";
 import type { Session } from "../../player/session";
 import { saveFile } from "../../ui/dom";
@@ -65,7 +66,7 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
   switch (format) {
     case "bvh": {
       const text = await session.exportBvh();
-      return text === undefined ? undefined : new Blob([text], { type: "text/plain" });
+      return text === undefined ? undefined : new Blob([bvhBytes(text)], { type: "text/plain" });
     }
     case "glb":
       return glb(sources);

@@ -55,7 +55,7 @@ pub(crate) fn demo_database() -> &'static [u8] {
 pub(crate) fn demo_walk() -> String {
     let mut motion = strut_demo::input_clips().remove(0).motion;
     motion.poses.truncate(120);
-    bvh::write(&bvh::Bvh::from_humanoid(&motion).unwrap())
+    bvh::write_text(&bvh::Bvh::from_humanoid(&motion).unwrap())
 }
 
 /// Whether tests on real clips take all of them instead of a sample.

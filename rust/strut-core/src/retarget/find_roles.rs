@@ -30,6 +30,9 @@ const FIRST_REQUIRED: [usize; 2] = [0, 1];
 /// The bones on both sides of a joint that was found by its place between named ones differ by this factor at most.
 const UNEQUAL_BONES: f32 = 2.5;
 
+/// A joint is at its parent's place if it is nearer than this share of the next bone.
+const SAME_PLACE: f32 = 0.01;
+
 /// A limb as joints of the file, in the order of its parts.
 type LimbJoints = [Option<usize>; 4];
 
@@ -181,6 +184,10 @@ fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Sid
         let weight = if hints[joint].side == Some(side) { hints[joint].weight(parts[i]) } else { 0.0 };
         if weight > 0.0 && required(i) { weight + 1.0 } else { weight }
     };
+    // Of a joint at its parent's place and the one below it with as good a name, the latter moves the bone.
+    let doubles_its_parent = |chosen: Option<usize>, joint: usize| {
+        chosen.is_some_and(|j| tree.parents[joint] == Some(j) && tree.lengths[j] <= SAME_PLACE * tree.lengths[joint])
+    };
     // best[j][n]: score of the best choice of the first n parts on the path to j, and the last part's joint.
     let mut best: Vec<[(f32, LimbJoints); 5]> = Vec::with_capacity(hints.len());
     let mut winner = (0.0, [None; 4]);
@@ -193,7 +200,8 @@ fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Sid
                 here[n] = here[n - 1];
             }
             let own = score(joint, n - 1);
-            if own > 0.0 && above[n - 1].0 + own > here[n].0 {
+            let (total, before) = (above[n - 1].0 + own, here[n].0);
+            if own > 0.0 && (total > before || total >= before && doubles_its_parent(here[n].1[n - 1], joint)) {
                 here[n] = above[n - 1];
                 here[n].0 += own;
                 here[n].1[n - 1] = Some(joint);

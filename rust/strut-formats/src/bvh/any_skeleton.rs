@@ -24,6 +24,7 @@ impl Bvh {
             let rotations = [Axis::Z, Axis::X, Axis::Y].map(Channel::Rotation);
             Joint {
                 name: joints[joint].name.clone(),
+                name_bytes: None,
                 parent: parent.and_then(place),
                 offset: joints[joint].offset.to_array().map(f64::from),
                 channels: positions.iter().copied().map(Channel::Position).chain(rotations).collect(),
@@ -84,7 +85,7 @@ mod tests {
         let rotations = (0..10).map(|i| Quat::from_rotation_y(0.1 * i as f32)).collect();
         let motion = Motion::new(skeleton, 0.01, translations, rotations).unwrap();
         let file = Bvh::from_motion(&motion).unwrap();
-        let file = super::super::parse(super::super::write(&file).as_bytes()).unwrap();
+        let file = super::super::parse(&super::super::write(&file)).unwrap();
         let names: Vec<&str> = file.joints.iter().map(|j| j.name.as_str()).collect();
         assert_eq!(names, ["hips", "left", "left end", "right", "right end"]);
         let back = file.to_motion().unwrap();

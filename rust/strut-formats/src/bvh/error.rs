@@ -1,6 +1,8 @@
 //! Errors of reading and writing, with line and column.
 
-use super::{FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS};
+use super::{
+    FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS, MAX_TRANSFORMS,
+};
 use strut_core::motion::MotionError;
 use strut_core::skeleton::SkeletonError;
 use thiserror::Error;
@@ -36,6 +38,9 @@ pub enum BvhError {
          the number format of English"
     )]
     DecimalComma { line: usize, column: usize, found: String },
+    /// A joint's name has a tab, which most programs take for its end.
+    #[error("line {line} has the joint name '{found}' with a tab in it; blanks or underscores were expected")]
+    TabInName { line: usize, found: String },
     /// No joint has a channel.
     #[error("no joint has a channel; at least one was expected")]
     NoChannels,
@@ -64,6 +69,11 @@ pub enum BvhError {
     /// More than [`MAX_FRAMES`] in the file.
     #[error("line {line} comes after {MAX_FRAMES} frames, the most supported; {announced} were announced")]
     ExtraFrames { line: usize, announced: usize },
+    /// More than [`MAX_TRANSFORMS`].
+    #[error(
+        "the file has {frames} frames of {joints} joints; at most {MAX_TRANSFORMS} joints in all frames are supported"
+    )]
+    TooManyTransforms { frames: usize, joints: usize },
     /// The hierarchy is not a valid skeleton.
     #[error(transparent)]
     Skeleton(#[from] SkeletonError),

@@ -60,6 +60,7 @@ impl Bvh {
             let positions = if root { &[Axis::X, Axis::Y, Axis::Z][..] } else { &[] };
             Joint {
                 name: NAMES[role.index()].into(),
+                name_bytes: None,
                 parent: role.parent().map(Role::index),
                 // The root's channels replace its offset.
                 offset: if root { [0.0; 3] } else { rounded(cm(motion.proportions.offsets[role.index()])) },
@@ -99,7 +100,7 @@ mod tests {
         pose.rotations[Role::LeftUpperArm.index()] = Quat::from_rotation_z(-1.2);
         let motion = HumanoidMotion { proportions: Proportions::default(), rate_hz: 60.0, poses: vec![pose; 3] };
         let file = Bvh::from_humanoid(&motion).unwrap();
-        let file = super::super::parse(super::super::write(&file).as_bytes()).unwrap();
+        let file = super::super::parse(&super::super::write(&file)).unwrap();
         let back = file.to_motion().unwrap();
         assert_eq!((back.frames(), back.skeleton.len()), (3, Role::ALL.len()));
         assert!((back.translations_at(2)[0] - Vec3::new(10.0, 90.0, -200.0)).length() < 1e-4);

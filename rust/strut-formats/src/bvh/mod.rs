@@ -8,16 +8,18 @@
 //! - any number and order of channels on any joint, up to [`MAX_CHANNELS_PER_JOINT`]. Rotations apply in
 //!   the order listed: `Zrotation Xrotation Yrotation` is Rz·Rx·Ry. Position channels are the joint's
 //!   translation in its parent's frame and replace `OFFSET` on their axis;
-//! - names with spaces: a name is the rest of its line.
+//! - names with spaces: a name is the rest of its line, but for a brace at its end or before `OFFSET`;
+//! - a hierarchy, or all of a file, on one line.
 //!
 //! What other programs write besides is read with a note ([`parse_noted`], `docs/reading.md`): another number of frames than
-//! announced, rows that are not one a line, text after the frames, end sites that are spelt otherwise, and position channels
-//! that are added to `OFFSET`.
+//! announced, rows that are not one a line, text after the frames, end sites that are spelt otherwise, position channels
+//! that are added to `OFFSET`, UTF-16, and names that are not in UTF-8.
 //!
 //! Everything else is refused with a [`BvhError`] that names the place and what was expected there. Lengths stay in
 //! the file's own unit, angles in degrees.
 
 mod any_skeleton;
+mod encoding;
 mod error;
 mod euler;
 mod far;
@@ -31,7 +33,7 @@ pub use error::BvhError;
 #[cfg(feature = "vmc")]
 pub(crate) use humanoid::NAMES as HUMANOID_NAMES;
 pub use parse::{parse, parse_hierarchy, parse_noted};
-pub use write::write;
+pub use write::{write, write_text};
 
 /// Greatest size of a file, bytes: 256 MiB.
 pub const MAX_BYTES: usize = 256 << 20;
@@ -41,6 +43,9 @@ pub const MAX_JOINTS: usize = strut_core::skeleton::MAX_JOINTS;
 pub const MAX_CHANNELS_PER_JOINT: usize = 12;
 /// Greatest number of frames of a file: over two hours at 120 Hz.
 pub const MAX_FRAMES: usize = 1_000_000;
+/// Greatest number of joints times frames of a file: of joints without channels, a short text could have more than there is
+/// memory for.
+pub const MAX_TRANSFORMS: usize = 1 << 26;
 /// Greatest length of a joint's name, bytes.
 pub const MAX_NAME_BYTES: usize = 256;
 /// Largest magnitude of an offset or a channel value, in the file's length unit or degrees. Single
@@ -98,6 +103,8 @@ impl Channel {
 pub struct Joint {
     /// Name as in the file; not necessarily unique.
     pub name: String,
+    /// The bytes that the name is written with, where they are not UTF-8. It is then what people see of them.
+    pub name_bytes: Option<Vec<u8>>,
     /// Index of the parent, smaller than the joint's own; `None` only for joint 0.
     pub parent: Option<usize>,
     /// `OFFSET`: position in the parent's frame where no channel gives one, in the file's length unit.

@@ -3,15 +3,17 @@
 use super::number::parse_prefix;
 use super::{
     Bvh, BvhError, Channel, FRAME_TIME_SECS, Joint, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES,
-    MAX_JOINTS, MAX_NAME_BYTES,
+    MAX_JOINTS, MAX_NAME_BYTES, MAX_TRANSFORMS, encoding,
 };
 use crate::quotation::quotation;
+use std::borrow::Cow;
 use strut_core::note::{Note, NoteCode};
 
 /// Frame times that are milliseconds if the motion has small steps: 20 to 250 Hz.
 const MILLISECONDS: std::ops::RangeInclusive<f64> = 4.0..=50.0;
-/// Text after the frames that may be left unread, bytes.
-const MAX_TEXT_AFTER: usize = 4096;
+
+/// Most characters of the file that a message quotes.
+const MOST_SHOWN: usize = 24;
 
 /// Reads a file. See the [module documentation](super) for what is accepted.
 ///
@@ -26,12 +28,19 @@ pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
 /// # Errors
 /// As [`parse`].
 pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
-    let (joints, mut cursor) = beginning(bytes)?;
+    let (text, is_utf_16) = text_of(bytes)?;
+    let (joints, mut cursor) = beginning(&text)?;
+    if is_utf_16 {
+        cursor.notes.push(Note::new(NoteCode::Encoding, "The file is in UTF-16. It is written back in UTF-8."));
+    }
     let channels: usize = joints.iter().map(|j| j.channels.len()).sum();
     let (announced, frame_time) = motion_header(&mut cursor)?;
     let Frames { mut values, cut_off } = frame_values(&mut cursor, announced, channels)?;
     values.truncate(values.len() - cut_off);
     let frames = values.len() / channels;
+    if frames > MAX_TRANSFORMS / joints.len() {
+        return Err(BvhError::TooManyTransforms { frames, joints: joints.len() });
+    }
     if frames != announced || cut_off > 0 {
         let rest = if cut_off > 0 { "Its last row was cut off and left out." } else { "All of them were read." };
         cursor.notes.push(Note::new(
@@ -77,17 +86,22 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
 /// # Errors
 /// As [`parse`].
 pub fn parse_hierarchy(bytes: &[u8]) -> Result<Bvh, BvhError> {
-    let (joints, _) = beginning(bytes)?;
+    let (text, _) = text_of(bytes)?;
+    let (joints, _) = beginning(&text)?;
     let values = vec![0.0; joints.iter().map(|j| j.channels.len()).sum()];
     Ok(Bvh { joints, added_positions: false, frame_time_secs: 1.0, frames: 1, values })
 }
 
-/// From `HIERARCHY` to after the root's closing brace.
-fn beginning(bytes: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
+/// The file as UTF-8, but for names, and whether it was UTF-16.
+fn text_of(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), BvhError> {
     if bytes.len() > MAX_BYTES {
         return Err(BvhError::TooManyBytes { bytes: bytes.len() });
     }
-    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    Ok(encoding::utf_8(bytes))
+}
+
+/// From `HIERARCHY` to after the root's closing brace.
+fn beginning(text: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
     let mut cursor = Cursor { text, at: 0, line: 1, line_begin: 0, notes: Vec::new() };
     cursor.skip_blanks_and_lines();
     if cursor.peek().is_none() {
@@ -117,7 +131,7 @@ fn hierarchy(cursor: &mut Cursor) -> Result<Vec<Joint>, BvhError> {
         } else if cursor.take_keyword("End") {
             let is_usual = cursor.take_keyword("Site");
             end_site(cursor, &mut joints[current], is_usual)?;
-        } else if cursor.take_keyword("EndSite") {
+        } else if cursor.take_keyword("EndSite") || cursor.take_keyword("End_Site") {
             end_site(cursor, &mut joints[current], false)?;
         } else if cursor.take_keyword("}") {
             open.pop();
@@ -149,18 +163,21 @@ fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Resul
     cursor.keyword("}")?;
     is_usual &= joint.end_site.is_none();
     joint.end_site.get_or_insert(offset);
-    if !is_usual && cursor.notes.is_empty() {
-        cursor.notes.push(Note::new(
-            NoteCode::Hierarchy,
-            "End Sites are written in an unusual way. Each was read as the end of its joint's bone.",
-        ));
+    if !is_usual {
+        let text = "End Sites are written in an unusual way. Each was read as the end of its joint's bone.";
+        cursor.note_once(NoteCode::Hierarchy, || text.into());
     }
     Ok(())
 }
 
 /// A joint from its name to its channels; its opening brace stays open.
 fn joint(cursor: &mut Cursor, parent: Option<usize>) -> Result<Joint, BvhError> {
-    let name = cursor.name()?;
+    let (name, name_bytes) = encoding::name(cursor.name()?);
+    if name_bytes.is_some() {
+        let line = cursor.line;
+        let text = || format!("Names from line {line} on are not in UTF-8. They are written back byte for byte.");
+        cursor.note_once(NoteCode::Encoding, || text().into());
+    }
     cursor.keyword("{")?;
     let (mut offset, mut channels) = (None, None);
     loop {
@@ -169,7 +186,8 @@ fn joint(cursor: &mut Cursor, parent: Option<usize>) -> Result<Joint, BvhError> 
         } else if channels.is_none() && cursor.take_keyword("CHANNELS") {
             channels = Some(channel_list(cursor)?);
         } else if let Some(offset) = offset {
-            return Ok(Joint { name, parent, offset, channels: channels.unwrap_or_default(), end_site: None });
+            let channels = channels.unwrap_or_default();
+            return Ok(Joint { name, name_bytes, parent, offset, channels, end_site: None });
         } else {
             return Err(cursor.unexpected("OFFSET"));
         }
@@ -202,9 +220,10 @@ struct FrameTime {
     line: usize,
 }
 
-/// `MOTION`, `Frames:` and `Frame Time:`; ends at the end of the line.
+/// `MOTION`, `Frames:` and `Frame Time:`; ends before the first frame.
 fn motion_header(cursor: &mut Cursor) -> Result<(usize, FrameTime), BvhError> {
     cursor.keyword("MOTION")?;
+    let begin = cursor.line;
     cursor.label(&["Frames"], "'Frames:'")?;
     let frames = cursor.count("the number of frames")?;
     if frames == 0 || frames > MAX_FRAMES as u64 {
@@ -216,7 +235,8 @@ fn motion_header(cursor: &mut Cursor) -> Result<(usize, FrameTime), BvhError> {
     if !FRAME_TIME_SECS.contains(&value) && !MILLISECONDS.contains(&value) {
         return Err(BvhError::FrameTime { line: cursor.line, secs: value });
     }
-    if !cursor.at_line_end() {
+    // Where all is on one line, so are the frames.
+    if !cursor.at_line_end() && cursor.line != begin {
         return Err(cursor.unexpected("the end of the line"));
     }
     Ok((frames as usize, FrameTime { value, line: cursor.line }))
@@ -239,7 +259,7 @@ fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<F
     let (mut uneven, mut last) = (None, 0);
     loop {
         cursor.skip_blanks_and_lines();
-        if cursor.ends_or_has_text(&values, channels) {
+        if cursor.ends_or_has_text(&values, channels, frames) {
             break;
         }
         last = cursor.line;
@@ -284,6 +304,38 @@ fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<F
     Ok(Frames { values, cut_off })
 }
 
+/// Whether what follows a brace is the beginning of a joint, not the rest of a name.
+fn begins_joint(text: &[u8]) -> bool {
+    let text = text.trim_ascii_start();
+    let Some((word, rest)) = text.split_at_checked(text.iter().take_while(|b| b.is_ascii_alphabetic()).count()) else {
+        return false;
+    };
+    let is = |keyword: &[u8]| word.eq_ignore_ascii_case(keyword);
+    let number = rest.trim_ascii_start();
+    (is(b"OFFSET") || is(b"CHANNELS")) && number.len() < rest.len() && number.first().is_some_and(|b| is_numeric(*b))
+}
+
+/// Whether a byte may be the first of a number.
+fn is_numeric(b: u8) -> bool {
+    matches!(b, b'-' | b'+' | b'.' | b'0'..=b'9')
+}
+
+/// Whether a line after whole frames is one of them, damaged or not: it begins with a number or, where frames are missing, with
+/// a word with a digit in it; or it has as many words as a frame has numbers, or so many of them are numbers.
+fn is_frame(line: &[u8], channels: usize, is_short: bool) -> bool {
+    let is = |word: &[u8]| line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word));
+    if line.first().is_some_and(|b| is_numeric(*b)) || is(b"nan") || is(b"inf") {
+        return true;
+    }
+    let words = || line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let first = words().next().unwrap_or_default();
+    if is_short && !first.starts_with(b"#") && first.iter().any(u8::is_ascii_digit) {
+        return true;
+    }
+    let numbers = words().filter(|word| parse_prefix(word).is_some_and(|(_, length)| length == word.len())).count();
+    channels > 1 && (words().count() == channels || 2 * numbers > channels)
+}
+
 /// A position in the text with its line.
 struct Cursor<'a> {
     text: &'a [u8],
@@ -324,23 +376,16 @@ impl<'a> Cursor<'a> {
         self.line_begin = self.at;
     }
 
-    /// Whether the frames end here: with the file, or with text after whole frames that has neither numbers at the beginning of
-    /// a line nor as many words as a frame has numbers.
-    fn ends_or_has_text(&mut self, values: &[f64], channels: usize) -> bool {
+    /// Whether the frames end here: with the file, or with text after whole frames that is none itself ([`is_frame`]).
+    fn ends_or_has_text(&mut self, values: &[f64], channels: usize, announced: usize) -> bool {
         let rest = &self.text[self.at..];
         let Some(first) = rest.first() else { return true };
-        let numeric = |b: &u8| matches!(b, b'-' | b'+' | b'.' | b'0'..=b'9');
-        if numeric(first) || values.is_empty() || !values.len().is_multiple_of(channels) || rest.len() > MAX_TEXT_AFTER
-        {
+        if is_numeric(*first) || values.is_empty() || !values.len().is_multiple_of(channels) {
             return false;
         }
-        let starts_as_number = |line: &[u8]| {
-            let is = |word: &[u8]| line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word));
-            line.first().is_some_and(numeric) || is(b"nan") || is(b"inf")
-        };
-        let words = |line: &[u8]| line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count();
-        let mut lines = rest.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii_start);
-        if lines.any(|line| starts_as_number(line) || channels > 1 && words(line) == channels) {
+        let is_short = values.len() / channels < announced;
+        let mut lines = rest.split(|b| matches!(b, b'\n' | b'\r')).map(<[u8]>::trim_ascii);
+        if lines.any(|line| is_frame(line, channels, is_short)) {
             return false;
         }
         // Marks at the end of a file say nothing.
@@ -352,6 +397,13 @@ impl<'a> Cursor<'a> {
             ));
         }
         true
+    }
+
+    /// Notes what occurs many times in a file, the first time.
+    fn note_once(&mut self, code: NoteCode, text: impl FnOnce() -> Cow<'static, str>) {
+        if self.notes.iter().all(|note| note.code != code) {
+            self.notes.push(Note::new(code, text()));
+        }
     }
 
     /// Skips blanks; whether nothing else is left on the line. The marks that some programs end a file with end a line too.
@@ -405,21 +457,32 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// The rest of the line without blanks around and opening braces at its end, where the joint may begin: what is a name can
-    /// be written and read again.
-    fn name(&mut self) -> Result<String, BvhError> {
+    /// The rest of the line without blanks around and opening braces at its end, where the joint may begin, also if it goes on
+    /// there: what is a name can be written and read again.
+    fn name(&mut self) -> Result<&'a [u8], BvhError> {
         self.skip_blanks();
         let rest = &self.text[self.at..];
-        let line = &rest[..rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len())];
-        let name_end = line.iter().rposition(|b| *b != b'{' && !b.is_ascii_whitespace());
-        let name = &line[..name_end.map_or(0, |last| last + 1)];
+        let length = rest.iter().position(|b| matches!(b, b'\n' | b'\r')).unwrap_or(rest.len());
+        let (line, after) = rest.split_at(length);
+        let joint = (0..length).find(|&i| line[i] == b'{' && begins_joint(&line[i + 1..]));
+        let line = line[..joint.unwrap_or(length)].trim_ascii_end();
+        let begins = line.iter().rposition(|b| *b != b'{' && !b.is_ascii_whitespace()).map_or(0, |last| last + 1);
+        // In Shift-JIS a letter may end in the byte of a brace, where another one opens the joint.
+        let is_opened = || line.len() > begins + 1 || joint.is_some() || after.trim_ascii_start().starts_with(b"{");
+        let is_letter = begins > 0 && encoding::leads(line[begins - 1]) && line.len() > begins && is_opened();
+        let name = &line[..begins + usize::from(is_letter && line[begins] == b'{')];
         if name.is_empty() || name.len() > MAX_NAME_BYTES {
             return Err(self.unexpected("a joint name of 1 to 256 bytes"));
         }
-        let name_text = std::str::from_utf8(name).ok().filter(|n| !n.contains(char::is_control));
-        let name_text = name_text.ok_or_else(|| self.unexpected("a joint name in UTF-8"))?;
+        if name.contains(&b'\t') {
+            let found = quotation(&encoding::name(name).0, MOST_SHOWN);
+            return Err(BvhError::TabInName { line: self.line, found });
+        }
+        if name.iter().any(u8::is_ascii_control) {
+            return Err(self.unexpected("a joint name without control characters"));
+        }
         self.at += name.len();
-        Ok(name_text.to_owned())
+        Ok(name)
     }
 
     /// A whole number, saturated.
@@ -475,14 +538,13 @@ impl<'a> Cursor<'a> {
 
     /// The next token as a message quotes it.
     fn shown(&mut self) -> String {
-        const MOST: usize = 24;
         let token = self.token();
         if token.is_empty() {
             return if self.peek().is_none() { "the end of the file" } else { "a blank" }.to_owned();
         }
-        let text = String::from_utf8_lossy(&token[..token.len().min(4 * MOST)]);
-        let shown = quotation(&text, MOST);
-        if shown.len() < token.len() && text.chars().count() > MOST {
+        let text = String::from_utf8_lossy(&token[..token.len().min(4 * MOST_SHOWN)]);
+        let shown = quotation(&text, MOST_SHOWN);
+        if shown.len() < token.len() && text.chars().count() > MOST_SHOWN {
             format!("'{shown}…'")
         } else {
             format!("'{shown}'")

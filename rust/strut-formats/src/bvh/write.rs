@@ -1,11 +1,22 @@
 //! [`Bvh`] to text.
 
-use super::Bvh;
+use super::{Bvh, encoding};
 use std::fmt::Write;
 
-/// The file as text, LF line ends, tabs for indentation. Every number is printed with the fewest digits
+/// The file: [`write_text`] in UTF-8, but for names that were read in another encoding, which are written as they were.
+pub fn write(bvh: &Bvh) -> Vec<u8> {
+    let text = write_text(bvh);
+    if bvh.joints.iter().any(|joint| joint.name_bytes.is_some()) {
+        encoding::unescaped(&text)
+    } else {
+        text.into_bytes()
+    }
+}
+
+/// The file as text, for programs that pass on text: each byte from 0x80 on of a name that is not UTF-8 is a character from
+/// U+10FE80 on, of a private area. LF line ends, tabs for indentation. Every number is printed with the fewest digits
 /// that read back as the same `f64`, so that `parse(write(b)) == b`.
-pub fn write(bvh: &Bvh) -> String {
+pub fn write_text(bvh: &Bvh) -> String {
     // About ten characters a value, one line of about 30 for each of five lines a joint.
     let mut out = String::with_capacity(bvh.values.len() * 11 + bvh.joints.len() * 150 + 100);
     out.push_str("HIERARCHY\n");
@@ -37,7 +48,10 @@ fn write_joints(out: &mut String, bvh: &Bvh) {
         let depth = open.len();
         indent(out, depth);
         out.push_str(if joint.parent.is_none() { "ROOT " } else { "JOINT " });
-        out.push_str(&joint.name);
+        match &joint.name_bytes {
+            Some(bytes) => out.extend(encoding::escaped(bytes)),
+            None => out.push_str(&joint.name),
+        }
         out.push('\n');
         indent(out, depth);
         out.push_str("{\n");

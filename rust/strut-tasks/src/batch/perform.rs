@@ -87,9 +87,9 @@ impl Performer<'_> {
         let clip = styling.read(&source.path, bytes)?;
         let styled = styling.style(&source.path, &clip, None, Spread::Clips, on_progress)?;
         let text = bvh::write(&styled.file);
-        outputs::write(self.folder, output, &self.manifest, text.as_bytes())?;
+        outputs::write(self.folder, output, &self.manifest, &text)?;
         Ok(Written {
-            sha256: sha256_hex(text.as_bytes()),
+            sha256: sha256_hex(&text),
             bytes: text.len() as u64,
             frames: styled.file.frames as u64,
             repaired: styled.motion.frames.last().map_or(0, |frame| u64::from(frame.repaired_total)),

@@ -432,6 +432,38 @@ fn finds_every_role_without_names() {
 }
 
 #[test]
+fn a_joint_at_the_place_of_the_hips_is_no_upper_leg_where_one_below_has_as_good_a_name() {
+    let mut names = CONVENTIONS[0];
+    names[14..].copy_from_slice(&[
+        "LeftHip",
+        "LeftKnee",
+        "LeftAnkle",
+        "LeftToe",
+        "RightHip",
+        "RightKnee",
+        "RightAnkle",
+        "RightToe",
+    ]);
+    let plain = body(&names);
+    let mut joints: Vec<Joint> = Vec::new();
+    let mut place = Vec::new();
+    for joint in plain.skeleton.joints() {
+        let mut parent = joint.parent.map(|parent: usize| place[parent]);
+        if let "LeftHip" | "RightHip" = joint.name.as_str() {
+            let name = format!("{}HipJoint", &joint.name[..1]);
+            joints.push(Joint { name, parent, offset: Vec3::ZERO, end: None });
+            parent = Some(joints.len() - 1);
+        }
+        place.push(joints.len());
+        joints.push(Joint { parent, ..joint.clone() });
+    }
+    let translations = joints.iter().map(|j| j.offset).collect();
+    let rotations = vec![Quat::IDENTITY; joints.len()];
+    let motion = Motion::new(Skeleton::new(joints).unwrap(), 0.1, translations, rotations).unwrap();
+    assert_eq!(roles_of(&motion), EXPECTED.map(|joint| Some(place[joint])));
+}
+
+#[test]
 fn a_tail_is_no_body() {
     let names: Vec<String> = (0..22).map(|i| format!("node_{i}")).collect();
     let joints: Vec<Joint> = names
