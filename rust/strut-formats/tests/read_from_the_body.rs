@@ -106,7 +106,7 @@ fn every_clip_is_the_same_far_from_the_origin() {
         let (clean, _) = read(&motion);
         let metres_per_unit = f64::from(Binding::detect(&motion).unwrap().metres_per_unit);
         let far = moved(&near, [1e4 / metres_per_unit, 0.0, -5e3 / metres_per_unit]);
-        let (far, notes) = bvh::parse_noted(bvh::write(&far).as_bytes()).unwrap();
+        let (far, notes) = bvh::parse_noted(&bvh::write(&far)).unwrap();
         assert_eq!(notes.iter().map(|note| note.code).collect::<Vec<_>>(), [NoteCode::Far], "{name}");
         let brought_near = far.to_motion().unwrap();
         let (mut same, codes) = read(&brought_near);
