@@ -1,4 +1,5 @@
 /** Styling of a whole clip in steps, between which other work can run. */
+import { notesIn } from "./file_read";
 import { Handle } from "./handle";
 import type { Input } from "./input";
 import type { ClipJob as RawClipJob } from "./pkg/strut_wasm.js";
@@ -58,6 +59,8 @@ export class ClipJob extends Handle<RawClipJob> {
       planted: this.raw.planted(),
       classWeights: this.raw.classWeights(),
       durationOutSecs: this.raw.durationSecs(),
+      // The module that a page starts with opens no files and has no notes.
+      notes: this.input.info.source === "bvh" ? notesIn(this.raw.notes()) : [],
     }));
   }
 

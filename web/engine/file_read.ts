@@ -26,6 +26,11 @@ interface RawFile {
   free(): void;
 }
 
+/** Notes from the module's codes and texts, which take turns. */
+export function notesIn(texts: readonly string[]): Note[] {
+  return texts.flatMap((code, i) => (i % 2 === 0 ? [{ code, text: texts[i + 1] ?? "" }] : []));
+}
+
 /** The up axes in the engine's order (`rust/strut-core/src/retarget/axes.rs`). */
 const AXES = ["x", "-x", "y", "-y", "z", "-z"] as const satisfies readonly UpAxis[];
 
@@ -81,8 +86,7 @@ export function linesOf(reading: FileReading): string {
 
 /** What is said of how a file was read. */
 export function readingOf(raw: RawRead, saying: Saying): { notes: Note[]; reading: FileRead | undefined } {
-  const texts = raw.notes();
-  const notes = texts.flatMap((code, i) => (i % 2 === 0 ? [{ code, text: texts[i + 1] ?? "" }] : []));
+  const notes = notesIn(raw.notes());
   const file = raw.read();
   const reading = file && fileRead(readingIn(file), notes, saying);
   file?.free();

@@ -242,6 +242,8 @@ export interface Analysis {
   classWeights: Float32Array;
   /** Length of the output, seconds. */
   durationOutSecs: number;
+  /** What may be wrong with it, beside the notes on the input. */
+  notes: readonly Note[];
 }
 
 /** A batch of styled frames, one an input frame. */

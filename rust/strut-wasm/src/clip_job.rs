@@ -138,6 +138,18 @@ impl ClipJob {
     }
 }
 
+#[cfg(feature = "files")]
+#[wasm_bindgen]
+impl ClipJob {
+    /// What may be wrong with the styled clip, beside what there is to say of the input: codes and texts in turn.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    pub fn notes(&self) -> Result<Vec<String>, EngineError> {
+        Ok(crate::input_file::texts_of(&self.styled()?.notes()))
+    }
+}
+
 impl ClipJob {
     /// [`Self::run`] that shows what every frame was made of.
     pub(crate) fn run_traced(&mut self, frames: usize, mut on_frame: impl FnMut(&Trace)) -> usize {

@@ -63,7 +63,9 @@ export async function stylize(
   const carried = await carriedMotion(host, caller, motion, database);
   const { job, frameMs } = await styleClip(host, caller, carried, database, options);
   try {
-    return { ...job.result(), frameMs, bvh: bvh ? job.toBvh() : "", notes: carried.input.info.notes };
+    const result = job.result();
+    const notes = [...carried.input.info.notes, ...result.notes];
+    return { ...result, frameMs, bvh: bvh ? job.toBvh() : "", notes };
   } finally {
     job.dispose();
   }

@@ -1,5 +1,5 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
-import type { InputInfo, Reading } from "../../../client/protocol";
+import type { InputInfo, Note, Reading } from "../../../client/protocol";
 import { DRIVE, type InputLibrary, isLive, LIVE } from "../../../player/input_library";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
@@ -28,6 +28,7 @@ export class InputPanel {
   readonly #note = html("p", { class: "caption input-note" });
   /** Opens the panel that shows how the input's file was read. */
   readonly howRead: HTMLButtonElement;
+  #notes: readonly Note[] = [];
   #readAt = 0;
   /** The reading of the next update; `undefined` where none is scheduled. */
   #newest: Reading | undefined;
@@ -83,12 +84,22 @@ export class InputPanel {
   }
 
   set input(input: InputInfo) {
-    // The panel behind the button says the rest.
-    const notes = otherNotes(input.notes).map(({ text }) => text);
-    setText(this.#note, notes.join(" "));
-    this.#note.title = notes.join(" ");
+    this.#notes = input.notes;
+    this.#showNotes();
     this.#showGuesses(input);
     this.#readAt = 0;
+  }
+
+  /** What may be wrong with the styled motion, once it is there. */
+  set styledNotes(notes: readonly Note[]) {
+    this.#showNotes(notes);
+  }
+
+  #showNotes(ofStyled: readonly Note[] = []): void {
+    // The panel behind the button says the rest.
+    const text = [...otherNotes(this.#notes), ...ofStyled].map((note) => note.text).join(" ");
+    setText(this.#note, text);
+    this.#note.title = text;
   }
 
   /** Whether the panel is open that shows how the file was read. */

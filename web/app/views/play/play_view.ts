@@ -310,6 +310,7 @@ class PlayView implements View {
 
   #onAnalysis(analysis: Analysis): void {
     this.#timeline.analysis = analysis;
+    this.#input.styledNotes = analysis.notes;
     this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
     this.#viewport.path = analysis.poses;
   }
