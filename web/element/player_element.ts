@@ -4,8 +4,8 @@
  */
 import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
+import { bvhBytes } from "../client/bvh_bytes";
 import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
-import { bvhBytes } from "../formats/bvh_bytes";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";

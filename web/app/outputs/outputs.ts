@@ -1,8 +1,8 @@
 /** Exported files. Loaded with the first export. */
 
 import type { StyledPoses } from "../../character/types";
+import { bvhBytes } from "../../client/bvh_bytes";
 import type { CallOptions } from "../../client/protocol";
-import { bvhBytes } from "../../formats/bvh_bytes";
 import { traceAsCsv, traceAsJson } from "../../formats/trace";
 import type { Session } from "../../player/session";
 import { saveFile } from "../../ui/dom";
