@@ -5,6 +5,7 @@ use crate::failure::{Failure, Outcome};
 use crate::manners::{self, TwoMannersEntry};
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
+use crate::read_args::ReadArgs;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -18,9 +19,10 @@ use strut_core::search::Index;
 use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
 use strut_tasks::OnProgress;
-use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::corpus::{self, ReadClips, RefusedFile};
 use strut_tasks::files::Outputs;
 use strut_tasks::gather::gather;
+use strut_tasks::note_report::NoteReport;
 use strut_tasks::threads::ThreadPool;
 
 /// Output of `--json`.
@@ -34,7 +36,8 @@ The report of --json:
             styles that are performed in two manners, of at least 2 clips each
   clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
             residual_cm, residual_ratio (to the median of its action and style, or of the action if that has fewer than 3
-            clips), contact_agreement_percent (with canonical_contact), faulty_cycles [{first_frame, frames, fault}]}]
+            clips), contact_agreement_percent (with canonical_contact), faulty_cycles [{first_frame, frames, fault}],
+            notes [{code, text}]: what may be wrong in how the file was read}]
   refused  [{file, reason}]";
 
 /// Build a database from labelled clips
@@ -62,6 +65,8 @@ pub(crate) struct Args {
     /// Frames per second of the database
     #[arg(long, value_name = "HZ", default_value_t = 60.0)]
     rate: f32,
+    #[command(flatten)]
+    reading: ReadArgs,
     /// How clips are registered
     #[arg(long, value_enum, default_value_t = Registration::Dtw)]
     registration: Registration,
@@ -106,9 +111,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
     let labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
-    let read =
-        |on_progress: &OnProgress<'_>| corpus::read_clips(args.neutral.as_deref(), labelled, &mut refused, on_progress);
-    let clips = Bar::watching(read)?;
+    let reading = args.reading.reading()?;
+    let read = |on_progress: &OnProgress<'_>| {
+        corpus::read_clips(args.neutral.as_deref(), &reading, labelled, &mut refused, on_progress)
+    };
+    let ReadClips { clips, notes } = Bar::watching(read)?;
     let registration = registration::Options { warp: args.registration.into(), ..registration::Options::default() };
     let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), registration };
     let (db, report) = {
@@ -121,7 +128,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     };
     let bytes = strutdb::write(&db, &Index::build(&db).plan(), strut_formats::GENERATOR);
     let files: HashMap<&str, &str> = clips.iter().map(|c| (c.name.as_str(), c.source.as_str())).collect();
-    let report = Report::new(args, &db, &report, &files, refused, bytes.len(), begin.elapsed().as_secs_f64());
+    let mut report = Report::new(args, &db, &report, &files, refused, bytes.len(), begin.elapsed().as_secs_f64());
+    for clip in &mut report.clips {
+        clip.notes = NoteReport::of(notes.get(&clip.file).into_iter().flatten());
+    }
 
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bytes)?;
@@ -131,6 +141,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     outputs.commit()?;
     print_warnings(&corpus::warnings(&report.refused));
+    for clip in &report.clips {
+        clip.notes.iter().for_each(|note| print_warnings(&format!("note: {}: {}\n", clip.file, note.text)));
+    }
     print(&report.summary());
     Ok(())
 }
@@ -183,6 +196,8 @@ struct ClipEntry {
     residual_ratio: f32,
     contact_agreement_percent: f32,
     faulty_cycles: Vec<FaultyCycle>,
+    /// What may be wrong in how its file was read.
+    notes: Vec<NoteReport>,
 }
 
 #[derive(Serialize)]
@@ -250,6 +265,7 @@ impl Report {
             turn_degrees: c.turn.to_degrees(),
             registration_cost: c.registration_cost,
             faulty_cycles: c.faulty_cycles.iter().map(FaultyCycle::of).collect(),
+            notes: Vec::new(),
         };
         Self {
             database: args.output.display().to_string(),

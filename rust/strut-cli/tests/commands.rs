@@ -26,6 +26,31 @@ fn stylize(folder: &Path, style: &str, more: &[&str]) -> bvh::Bvh {
     bvh::parse(&fs::read(folder.join("out.bvh")).unwrap()).unwrap()
 }
 
+/// Clips that stand half a metre over the ground are carried to it with a note, or as a person says without one.
+#[test]
+fn clips_of_a_database_are_read_as_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    strut_ok(at, &["demo-db", "--page", "-o", "demo.strutdb", "--bvh", "demo"]);
+    fs::create_dir(at.join("clips")).unwrap();
+    for name in names(&at.join("demo")).iter().filter(|name| name.contains("walk_old")) {
+        let mut file = bvh::parse(&fs::read(at.join("demo").join(name)).unwrap()).unwrap();
+        let channels = file.channels();
+        let up = file.joints[0].channels.iter().position(|c| *c == bvh::Channel::Position(bvh::Axis::Y)).unwrap();
+        file.values.iter_mut().skip(up).step_by(channels).for_each(|y| *y += 50.0);
+        fs::write(at.join("clips").join(name), bvh::write(&file)).unwrap();
+    }
+    let build = ["build-db", "clips", "-o", "built.strutdb", "--json", "build.json"];
+    let codes = |more: &[&str]| {
+        strut_ok(at, &[&build[..], more].concat());
+        let report = json(&at.join("build.json"));
+        let notes = |clip: &Value| clip["notes"].as_array().unwrap().iter().map(|note| note["code"].clone()).collect();
+        report["clips"].as_array().unwrap().iter().flat_map(|clip| -> Vec<Value> { notes(clip) }).collect::<Vec<_>>()
+    };
+    assert!(!codes(&[]).is_empty() && codes(&[]).iter().all(|code| code == "floor"), "{:?}", codes(&[]));
+    assert!(codes(&["--floor", "0.5"]).is_empty());
+}
+
 #[test]
 fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
     let folder = tempfile::tempdir().unwrap();

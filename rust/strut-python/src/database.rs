@@ -2,7 +2,7 @@
 
 use crate::arrays::rows;
 use crate::call::watched;
-use crate::clip::Motion;
+use crate::clip::{Motion, reading};
 use crate::corpus::{paths_of, pattern_of, reasons};
 use crate::error::exception;
 use crate::options::number;
@@ -171,7 +171,7 @@ impl Database {
 
     /// Builds a database from BVH files, folders and archives, as `strut build-db` does.
     #[staticmethod]
-    #[pyo3(signature = (clips, *, pattern=None, labels=None, neutral=None, rate_hz=60.0, threads=0, progress=None))]
+    #[pyo3(signature = (clips, *, pattern=None, labels=None, neutral=None, rate_hz=60.0, roles=None, up=None, floor=None, swap_sides=false, threads=0, progress=None))]
     #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
     fn build(
         py: Python<'_>,
@@ -180,15 +180,20 @@ impl Database {
         labels: Option<PathBuf>,
         neutral: Option<String>,
         #[pyo3(from_py_with = number)] rate_hz: f32,
+        roles: Option<&Bound<'_, PyDict>>,
+        up: Option<&str>,
+        #[pyo3(from_py_with = number)] floor: Option<f32>,
+        swap_sides: bool,
         #[pyo3(from_py_with = number)] threads: usize,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
+        let reading = reading(py, roles, up, floor, swap_sides)?;
         let (inputs, pattern) = (paths_of(clips)?, pattern_of(py, pattern)?);
         let built = |on_progress: &strut_tasks::OnProgress<'_>| {
             let mut refused = Vec::new();
             let sources = gather(&inputs)?;
             let labelled = label(&sources, pattern.as_ref(), labels.as_deref(), &mut refused)?;
-            let clips = read_clips(neutral.as_deref(), labelled, &mut refused, on_progress)?;
+            let clips = read_clips(neutral.as_deref(), &reading, labelled, &mut refused, on_progress)?.clips;
             let options = BuildOptions { rate_hz, neutral: neutral.clone(), ..BuildOptions::default() };
             let mut tell = |p: strut_core::database::build::Progress| {
                 let (what, done, total) = (p.stage.name(), p.done, p.total);

@@ -6,10 +6,13 @@ use crate::gather::Source;
 use crate::progress::{Counter, OnProgress};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 use strut_core::database::build::SourceClip;
+use strut_core::note::Note;
 use strut_formats::corpus::{self, Clip, DEFAULT_PATTERN, Entry, Labels, Pattern, Table};
+use strut_formats::joints::Reading;
 
 /// Greatest size of a table, bytes.
 const MAX_TABLE_BYTES: usize = 64 << 20;
@@ -21,6 +24,14 @@ pub struct RefusedFile {
     pub file: String,
     /// Why it was left out.
     pub reason: String,
+}
+
+/// Clips that were read.
+pub struct ReadClips {
+    /// The clips, on one body.
+    pub clips: Vec<SourceClip>,
+    /// What may be wrong with files, by their paths; clean ones are left out.
+    pub notes: BTreeMap<String, Vec<Note>>,
 }
 
 /// Refused clips with the reason, one line each.
@@ -70,44 +81,59 @@ pub fn label<'a>(
 
 /// The clip in a source, or why there is none; a reason does not name the file.
 pub(crate) fn parse(source: &Source) -> Result<Clip, String> {
-    let bytes = source.bytes().map_err(|e| e.reason_in(&source.path))?;
-    Clip::parse(&bytes).map_err(|e| e.to_string())
+    read(source, &Reading::default())
 }
 
-/// Reads all clips and retargets them to the body of the first clip in the neutral style.
+/// The same of a source of which a person says how it is read.
+fn read(source: &Source, reading: &Reading) -> Result<Clip, String> {
+    let bytes = source.bytes().map_err(|e| e.reason_in(&source.path))?;
+    Clip::read(&bytes, reading).map_err(|e| e.to_string())
+}
+
+/// Reads all clips as a person says, and retargets them to the body of the first clip in the neutral style.
 ///
 /// # Errors
 /// If no clip can be read, or the caller cancels.
 pub fn read_clips(
     neutral: Option<&str>,
+    reading: &Reading,
     labelled: Vec<(&Source, Labels)>,
     refused: &mut Vec<RefusedFile>,
     on_progress: &OnProgress<'_>,
-) -> Outcome<Vec<SourceClip>> {
+) -> Outcome<ReadClips> {
     let styles: Vec<&str> = labelled.iter().map(|(_, labels)| labels.style.as_str()).collect();
-    let first = corpus::body_order(&styles, neutral).into_iter().find_map(|i| parse(labelled[i].0).ok());
+    let first = corpus::body_order(&styles, neutral).into_iter().find_map(|i| read(labelled[i].0, reading).ok());
     let Some(first) = first else {
         let (source, _) = &labelled[0];
-        return Err(TaskError::new(format_args!("{}: {}", source.path, parse(source).err().unwrap_or_default())));
+        return Err(TaskError::new(format_args!(
+            "{}: {}",
+            source.path,
+            read(source, reading).err().unwrap_or_default()
+        )));
     };
     let body = first.binding.proportions;
     let counter = Counter::new("reading", labelled.len(), on_progress);
     let convert = |(source, labels): &(&Source, Labels)| {
-        let clip = parse(source).map(|clip| {
+        let clip = read(source, reading).map(|clip| {
             let entry = Entry { path: source.path.clone(), labels: labels.clone(), licence: source.licence() };
-            entry.source_clip(&clip, &body)
+            (entry.source_clip(&clip, &body), clip.notes)
         });
         counter.step()?;
         Ok(clip.map_err(|reason| RefusedFile { file: source.path.clone(), reason }))
     };
     let results: Vec<_> = labelled.par_iter().map(convert).collect::<Outcome<_>>()?;
-    let mut clips = Vec::new();
+    let (mut clips, mut notes) = (Vec::new(), BTreeMap::new());
     for result in results {
         match result {
-            Ok(clip) => clips.push(clip),
+            Ok((clip, of_clip)) => {
+                if !of_clip.is_empty() {
+                    notes.insert(clip.source.clone(), of_clip);
+                }
+                clips.push(clip);
+            }
             Err(fault) => refused.push(fault),
         }
     }
     corpus::name_apart(&mut clips);
-    Ok(clips)
+    Ok(ReadClips { clips, notes })
 }

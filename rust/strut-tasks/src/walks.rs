@@ -10,6 +10,7 @@ use strut_core::hsmm::{LabelledClip, Options, Track, WALK, WalkModel, landmarks,
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::ParallelMap;
 use strut_formats::corpus::Pattern;
+use strut_formats::joints::Reading;
 
 /// A clip that holds steps.
 pub struct Walk {
@@ -40,7 +41,7 @@ pub fn read_walks(
     if labelled.iter().any(|(_, labels)| labels.action == WALK) {
         labelled.retain(|(_, labels)| labels.action == WALK);
     }
-    let clips = corpus::read_clips(None, labelled, refused, on_progress)?;
+    let clips = corpus::read_clips(None, &Reading::default(), labelled, refused, on_progress)?.clips;
     let tracks = ThreadPool.map(clips.len(), &|i| walk_of(&clips[i].motion));
     let steps = clips.iter().zip(&tracks).filter_map(|(clip, walk)| Some((&*clip.action, walk.as_ref().ok()?.1)));
     let action = walking_action(&steps.collect::<Vec<_>>()).map(str::to_owned);

@@ -44,6 +44,10 @@ class Database:
         labels: PathLike | None = None,
         neutral: str | None = None,
         rate_hz: float = 60.0,
+        roles: Mapping[str, str | None] | None = None,
+        up: _UpAxis | None = None,
+        floor: float | None = None,
+        swap_sides: bool = False,
         threads: int = 0,
         progress: Progress | None = None,
     ) -> Database: ...

@@ -25,6 +25,7 @@ use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 use strut_core::database::build::SourceClip;
 use strut_formats::corpus::DEFAULT_PATTERN;
+use strut_formats::joints::Reading;
 
 /// Patterns of file names, tried in this order unless one is given.
 const PATTERNS: [&str; 4] = [
@@ -123,5 +124,5 @@ fn read(request: &Request, left_out: &mut Vec<RefusedFile>, on_progress: &OnProg
         request.actions.is_empty() || request.actions.contains(action) || request.database_actions.contains(action)
     };
     let labelled = labelled.into_iter().filter(|(_, l)| wanted(&l.action)).collect();
-    corpus::read_clips(Some(&request.source), labelled, left_out, on_progress)
+    Ok(corpus::read_clips(Some(&request.source), &Reading::default(), labelled, left_out, on_progress)?.clips)
 }
