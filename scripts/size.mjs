@@ -6,7 +6,8 @@ import { siteFiles } from "./site_files.mjs";
 import { root, Sentence } from "./steps.mjs";
 
 /** Most kilobytes after gzip, by the ending of files, before the first styled figure. */
-const BUDGET_KB = { ".js": 300, ".wasm": 115, ".bin": 175 };
+// What a clip travels, and how far it is from the database, is measured by the engine that a page begins with, too.
+const BUDGET_KB = { ".js": 300, ".wasm": 116, ".bin": 175 };
 /** Most kilobytes after gzip of all that is loaded before the first styled figure. */
 const BUDGET_ALL_KB = 600;
 
@@ -38,21 +39,23 @@ function withTexts(keys) {
 
 /** Modules and data that are loaded once the page plays, or with some of what is asked for: most kilobytes after gzip. */
 const LATER_ASSETS = [
-  // 300 are specified. Reading other people's files (floor, axes, sides, cuts, names, notes) takes 28 more, and saying how they were
-  // read and reading them as a person says 3; the engine that a page begins with has none of it.
-  { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 335 },
+  // 300 are specified. Reading other people's files (floor, axes, sides, cuts, names, notes) takes 28 more, saying how they were
+  // read and reading them as a person says 3, bodies that begin at the chest or are far away 4, and other encodings 6; the engine
+  // that a page begins with has none of it.
+  { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 347 },
   { name: "all motions", asset: /^built_in-.*\.bin$/, budget: 1325 },
-  { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 470 },
-  { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 125 },
-  { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 136 },
-  { name: "performers", asset: /^strut_performers_bg.*\.wasm$/, budget: 70 },
+  { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 488 },
+  // What writes BVH files writes names in other encodings.
+  { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 127 },
+  { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 142 },
+  { name: "performers", asset: /^strut_performers_bg.*\.wasm$/, budget: 73 },
   { name: "driving", asset: /^strut_drive_bg.*\.wasm$/, budget: 60 },
   // 60 were suggested: finding the joints of any sender's body is 70, as in the package of characters; more names of joints,
-  // axes and notes take 12.
-  { name: "live streams", asset: /^strut_live_bg.*\.wasm$/, budget: 130 },
+  // axes, notes and other encodings take 18.
+  { name: "live streams", asset: /^strut_live_bg.*\.wasm$/, budget: 137 },
   { name: "drawing by a graphics processor", asset: /^strut_wasm_gpu_bg.*\.wasm$/, budget: 65 },
   // 150 are specified (`shared/spec/lessons.md` section 3); kiddo and learning by updates are in it.
-  { name: "key-styling", asset: /^strut_wasm_key_style_bg.*\.wasm$/, budget: 165 },
+  { name: "key-styling", asset: /^strut_wasm_key_style_bg.*\.wasm$/, budget: 168 },
 ];
 
 /** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */

@@ -107,6 +107,8 @@ struct StyledReport {
     class_weights: BTreeMap<String, f64>,
     /// Mean distance of its poses from the nearest ones of the database, metres.
     distance_metres: f64,
+    /// How far the input and the styled motion travel over the ground, on the database's body, metres.
+    travel_metres: [f32; 2],
     /// What may be wrong; empty for a clean clip.
     notes: Vec<NoteReport>,
 }
@@ -120,6 +122,10 @@ impl StyledReport {
             duration_secs: styled.file.frames as f64 * styled.file.frame_time_secs,
             class_weights: styling.classes().iter().cloned().zip(styled.summary.mean_weights()).collect(),
             distance_metres: styled.motion.familiarity.distance_metres(),
+            travel_metres: [
+                styled.motion.input_travel_metres,
+                styled.motion.travel_metres(styling.catalogue().rate_hz),
+            ],
             notes: NoteReport::of(&styled.notes),
         }
     }

@@ -69,6 +69,8 @@ note_codes! {
     JointsByShape = "joints-by-shape",
     /// The motion is unlike all of the database.
     Unfamiliar = "unfamiliar",
+    /// The styled motion travels much farther, or less far, than the input.
+    Travel = "travel",
 }
 
 /// A sentence for the person whose file it is.

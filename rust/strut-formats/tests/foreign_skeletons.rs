@@ -147,6 +147,30 @@ fn toes_at_the_ankle_are_no_toes() {
 }
 
 #[test]
+fn a_hand_at_the_elbow_gives_the_forearm_to_the_joint_below_it() {
+    let Some(clips) = mocap::clips() else { return };
+    for path in clips.iter().step_by(91) {
+        let motion = read(path);
+        let joint = |role: Role| Binding::detect(&motion).unwrap().joint_of_role[role.index()].unwrap();
+        let wrists = [Role::LeftHand, Role::RightHand].map(joint);
+        let at_elbow = |(name, above): (&str, usize)| Inserted { above: vec![above], name: name.into(), share: 0.0 };
+        let doubled = with_inserted(
+            &motion,
+            &["LeftHand", "RightHand"].into_iter().zip(wrists).map(at_elbow).collect::<Vec<_>>(),
+        );
+        let joints = doubled.skeleton.joints().iter().enumerate();
+        let named = joints.map(|(j, joint)| {
+            let is_wrist =
+                joint.parent.is_some_and(|p| ["LeftHand", "RightHand"].contains(&&*doubled.skeleton.joints()[p].name));
+            Joint { name: if is_wrist { format!("Palm{j}") } else { joint.name.clone() }, ..joint.clone() }
+        });
+        let doubled = Motion { skeleton: Skeleton::new(named.collect()).unwrap(), ..doubled.clone() };
+        let distance = apart(&performed(&doubled), &performed(&motion));
+        assert!(distance < NEAR, "{}: {distance} m", path.display());
+    }
+}
+
+#[test]
 fn a_pelvis_of_its_own_and_twist_bones_change_nothing() {
     let Some(clips) = mocap::clips() else { return };
     for path in clips.iter().step_by(23) {

@@ -146,7 +146,7 @@ impl ClipJob {
     /// # Errors
     /// If frames are still missing.
     pub fn notes(&self) -> Result<Vec<String>, EngineError> {
-        Ok(crate::input_file::texts_of(&self.styled()?.notes()))
+        Ok(crate::input_file::texts_of(&self.styled()?.notes(self.model.catalogue().rate_hz)))
     }
 }
 

@@ -320,6 +320,28 @@ pub(super) fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option
     }
 }
 
+/// A hand that lies at the elbow ends no forearm: the first joint below it that lies elsewhere does.
+pub(super) fn move_hands_without_length(skeleton: &Skeleton, sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
+    let at = |roles: &[Option<usize>; JOINTS], role: Role| roles[role.index()];
+    for [upper, lower, hand] in [
+        [Role::LeftUpperArm, Role::LeftLowerArm, Role::LeftHand],
+        [Role::RightUpperArm, Role::RightLowerArm, Role::RightHand],
+    ] {
+        let (Some(upper), Some(lower), Some(wrist)) = (at(roles, upper), at(roles, lower), at(roles, hand)) else {
+            continue;
+        };
+        let least = 1e-3 * sample.mean_local(upper, lower).length();
+        let is_elsewhere = |joint: usize| sample.mean_local(lower, joint).length() > least;
+        let parent = |joint: usize| skeleton.joints()[joint].parent;
+        let hangs_on_wrist = |joint: usize| std::iter::successors(parent(joint), |&j| parent(j)).any(|j| j == wrist);
+        if !is_elsewhere(wrist)
+            && let Some(below) = (wrist + 1..skeleton.len()).find(|&j| hangs_on_wrist(j) && is_elsewhere(j))
+        {
+            roles[hand.index()] = Some(below);
+        }
+    }
+}
+
 /// Positions of all roles in the T-pose, file units; a role without a joint lies between its neighbours.
 fn role_positions(roles: &[Option<usize>; JOINTS], at_rest: &[Vec3]) -> [Vec3; JOINTS] {
     let known = |r: Role| roles[r.index()].map(|j| at_rest[j]);

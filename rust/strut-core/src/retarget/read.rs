@@ -2,7 +2,7 @@
 
 use super::anatomy::four_legs;
 use super::axes::is_mirrored;
-use super::binding::{BindError, Binding, check_roles, leave_out_toes_without_length};
+use super::binding::{BindError, Binding, check_roles, leave_out_toes_without_length, move_hands_without_length};
 use super::find_roles::find_roles;
 use super::floor::floor_of;
 use super::read_as::ReadAs;
@@ -52,6 +52,7 @@ impl Binding {
         }
         check_roles(&motion.skeleton, &roles)?;
         leave_out_toes_without_length(&sample, &mut roles);
+        move_hands_without_length(&motion.skeleton, &sample, &mut roles);
         let found_mirrored = is_mirrored(&roles, &sample);
         let mirrored = read_as.mirrored.unwrap_or(found_mirrored != read_as.swap_sides);
         if mirrored {

@@ -8,6 +8,7 @@ use super::familiarity::Familiarity;
 use super::found::FoundFrame;
 use super::frame::{NoClock, StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
+use super::travel::{Way, travel_note};
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
@@ -27,6 +28,8 @@ pub struct StyledMotion {
     pub calibration: usize,
     /// How well the database knows the input.
     pub familiarity: Familiarity,
+    /// How far the input travels over the ground, metres.
+    pub input_travel_metres: f32,
 }
 
 /// A styled clip at an even rate.
@@ -48,6 +51,8 @@ pub struct ClipJob {
     cuts: Vec<usize>,
     calibration: usize,
     familiarity: Familiarity,
+    /// The input's way.
+    way: Way,
     /// Where the times and the count of repaired frames go on after a cut.
     before_cut: StyledFrame,
 }
@@ -62,6 +67,7 @@ impl ClipJob {
             cuts: Vec::new(),
             calibration: 0,
             familiarity: Familiarity::default(),
+            way: Way::default(),
             before_cut: StyledFrame::default(),
         }
     }
@@ -103,6 +109,7 @@ impl ClipJob {
         if index < self.calibration {
             frame.pose = *pose;
         }
+        self.way.add(pose, self.stylizer.model().catalogue().rate_hz, is_cut);
         self.frames.push(frame);
         if let ([.., before, _], false) = (self.frames.as_mut_slice(), is_cut) {
             let contact = self.stylizer.contact_before();
@@ -136,9 +143,16 @@ impl ClipJob {
 
     /// Ends the clip: smooths contacts and plants feet, both with knowledge of later frames.
     pub fn finish(self) -> StyledMotion {
-        let Self { stylizer, frames, cuts, calibration, familiarity, .. } = self;
+        let Self { stylizer, frames, cuts, calibration, familiarity, way, .. } = self;
         let db = stylizer.model().catalogue();
-        let mut styled = StyledMotion { proportions: db.proportions, frames, cuts, calibration, familiarity };
+        let mut styled = StyledMotion {
+            proportions: db.proportions,
+            frames,
+            cuts,
+            calibration,
+            familiarity,
+            input_travel_metres: way.metres(),
+        };
         for part in styled.parts() {
             let frames = &mut styled.frames[part];
             let of_input = smoothed(&frames.iter().map(|f| f.contact).collect::<Vec<_>>());
@@ -177,17 +191,35 @@ pub fn stylize_clip(
 impl StyledMotion {
     /// Of frames without a cut.
     pub fn new(proportions: Proportions, frames: Vec<StyledFrame>) -> Self {
-        Self { proportions, frames, cuts: Vec::new(), calibration: 0, familiarity: Familiarity::default() }
+        Self {
+            proportions,
+            frames,
+            cuts: Vec::new(),
+            calibration: 0,
+            familiarity: Familiarity::default(),
+            input_travel_metres: 0.0,
+        }
     }
 
-    /// What there is to say of it beside the input's own notes.
-    pub fn notes(&self) -> Vec<Note> {
+    /// How far it travels over the ground in as many frames of this rate as the input has, metres.
+    pub fn travel_metres(&self, rate_hz: f32) -> f32 {
+        let mut way = Way::default();
+        for (i, frame) in self.frames.iter().enumerate() {
+            way.add(&frame.pose, rate_hz, self.cuts.binary_search(&i).is_ok());
+        }
+        way.metres()
+    }
+
+    /// What there is to say of it beside the input's own notes; frames were styled at `rate_hz`.
+    pub fn notes(&self, rate_hz: f32) -> Vec<Note> {
         let repaired = match self.frames.last().map_or(0, |frame| frame.repaired_total) {
             0 => None,
             1 => Some("1 input frame was unusable and was replaced.".to_owned()),
             n => Some(format!("{n} input frames were unusable and were replaced.")),
         };
-        repaired.map(|text| Note::new(NoteCode::Repaired, text)).into_iter().chain(self.familiarity.note()).collect()
+        let repaired = repaired.map(|text| Note::new(NoteCode::Repaired, text));
+        let travel = travel_note(self.input_travel_metres, self.travel_metres(rate_hz));
+        [repaired, self.familiarity.note(), travel].into_iter().flatten().collect()
     }
 
     /// Length of the output time axis, seconds: each frame counts with the time to the next, the last one

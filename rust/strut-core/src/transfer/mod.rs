@@ -36,6 +36,7 @@ mod stylizer;
 mod target_tables;
 mod timing;
 mod trained;
+mod travel;
 
 pub use blend::{MAX_WEIGHT, StyleError};
 pub use body_part::{BodyPart, PARTS};

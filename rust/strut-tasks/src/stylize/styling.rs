@@ -128,7 +128,7 @@ impl Styling {
         let file = output_of(clip, db, &motion).map_err(TaskError::new)?;
         let mut notes = clip.notes.clone();
         notes.extend(input.notes());
-        notes.extend(motion.notes());
+        notes.extend(motion.notes(db.rate_hz));
         Ok(Styled { motion, file, summary, notes })
     }
 }

@@ -1,0 +1,54 @@
+//! How far an input and its styled motion travel over the ground.
+//!
+//! Styles lengthen and shorten steps. A styled motion that goes nowhere where its input walked away, or walks away where its
+//! input stayed, shows feet that were read wrongly or that slide in the input, as on a treadmill.
+
+use crate::humanoid::Pose;
+use crate::math::Vec3;
+use crate::note::{Note, NoteCode};
+
+/// Ways are measured from place to place at this distance in time, seconds: hips sway within a step.
+const STEP_SECS: f32 = 0.5;
+
+/// Least and greatest ratio of the ways, and the least difference in metres, that is noted.
+const USUAL: std::ops::RangeInclusive<f32> = 0.35..=2.5;
+const NOTED_METRES: f32 = 1.0;
+
+/// A way over the ground, measured from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Way {
+    metres: f32,
+    frames: usize,
+    from: Vec3,
+}
+
+impl Way {
+    /// Goes on to the next frame; after a cut the way goes on elsewhere.
+    pub(super) fn add(&mut self, pose: &Pose, rate_hz: f32, is_cut: bool) {
+        let step = (STEP_SECS * rate_hz).round().max(1.0) as usize;
+        if is_cut {
+            self.frames = 0;
+        }
+        if self.frames.is_multiple_of(step) {
+            if self.frames > 0 {
+                self.metres += ((pose.root - self.from) * Vec3::new(1.0, 0.0, 1.0)).length();
+            }
+            self.from = pose.root;
+        }
+        self.frames += 1;
+    }
+
+    /// Its length, metres.
+    pub(super) fn metres(&self) -> f32 {
+        self.metres
+    }
+}
+
+/// What there is to say of a styled motion that travels otherwise than its input, metres.
+pub(super) fn travel_note(input: f32, output: f32) -> Option<Note> {
+    let is_usual = USUAL.contains(&(output / input.max(f32::MIN_POSITIVE)));
+    (!is_usual && (output - input).abs() > NOTED_METRES).then(|| {
+        let text = format!("The styled motion travels {output:.1} m where the input travels {input:.1} m");
+        Note::new(NoteCode::Travel, text + ": its feet may slide, or its floor may be elsewhere.")
+    })
+}
