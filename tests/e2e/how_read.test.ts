@@ -213,4 +213,24 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       await page.getByRole("button", { name: "Input", exact: true }).click();
       await screenshot(page, `how-read-narrow-input-${theme}`);
     });
+
+  it("is no human's: it is moved as one where a person says which joint is which", async () => {
+    await page.setViewportSize(WIDE);
+    const before = await inputName(page);
+    await dropFile(page, "dog.bvh", readFileSync(caseFile("S38_dog")));
+    const offer = page.getByRole("alert").getByText("“dog.bvh” can be opened all the same");
+    await eventually(() => offer.isVisible()).toBe(true);
+    expect(await inputName(page)).toBe(before);
+    await screenshot(page, "how-read-refused");
+    await page.getByRole("button", { name: "Choose joints…" }).click();
+    const roles = page.getByRole("dialog", { name: "Which joint is which" });
+    await eventually(() => roles.getByText("stands on four legs").isVisible()).toBe(true);
+    await screenshot(page, "how-read-choose-joints");
+    await roles.getByRole("button", { name: "Use these joints" }).click();
+    await eventually(() => inputName(page)).toBe("dog");
+    await openPanel();
+    await eventually(() => source("Joints")).toBe("as you said");
+    // What was chosen is remembered: it is not asked for again.
+    await drop("S38_dog", "dog again");
+  });
 });

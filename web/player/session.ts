@@ -271,8 +271,14 @@ export class Session {
   }
 
   /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
-  async openFile(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<string | undefined> {
+  async openFile(
+    fileName: string,
+    bytes: ArrayBuffer,
+    exact?: ExactPoses,
+    reading?: FileReading,
+  ): Promise<string | undefined> {
     const name = this.library.add(fileName, bytes, exact);
+    if (reading) this.library.say(name, reading);
     const outcome = await this.openInput(name);
     if (outcome === "failed") this.library.remove(name);
     return outcome === "done" ? name : undefined;

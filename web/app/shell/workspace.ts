@@ -25,6 +25,7 @@ import { cancelled } from "../ui/words";
 import { Databases } from "./databases";
 import { isPlain } from "./first_set";
 import { ReadingMemory } from "./reading_memory";
+import { askForJoints, skeletonOf } from "./refused_skeleton";
 import type { SessionProgressLines } from "./session_progress";
 
 type Changed = ReadonlySet<keyof AppState>;
@@ -157,14 +158,30 @@ export class Workspace {
     await this.takeMotion(file.name, bytes);
   }
 
-  /** Opens a motion. */
-  async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void> {
-    const name = await this.session.openFile(fileName, bytes, exact);
-    if (name === undefined) return;
+  /** Opens a motion, read as a person says. */
+  async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses, reading?: FileReading): Promise<void> {
+    const name = await this.session.openFile(fileName, bytes, exact, reading);
+    if (name === undefined) {
+      if (!exact) await this.#offerJoints(fileName, bytes);
+      return;
+    }
+    if (reading) this.#rememberReading();
     this.#store.edit({ input: name, reading: this.session.reading });
     // The link is complete now: it shows its own instant.
     if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
     this.#awaited = undefined;
+  }
+
+  /** Offers to say which joint is which, where a file could not be opened because of its skeleton. */
+  async #offerJoints(fileName: string, bytes: ArrayBuffer): Promise<void> {
+    const skeleton = await skeletonOf(fileName, bytes);
+    if (!skeleton?.fault) return;
+    const { chooseJoints, choose } = strings.page.drop;
+    const act = async () => {
+      const joints = await askForJoints(skeleton);
+      if (joints) await this.takeMotion(fileName, bytes, undefined, { joints });
+    };
+    this.#toasts.error(chooseJoints(fileName), { action: { label: choose, act: () => void act() } });
   }
 
   /** Opens the first of several dropped motions; the others can be chosen. */

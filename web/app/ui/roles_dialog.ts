@@ -1,5 +1,6 @@
 /** The table of roles: which joint of a skeleton is which part of the body, to be corrected by hand. */
 
+import type { JointNames } from "../../client/protocol";
 import { ROLES } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
@@ -19,6 +20,11 @@ export interface RoleQuestion {
   roles: ArrayLike<number>;
   /** A sentence on what was matched, or what is missing. */
   note: string;
+}
+
+/** Joints by role, from the number of the joint of each. */
+export function jointNames(chosen: Int32Array, joints: readonly string[]): JointNames {
+  return Object.fromEntries(ROLES.map((role, i) => [role, joints[chosen[i] ?? -1] ?? null]));
 }
 
 /** Asks for the roles of a skeleton: the joint of each, −1 where there is none; undefined where nothing was to be changed. */

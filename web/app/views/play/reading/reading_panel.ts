@@ -1,13 +1,13 @@
 /** The panel that shows how a file was read: what was found, guessed or said, each to be corrected. */
 import "./reading_panel.css";
-import { type FileRead, type FileReading, type InputInfo, type JointNames, UP_AXES } from "../../../../client/protocol";
+import { type FileRead, type FileReading, type InputInfo, UP_AXES } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
 import { button } from "../../../../ui/controls/buttons";
 import { icon } from "../../../../ui/controls/icons";
 import { formatNumber, html, saveFile, setText } from "../../../../ui/dom";
 import { grouped } from "../../../strings/numerals";
 import { announce } from "../../../ui/announce";
-import { askForRoles } from "../../../ui/roles_dialog";
+import { askForRoles, jointNames } from "../../../ui/roles_dialog";
 import { jointFile, readJointFile } from "./joint_file";
 import { otherNotes } from "./other_notes";
 import { ROW_NAMES, type RowName, rowTexts, saysOfSkeleton, saysRow, UNITS, withoutRow } from "./rows";
@@ -171,7 +171,7 @@ export class ReadingPanel {
     const { joints } = read.skeleton;
     const roles = ROLES.map((role) => joints.indexOf(read.joints[role] ?? ""));
     const chosen = await askForRoles({ joints, roles, note: words.joints.ask });
-    if (chosen) this.#say("joints", { joints: namesOf(chosen, joints) });
+    if (chosen) this.#say("joints", { joints: jointNames(chosen, joints) });
   }
 
   #export(): void {
@@ -203,11 +203,6 @@ export class ReadingPanel {
     );
     this.#unit.value = String(known?.metres ?? metresPerUnit);
   }
-}
-
-/** Joints by role, from the number of the joint of each. */
-function namesOf(chosen: Int32Array, joints: readonly string[]): JointNames {
-  return Object.fromEntries(ROLES.map((role, i) => [role, joints[chosen[i] ?? -1] ?? null]));
 }
 
 function select(options: readonly (readonly [value: string, name: string])[]): HTMLSelectElement {
