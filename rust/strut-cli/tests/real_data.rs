@@ -145,3 +145,42 @@ fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
         assert!((ratio / measured - 1.0_f32).abs() < 0.1, "{row}");
     }
 }
+
+/// Codes of the notes on clips that are styled by the built-in database, clip by clip.
+fn noted(folder: &Path, more: &[&str]) -> Vec<(String, Vec<String>)> {
+    let args =
+        ["stylize", "--db", "demo.strutdb", "--input", "in", "--style", "old", "-o", "out", "--json", "out.json"];
+    strut_ok(folder, &[&args[..], more].concat());
+    let report: Value = serde_json::from_slice(&fs::read(folder.join("out.json")).unwrap()).unwrap();
+    let codes = |clip: &Value| {
+        let notes = clip["notes"].as_array().unwrap().iter();
+        notes.map(|note| note["code"].as_str().unwrap().to_owned()).collect()
+    };
+    report.as_array().unwrap().iter().map(|clip| (clip["input"].as_str().unwrap().to_owned(), codes(clip))).collect()
+}
+
+/// Recordings of half of whose actions the database has none are far from it, but not as far as what is read wrongly.
+#[test]
+fn what_is_read_wrongly_is_noted_and_no_recording_is() {
+    let Some(mocap) = mocap_folder() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    fs::write(at.join("demo.strutdb"), common::demo_database()).unwrap();
+    fs::create_dir(at.join("in")).unwrap();
+    for set in ["bandai-namco-1", "bandai-namco-2", "xia", "cmu"] {
+        let mut clips: Vec<PathBuf> = fs::read_dir(mocap.join(set)).unwrap().map(|e| e.unwrap().path()).collect();
+        clips.retain(|clip| clip.extension().is_some_and(|ending| ending == "bvh"));
+        clips.sort();
+        for clip in clips.iter().step_by(41) {
+            fs::copy(clip, at.join("in").join(clip.file_name().unwrap())).unwrap();
+        }
+    }
+    for (clip, codes) in noted(at, &[]) {
+        assert!(codes.is_empty(), "{clip}: {codes:?}");
+    }
+    for wrong in [["--up", "x"], ["--floor", "-0.93"]] {
+        for (clip, codes) in noted(at, &wrong) {
+            assert!(codes.iter().any(|code| code == "unfamiliar"), "{clip} with {wrong:?}: {codes:?}");
+        }
+    }
+}
