@@ -208,9 +208,9 @@ mod tests {
         Stream::new(&body, RATE_HZ, Some(0.02), true).unwrap()
     }
 
-    /// A pose with the hips at a place and the left upper arm turned.
+    /// A pose on the ground with the hips at a place and the left upper arm turned.
     fn pose(x: f32) -> Pose {
-        let mut pose = Pose { root: Vec3::new(x, 0.9, 0.0), ..Pose::default() };
+        let mut pose = Pose { root: Vec3::new(x, Proportions::default().offsets[0].y, 0.0), ..Pose::default() };
         pose.rotations[6] = Quat::from_rotation_y(0.4);
         pose
     }
