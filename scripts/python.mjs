@@ -14,8 +14,8 @@ export const WHEELS = join(TARGET, "wheels");
 const VENV = join(TARGET, "venv");
 /** The command as the Rust tests built it. */
 const COMMAND = join(root, "rust", "target", "debug", "strut");
-/** Greatest size of the wheel, bytes. */
-const MAX_WHEEL = 2_400_000;
+/** Greatest size of the wheel, bytes; reading what other programs write, and saying how, takes 40 kB of it. */
+const MAX_WHEEL = 2_450_000;
 const inVenv = (name) => programIn(VENV, name);
 
 async function buildWheel(env) {
