@@ -3,7 +3,7 @@
 use crate::annotation::CanonicalContact;
 use crate::failure::{Failure, Outcome};
 use crate::manners::{self, TwoMannersEntry};
-use crate::print::{print, print_warnings};
+use crate::print::{print, print_notes, print_warnings};
 use crate::progress::Bar;
 use crate::read_args::ReadArgs;
 use serde::Serialize;
@@ -142,7 +142,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.commit()?;
     print_warnings(&corpus::warnings(&report.refused));
     for clip in &report.clips {
-        clip.notes.iter().for_each(|note| print_warnings(&format!("note: {}: {}\n", clip.file, note.text)));
+        print_notes(&clip.file, &clip.notes);
     }
     print(&report.summary());
     Ok(())

@@ -4,6 +4,7 @@ use crate::failure::Outcome;
 use std::io::{self, Write};
 use std::path::Path;
 use strut_tasks::files::Outputs;
+use strut_tasks::note_report::NoteReport;
 
 /// Prints to stdout; a closed pipe is not an error.
 pub(crate) fn print(text: &str) {
@@ -20,6 +21,13 @@ pub(crate) fn write_or_print(target: Option<&Path>, text: &str) -> Outcome {
     let mut outputs = Outputs::default();
     outputs.stage(target, text.as_bytes())?;
     Ok(outputs.commit()?)
+}
+
+/// Prints notes on a file to stderr, where they are seen also if a program reads the text.
+pub(crate) fn print_notes(file: &str, notes: &[NoteReport]) {
+    for note in notes {
+        print_warnings(&format!("note: {file}: {}\n", note.text));
+    }
 }
 
 /// Prints to stderr; a closed pipe is not an error.

@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::model::read_model;
-use crate::print::{print, print_warnings};
+use crate::print::{print, print_notes};
 use crate::progress::Bar;
 use crate::read_args::ReadArgs;
 use crate::style_args::StyleArgs;
@@ -92,7 +92,7 @@ fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
     outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;
     print(&text(&args.output, &clip, &styled, &styling));
-    report.print_notes();
+    print_notes(&report.input, &report.notes);
     Ok(())
 }
 
@@ -129,13 +129,6 @@ impl StyledReport {
             notes: NoteReport::of(&styled.notes),
         }
     }
-
-    /// Notes go where errors go, so that they are seen also where the text is read by a program.
-    fn print_notes(&self) {
-        for note in &self.notes {
-            print_warnings(&format!("note: {}: {}\n", self.input, note.text));
-        }
-    }
 }
 
 fn styling_of(args: &Args, settings: &StyleSettings, model: &Arc<Model>) -> Outcome<Styling> {
@@ -168,7 +161,9 @@ fn style_several(args: &Args, settings: &StyleSettings) -> Outcome {
     outputs.stage_json(args.json.as_deref(), &reports)?;
     outputs.commit()?;
     print(&texts.concat());
-    reports.iter().for_each(StyledReport::print_notes);
+    for report in &reports {
+        print_notes(&report.input, &report.notes);
+    }
     Ok(())
 }
 

@@ -227,7 +227,7 @@ impl Binding {
         check_roles(skeleton, joint_of_role)?;
         let rest = rest_pose(skeleton, joint_of_role, sample);
         let at_rest = positions(skeleton, &sample.translations, &rest.world_rotations);
-        let begins = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), joint_of_role).begins;
+        let begins = BodyTree::of_skeleton(skeleton, joint_of_role).begins;
         let at_rest: Vec<Vec3> = begins.iter().map(|&joint| at_rest[joint]).collect();
         let mut proportions = offsets_between(&role_positions(joint_of_role, &at_rest));
         let leg = leg_length(&proportions);
@@ -292,7 +292,7 @@ pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) 
     if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
         return Err(BindError::Missing(role));
     }
-    let tree = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles);
+    let tree = BodyTree::of_skeleton(skeleton, roles);
     let parent = |j: usize| tree.parents.get(j).copied().flatten();
     for role in Role::ALL {
         let Some(joint) = roles[role.index()] else { continue };

@@ -5,6 +5,7 @@
 //! the body's.
 
 use crate::humanoid::{JOINTS, Role};
+use crate::skeleton::Skeleton;
 
 /// How joints hang on the hips.
 pub(super) struct BodyTree {
@@ -18,6 +19,11 @@ pub(super) struct BodyTree {
 }
 
 impl BodyTree {
+    /// The tree of a skeleton in which joints play roles.
+    pub(super) fn of_skeleton(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Self {
+        Self::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles)
+    }
+
     /// The tree of a file, parents first, in which joints play roles.
     pub(super) fn of(file_parents: Vec<Option<usize>>, roles: &[Option<usize>; JOINTS]) -> Self {
         let file = Self::of_file(file_parents);

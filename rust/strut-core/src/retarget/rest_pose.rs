@@ -62,7 +62,7 @@ fn hinge_of(bone: Role) -> Vec3 {
 
 /// The rest pose of a skeleton whose required roles are known.
 pub(super) fn rest_pose(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS], sample: &Sample) -> RestPose {
-    let tree = BodyTree::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles);
+    let tree = BodyTree::of_skeleton(skeleton, roles);
     let body = Body { skeleton, tree, roles, sample, role_of_joint: invert(skeleton.len(), roles) };
     match body.zero_pose_frame() {
         Some(frame) => RestPose {

@@ -1,20 +1,20 @@
-//! The ground under somebody who performs now, as far as it has been seen.
+//! The height of the ground under a live performer, estimated from the soles.
 
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Soles, world_from_local};
 use crate::math::float_funcs::exp2;
 
-/// What is seen in the first so many seconds is believed at once …
+/// The ground of the first second is taken at once …
 const FIRST_SECS: f64 = 1.0;
-/// … where the ground is farther than this from height 0, metres: bodies are guessed to about 2 cm.
+/// … where it is farther than this from height 0, metres. The height of the ankles is estimated to about 2 cm.
 const DISPLACED: f32 = 0.03;
-/// Later the ground is followed where it is farther than this: somebody who sits down or lies has the soles higher.
+/// After that the estimate follows a ground that is farther than this away, metres. Smaller differences come from sitting and lying.
 const MOVED: f32 = 0.1;
-/// It is then followed with this half-life, seconds.
+/// Half-life with which the estimate follows, seconds.
 const HALF_LIFE_SECS: f64 = 2.0;
-/// The soles are lowest of all in this time, seconds, of which two follow each other: somebody who jumps stands in it too.
+/// Length of a window, seconds. The ground is the lowest sole in the last two windows, which are longer than a jump.
 const SEEN_SECS: f64 = 0.5;
-/// Longest time between frames that counts, seconds.
+/// Longer times between frames count as this, seconds.
 const LONGEST_SECS: f64 = 0.1;
 
 /// Height of the ground of a stream.
@@ -24,7 +24,7 @@ pub struct LiveFloor {
     body: Proportions,
     began_secs: Option<f64>,
     last_secs: f64,
-    /// The lowest since when, and in the time before.
+    /// Start of the present window, and the lowest sole in it and in the one before.
     since_secs: f64,
     lowest: [f32; 2],
     height: f32,

@@ -2,7 +2,8 @@
 //! (`../shared/spec/live-driving.md`, part B). Nothing here has a clock or a socket: times are arguments.
 //!
 //! A [`JitterBuffer`] makes an even stream of frames that come unevenly, late, twice or never; a [`LiveStylizer`] styles
-//! it and keeps the [`LiveFigure`] where the performer is; [`LiveFloor`] says where the ground is; [`LandmarkFit`] makes poses of the landmarks of a camera.
+//! it and keeps the [`LiveFigure`] where the performer is; [`LiveFloor`] says where the ground is; [`LandmarkFit`] makes
+//! poses of the landmarks of a camera.
 
 mod buffer;
 mod figure;

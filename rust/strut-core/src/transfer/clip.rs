@@ -51,7 +51,7 @@ pub struct ClipJob {
     cuts: Vec<usize>,
     calibration: usize,
     familiarity: Familiarity,
-    /// The input's way.
+    /// Path of the input.
     way: Way,
     /// Where the times and the count of repaired frames go on after a cut.
     before_cut: StyledFrame,

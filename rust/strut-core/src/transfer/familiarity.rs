@@ -1,9 +1,9 @@
 //! How well a database knows an input.
 //!
 //! Class weights do not tell: they compare classes with each other (Eq. 4), and sum to 1 also where all are far. The distance
-//! to the nearest window of the heaviest class does. Over the 460 clips of `../shared/data` its mean is at most MOST in the
-//! built-in database, which has none of them and half of their actions; a walk that is read with another axis up, or 93 cm off
-//! its floor, is .48 to 1.5 m away.
+//! to the nearest window of the heaviest class does. Measured in the built-in database, its mean is at most .18 m over 416
+//! clips of `../shared/data`, half of whose actions the database lacks. A walk that is read with another up axis, or 93 cm off
+//! its floor, has .48 to 1.5 m.
 
 use super::frame::Trace;
 use crate::note::{Note, NoteCode};

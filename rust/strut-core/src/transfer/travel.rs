@@ -7,14 +7,14 @@ use crate::humanoid::Pose;
 use crate::math::Vec3;
 use crate::note::{Note, NoteCode};
 
-/// Ways are measured from place to place at this distance in time, seconds: hips sway within a step.
+/// A path is measured between places this far apart in time, seconds, so that the sway of the hips within a step does not count.
 const STEP_SECS: f32 = 0.5;
 
-/// Least and greatest ratio of the ways, and the least difference in metres, that is noted.
+/// A ratio of output to input path outside this range is noted, if the paths also differ by this many metres.
 const USUAL: std::ops::RangeInclusive<f32> = 0.35..=2.5;
 const NOTED_METRES: f32 = 1.0;
 
-/// A way over the ground, measured from frame to frame.
+/// Length of a path over the ground, added up frame by frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Way {
     metres: f32,
@@ -23,7 +23,7 @@ pub(super) struct Way {
 }
 
 impl Way {
-    /// Goes on to the next frame; after a cut the way goes on elsewhere.
+    /// Adds the next frame. The distance across a cut does not count.
     pub(super) fn add(&mut self, pose: &Pose, rate_hz: f32, is_cut: bool) {
         let step = (STEP_SECS * rate_hz).round().max(1.0) as usize;
         if is_cut {
@@ -38,7 +38,7 @@ impl Way {
         self.frames += 1;
     }
 
-    /// Its length, metres.
+    /// Length so far, metres.
     pub(super) fn metres(&self) -> f32 {
         self.metres
     }
