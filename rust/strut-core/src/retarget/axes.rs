@@ -1,7 +1,9 @@
 //! Which way is up in a file, and whether the file is a mirror image: read from the body, as no file says it.
 
+use super::rest_pose::RestPose;
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Role};
+use crate::math::float_funcs::asin;
 use crate::math::{Quat, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI};
 use std::fmt;
@@ -11,6 +13,12 @@ const STANDS: f32 = 0.7;
 /// A body goes over the ground if its hips travel this far across its up axis, in lengths of its legs, and at most a third
 /// of it along the axis.
 const TRAVEL: f32 = 0.7;
+/// Least cosine of a standing body's thighs with the axis from its feet to its head, where the zero pose says nothing.
+const THIGHS_ALONG: f32 = 0.5;
+/// Height of the hip joints over the origin of a body that stands still, in lengths of its legs.
+const HIPS_OVER_ORIGIN: std::ops::Range<f32> = 0.8..1.3;
+/// Feet are flat on the ground if they are pitched like those of the rest pose within this: radians.
+const FLAT_SOLE: f32 = 0.26;
 /// Toes point and knees bend backwards where the mean sum of their cosines with the way forward is below this: that of
 /// recordings is above 0.6.
 const BACKWARDS: f32 = -0.3;
@@ -98,27 +106,70 @@ pub(super) struct Up {
     pub(super) doubt: Option<UpAxis>,
 }
 
-/// Reads the up axis from the body. `zero_up` is the direction of the body's up axis in the zero pose, where that is a
-/// person who stands.
+/// Reads the up axis from the body.
 ///
 /// The axis along which the body stands in most frames is up, if the zero pose stands along it too: then all of the file is
-/// turned. If the zero pose stands along another axis, the root alone is turned, or the body lies down: it stands if
-/// it goes over the ground across that axis. Where the zero pose says nothing, the frames alone decide.
-pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, zero_up: Option<Vec3>) -> Up {
+/// turned. If the zero pose stands along another axis, the root alone is turned, or the body lies down: it stands if it goes
+/// over the ground across that axis, or stands still on the soles of its feet. Where the zero pose says nothing, the frames
+/// alone decide: those in which the thighs are along the trunk, as on all fours the trunk is level. Where the frames say
+/// nothing, as of somebody who crawls, the zero pose's axis is up if the body goes over the ground across it and not across
+/// +Y.
+pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> Up {
     let at = |r: Role| roles[r.index()].unwrap_or(0);
     let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);
-    let (left, right) = (at(Role::LeftFoot), at(Role::RightFoot));
-    let axes: Vec<Option<UpAxis>> =
-        sample.each(|w| UpAxis::of((w[top].0 - 0.5 * (w[left].0 + w[right].0)).normalize_or_zero())).collect();
+    let [left, right] = [Role::LeftFoot, Role::RightFoot].map(at);
+    let thighs = [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::RightUpperLeg, Role::RightLowerLeg].map(at);
+    let zero = rest.zero_up.and_then(UpAxis::of);
+    let axes: Vec<Option<UpAxis>> = sample
+        .each(|w| {
+            let axis = UpAxis::of((w[top].0 - 0.5 * (w[left].0 + w[right].0)).normalize_or_zero())?;
+            let [left_hip, left_knee, right_hip, right_knee] = thighs.map(|j| w[j].0);
+            let thighs = (left_hip - left_knee + right_hip - right_knee).normalize_or_zero();
+            (zero.is_some() || thighs.dot(axis.direction()) > THIGHS_ALONG).then_some(axis)
+        })
+        .collect();
     let votes = |axis: UpAxis| axes.iter().filter(|vote| **vote == Some(axis)).count();
     let most = UpAxis::ALL.into_iter().map(|(axis, _)| axis).find(|axis| 2 * votes(*axis) > axes.len());
     let known = |axis: UpAxis| Up { axis, doubt: None };
-    match (most, zero_up.and_then(UpAxis::of)) {
-        (None | Some(UpAxis::Y), _) => known(UpAxis::Y),
+    let unsure = |axis: UpAxis, lies_along: UpAxis| Up { axis, doubt: Some(lies_along) };
+    let travels = |axis: UpAxis| travels_across(axis, roles, sample);
+    match (most, zero) {
+        (Some(UpAxis::Y), _) | (None, None | Some(UpAxis::Y)) => known(UpAxis::Y),
+        (None, Some(zero)) if travels(zero) == travels(UpAxis::Y) => unsure(UpAxis::Y, zero),
+        (None, Some(zero)) => known(if travels(zero) { zero } else { UpAxis::Y }),
         (Some(axis), None) => known(axis),
-        (Some(axis), Some(zero)) if zero == axis || travels_across(axis, roles, sample) => known(axis),
-        (Some(axis), Some(_)) => Up { axis: UpAxis::Y, doubt: Some(axis) },
+        (Some(axis), Some(zero)) if zero == axis || travels(axis) => known(axis),
+        (Some(axis), Some(_)) if stands_still(axis, roles, sample, rest) => unsure(axis, axis),
+        (Some(axis), Some(_)) => unsure(UpAxis::Y, axis),
     }
+}
+
+/// Whether the body stands along an axis without going anywhere: its hips are as high over the origin as its legs are long,
+/// and its feet are pitched as on flat soles. Feet of somebody who lies point away.
+fn stands_still(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> bool {
+    let at = |r: Role| roles[r.index()];
+    let up = axis.direction();
+    let legs = [
+        [Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot],
+        [Role::RightUpperLeg, Role::RightLowerLeg, Role::RightFoot],
+    ];
+    let feet = [(Role::LeftFoot, Role::LeftToes), (Role::RightFoot, Role::RightToes)];
+    let stands = sample.each(|w| {
+        let high = legs.iter().all(|leg| {
+            let [Some(hip), Some(knee), Some(ankle)] = leg.map(at) else { return false };
+            let leg = (w[knee].0 - w[hip].0).length() + (w[ankle].0 - w[knee].0).length();
+            HIPS_OVER_ORIGIN.contains(&(w[hip].0.dot(up) / leg))
+        });
+        let flat = feet.iter().all(|(foot, toes)| {
+            let (Some(foot), Some(toes)) = (at(*foot), at(*toes)) else { return true };
+            let bone = (w[toes].0 - w[foot].0).normalize_or_zero();
+            let flat = rest.world_rotations[foot] * w[foot].1.inv_mul_vec3(bone);
+            (asin(bone.dot(up).clamp(-1.0, 1.0)) - asin(flat.y.clamp(-1.0, 1.0))).abs() < FLAT_SOLE
+        });
+        high && flat
+    });
+    let stands: Vec<bool> = stands.collect();
+    10 * stands.iter().filter(|stands| **stands).count() >= 9 * stands.len()
 }
 
 /// Whether the hips travel over the ground that lies across an axis, and not along the axis.

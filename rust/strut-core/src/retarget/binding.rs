@@ -257,7 +257,7 @@ impl Binding {
             return Err(BindError::Size);
         }
         let unmapped: Vec<usize> = (0..skeleton.len()).filter(|j| !joint_of_role.contains(&Some(*j))).collect();
-        let found = up_axis(joint_of_role, sample, rest.zero_up);
+        let found = up_axis(joint_of_role, sample, &rest);
         let up = read_as.up.unwrap_or(found.axis);
         let mut doubts = Vec::new();
         if let (Some(axis), None) = (found.doubt, read_as.up) {

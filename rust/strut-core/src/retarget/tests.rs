@@ -6,6 +6,7 @@ use crate::kinematics::world_from_local;
 use crate::math::float_funcs::sin;
 use crate::math::{Quat, Vec3, exp_map};
 use crate::motion::Motion;
+use crate::note::NoteCode;
 use crate::skeleton::{Joint, Skeleton};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, TAU};
@@ -348,6 +349,46 @@ fn people_on_all_fours_and_figures_with_long_arms_who_stand_are_people() {
     assert!(Binding::detect(&rigged(&ape, &Rig::default())).is_ok());
     let walk = HumanoidMotion { proportions: stretched(1.6, 1.2), ..walk() };
     assert!(Binding::detect(&rigged(&walk, &Rig::default())).is_ok());
+}
+
+fn has_note(binding: &Binding, code: NoteCode) -> bool {
+    binding.doubts.iter().any(|note| note.code == code)
+}
+
+#[test]
+fn people_on_all_fours_have_the_up_axis_of_their_file() {
+    let crawl = on_all_fours(stretched(1.1, 1.0));
+    let binding = Binding::detect(&rigged(&crawl, &modelled_as(&crawl))).unwrap();
+    assert_eq!(binding.up, UpAxis::Y);
+    assert!(!has_note(&binding, NoteCode::UpUnsure));
+    // All of the file is turned; they crawl over the ground.
+    let mut crawl = on_all_fours(Proportions::default());
+    crawl.poses = (0..60).map(|f| Pose { root: Vec3::new(0.0, 0.8, 0.03 * f as f32), ..crawl.poses[0] }).collect();
+    for (axis, _) in UpAxis::ALL {
+        let up = axis.to_y().inverse();
+        let rig = Rig { file_from_world: up, frames: [up.inverse(); JOINTS], ..Rig::default() };
+        assert_eq!(Binding::detect(&rigged(&crawl, &rig)).unwrap().up, axis);
+    }
+}
+
+#[test]
+fn who_stands_still_along_another_axis_than_the_zero_pose_is_taken_to_stand_and_who_lies_to_lie() {
+    let standing = HumanoidMotion { proportions: body(), rate_hz: 30.0, poses: vec![Pose::default(); 30] };
+    let mut lying = standing.clone();
+    for pose in &mut lying.poses {
+        for foot in [Role::LeftFoot, Role::RightFoot] {
+            pose.rotations[foot.index()] = Quat::from_rotation_x(0.5);
+        }
+        pose.root *= Vec3::new(1.0, 0.2, 1.0);
+    }
+    for (axis, _) in UpAxis::ALL.into_iter().filter(|(axis, _)| *axis != UpAxis::Y) {
+        let turned = Rig { file_from_world: axis.to_y().inverse(), ..Rig::default() };
+        for (motion, up) in [(&standing, axis), (&lying, UpAxis::Y)] {
+            let binding = Binding::detect(&rigged(motion, &turned)).unwrap();
+            assert_eq!(binding.up, up, "{axis}");
+            assert!(has_note(&binding, NoteCode::UpUnsure), "{axis}");
+        }
+    }
 }
 
 const SOME_NAMES: [&str; 24] = [
