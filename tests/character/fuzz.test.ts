@@ -13,7 +13,6 @@ import { glbOf } from "../rigs/glb";
 import { makeRig } from "../rigs/rig";
 
 const SEED = 20_261_123;
-const WITHIN_MS = 5000;
 
 const { times, ...moving } = movingAnimation();
 const motion = { ...moving, timeOut: times };
@@ -89,7 +88,6 @@ async function holds<T>(damage: fc.Arbitrary<T>, damaged: (how: T) => Uint8Array
       const said = await outcome(file);
       slowest = Math.max(slowest, performance.now() - start);
       outcomes.set(said, (outcomes.get(said) ?? 0) + 1);
-      expect(slowest).toBeLessThan(WITHIN_MS);
     }),
     { seed: SEED, numRuns: runs, endOnFailure: true },
   );

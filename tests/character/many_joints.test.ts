@@ -78,7 +78,6 @@ test.each([
   }
   const read = await loadCharacter(large.toGLB(motion).buffer);
   expect(read.motions.at(-1)!.poses().every(Number.isFinite)).toBe(true);
-  expect(took).toBeLessThan(5000);
   for (const character of [large, plain, read]) character.dispose();
 });
 

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{assert_refused, body_of, demo_walk, mocap_folder, read_bvh, strut_ok};
+use common::{assert_refused, body_of, demo_walk, mocap, read_bvh, strut_ok};
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
@@ -164,7 +164,7 @@ fn learnt(training: &[&Recording], test: &[&Recording], axes: &str) -> (Arc<KeyS
 
 #[test]
 fn held_out_poses_are_said_by_a_few_numbers() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let walks = walks(&mocap);
     let (test, training): (Vec<_>, Vec<_>) = walks.iter().enumerate().partition(|(i, _)| *i < 2);
     let [test, training] = [test, training].map(|of| of.into_iter().map(|(_, r)| r).collect::<Vec<_>>());
@@ -189,7 +189,7 @@ fn held_out_poses_are_said_by_a_few_numbers() {
 
 #[test]
 fn a_circle_on_the_pad_walks() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let walks = walks(&mocap);
     let (model, _) = learnt(&walks.iter().collect::<Vec<_>>(), &[], AXES);
     let mut character = DragCharacter::new(Arc::clone(&model));
@@ -207,7 +207,7 @@ fn a_circle_on_the_pad_walks() {
 
 #[test]
 fn a_run_by_keys_flies_as_far_as_the_recorded_one() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let names: Vec<_> = (1..=8).map(|take| format!("bandai-namco-2/dataset-2_run_normal_{take:03}.bvh")).collect();
     let runs = recordings(&mocap, names.iter().cloned());
     let (model, _) = learnt(&runs.iter().collect::<Vec<_>>(), &[], AXES);
@@ -238,7 +238,7 @@ fn a_run_by_keys_flies_as_far_as_the_recorded_one() {
 
 #[test]
 fn a_walk_never_flies() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let walks = walks(&mocap);
     let (model, _) = learnt(&walks.iter().collect::<Vec<_>>(), &[], AXES);
     let synthesis = Synthesis::new(Arc::clone(&model));

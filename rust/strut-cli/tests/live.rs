@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{assert_refused, body_of, demo_database, demo_walk, mocap_folder, read_bvh, strut};
+use common::{assert_refused, body_of, demo_database, demo_walk, mocap, read_bvh, strut};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::net::{SocketAddr, UdpSocket};
@@ -354,16 +354,11 @@ fn what_cannot_be_gets_a_sentence() {
 fn performances() -> Vec<HumanoidMotion> {
     let resampled = |motion: HumanoidMotion| motion.resampled(60.0).unwrap();
     let built_in = || vec![resampled(strut_demo::input_clips().remove(0).motion)];
-    let Some(folder) = mocap_folder() else { return built_in() };
+    let Some(folder) = mocap::folder() else { return built_in() };
     let is_of =
         |name: &str| ["walk", "run", "turn"].iter().any(|action| name.contains(action)) && name.contains("normal");
-    let entries = fs::read_dir(folder.join("bandai-namco-2")).map(|entries| entries.flatten().collect());
-    let mut files: Vec<_> = entries.unwrap_or_else(|_| Vec::new()).into_iter().map(|entry| entry.path()).collect();
-    files.retain(|path| path.extension().is_some_and(|e| e == "bvh") && is_of(&path.to_string_lossy()));
-    files.sort();
-    if files.is_empty() {
-        return built_in();
-    }
+    let mut files = mocap::clips_of(&folder, "bandai-namco-2");
+    files.retain(|path| is_of(&path.to_string_lossy()));
     let read = |path: &std::path::PathBuf| bvh::parse(&fs::read(path).unwrap()).unwrap().to_motion().unwrap();
     files.iter().map(|path| resampled(body_of(&read(path)))).collect()
 }

@@ -3,8 +3,8 @@
 mod common;
 
 use allocation_counter::measure;
-use common::{mocap_folder, strut_ok};
-use std::path::Path;
+use common::{mocap, strut_ok};
+use std::path::PathBuf;
 use strut_core::catalogue::CatalogueSize;
 use strut_core::database::Database;
 use strut_core::search::Index;
@@ -40,18 +40,19 @@ fn the_memory_that_opening_takes_is_known_to_a_fifth() {
 
 #[test]
 fn it_is_known_of_recorded_motion() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     for (set, neutral, pattern) in [
         ("xia", "neutral", "{style}_{action}_{take}.bvh"),
         ("bandai-namco-1", "normal", "{set}_{action}_{style}_{take}.bvh"),
     ] {
-        assert_known(set, &built(&mocap.join(set), neutral, pattern));
+        assert_known(set, &built(&mocap::clips_of(&mocap, set), neutral, pattern));
     }
 }
 
-fn built(clips: &Path, neutral: &str, pattern: &str) -> Database {
+fn built(clips: &[PathBuf], neutral: &str, pattern: &str) -> Database {
     let folder = tempfile::tempdir().unwrap();
-    let clips = clips.to_str().unwrap();
-    strut_ok(folder.path(), &["build-db", clips, "-o", "db", "--neutral", neutral, "--pattern", pattern]);
+    let mut args = vec!["build-db", "-o", "db", "--neutral", neutral, "--pattern", pattern];
+    args.extend(clips.iter().map(|clip| clip.to_str().unwrap()));
+    strut_ok(folder.path(), &args);
     strutdb::read(&std::fs::read(folder.path().join("db")).unwrap()).unwrap().database
 }

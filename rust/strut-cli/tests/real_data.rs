@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{all_clips, body_of, mocap_folder, read_bvh, strut_ok};
+use common::{all_clips, body_of, mocap, read_bvh, strut_ok};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
@@ -24,14 +24,15 @@ struct Built {
 }
 
 /// Built once for all tests.
-fn bandai_namco_2(mocap: &Path) -> &'static Built {
+fn bandai_namco_2(folder_of_sets: &Path) -> &'static Built {
     static BUILT: OnceLock<Built> = OnceLock::new();
     BUILT.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
-        let clips = mocap.join("bandai-namco-2");
-        let args = ["build-db", clips.to_str().unwrap(), "-o", "bn2.strutdb", "--neutral", "normal"];
-        let more = ["--json", "build.json", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
-        strut_ok(folder.path(), &[&args[..], &more].concat());
+        let clips = mocap::clips_of(folder_of_sets, "bandai-namco-2");
+        let clips: Vec<&str> = clips.iter().map(|clip| clip.to_str().unwrap()).collect();
+        let args = ["build-db", "-o", "bn2.strutdb", "--neutral", "normal", "--json", "build.json"];
+        let pattern = ["--pattern", "{set}_{action}_{style}_{take}.bvh"];
+        strut_ok(folder.path(), &[&args[..], &pattern, &clips].concat());
         let report = serde_json::from_slice(&fs::read(folder.path().join("build.json")).unwrap()).unwrap();
         Built { folder, report }
     })
@@ -47,7 +48,7 @@ fn stylize(folder: &Path, input: &Path, style: &str, output: &str, more: &[&str]
 
 #[test]
 fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let Built { folder, report } = bandai_namco_2(&mocap);
     let totals = &report["totals"];
     assert_eq!(totals["clips"].as_u64().unwrap() + totals["refused"].as_u64().unwrap(), 245);
@@ -78,7 +79,7 @@ fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
 
 #[test]
 fn exhausted_turns_are_named_with_the_clips_of_their_two_manners() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let Built { folder, report } = bandai_namco_2(&mocap);
     strut_ok(folder.path(), &["inspect", "bn2.strutdb", "--json", "inspect.json"]);
     let inspected: Value = serde_json::from_slice(&fs::read(folder.path().join("inspect.json")).unwrap()).unwrap();
@@ -105,19 +106,13 @@ fn mean_walking_weight(trace: &Path) -> f64 {
 
 /// Clips of all data sets. All 460 take twenty minutes: every ninth, or all with `STRUT_ALL_CLIPS=1`.
 fn clips(mocap: &Path) -> Vec<PathBuf> {
-    let mut clips = Vec::new();
-    for set in ["bandai-namco-1", "bandai-namco-2", "cmu", "xia"] {
-        let entries = fs::read_dir(mocap.join(set)).into_iter().flatten();
-        clips.extend(entries.map(|e| e.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "bvh")));
-    }
-    clips.sort();
     let step = if all_clips() { 1 } else { 9 };
-    clips.into_iter().step_by(step).collect()
+    mocap::clips_of(mocap, "").into_iter().step_by(step).collect()
 }
 
 #[test]
 fn clips_of_every_kind_are_styled() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let folder = &bandai_namco_2(&mocap).folder;
     clips(&mocap).par_iter().enumerate().for_each(|(i, path)| {
         let input = read_bvh(path);
@@ -130,7 +125,7 @@ fn clips_of_every_kind_are_styled() {
 
 #[test]
 fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let folder = tempfile::tempdir().unwrap();
     let recordings = mocap.to_str().unwrap();
     let args = ["demo-db", "-o", "demo.strutdb", "--report", "report.md", "--recordings", recordings];
@@ -162,16 +157,13 @@ fn noted(folder: &Path, more: &[&str]) -> Vec<(String, Vec<String>)> {
 /// Recordings of half of whose actions the database has none are far from it, but not as far as what is read wrongly.
 #[test]
 fn what_is_read_wrongly_is_noted_and_no_recording_is() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
     fs::write(at.join("demo.strutdb"), common::demo_database()).unwrap();
     fs::create_dir(at.join("in")).unwrap();
     for set in ["bandai-namco-1", "bandai-namco-2", "xia", "cmu"] {
-        let mut clips: Vec<PathBuf> = fs::read_dir(mocap.join(set)).unwrap().map(|e| e.unwrap().path()).collect();
-        clips.retain(|clip| clip.extension().is_some_and(|ending| ending == "bvh"));
-        clips.sort();
-        for clip in clips.iter().step_by(41) {
+        for clip in mocap::clips_of(&mocap, set).iter().step_by(41) {
             fs::copy(clip, at.join("in").join(clip.file_name().unwrap())).unwrap();
         }
     }

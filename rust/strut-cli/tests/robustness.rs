@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{all_clips, mocap_folder, read_bvh, strut_ok};
+use common::{all_clips, mocap, read_bvh, strut_ok};
 use rayon::prelude::*;
 use std::fs;
 use std::ops::ControlFlow;
@@ -21,10 +21,8 @@ use strut_formats::strutdb;
 
 /// The clips of a folder whose names contain a text, sorted.
 fn clips(mocap: &Path, set: &str, containing: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(mocap.join(set)).into_iter().flatten();
-    let mut clips: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();
-    clips.retain(|p| p.extension().is_some_and(|e| e == "bvh") && p.to_str().unwrap().contains(containing));
-    clips.sort();
+    let mut clips = mocap::clips_of(mocap, set);
+    clips.retain(|p| p.to_str().unwrap().contains(containing));
     clips
 }
 
@@ -106,7 +104,7 @@ fn peak_acceleration(motion: &HumanoidMotion) -> f32 {
 
 #[test]
 fn no_style_skates_more_than_its_input_or_sinks() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let mut inputs = clips(&mocap, "cmu", "");
     inputs.extend(clips(&mocap, "xia", "").into_iter().step_by(if all_clips() { 1 } else { 3 }));
     for (set, naming) in [("bandai-namco-2", BANDAI_NAMCO), ("xia", XIA)] {
@@ -127,7 +125,7 @@ fn no_style_skates_more_than_its_input_or_sinks() {
 
 #[test]
 fn contacts_of_unseen_takes_are_recognised_and_their_feet_held() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let (held_out, known): (Vec<PathBuf>, Vec<PathBuf>) =
         clips(&mocap, "bandai-namco-2", "").into_iter().partition(|p| p.to_str().unwrap().ends_with("_001.bvh"));
     let model = build(&known, BANDAI_NAMCO);
@@ -172,7 +170,7 @@ fn beyond(rotations: impl Iterator<Item = [Quat; JOINTS]>) -> [f32; JOINTS] {
 
 #[test]
 fn one_take_a_class_is_enough_to_stay_within_limits() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let sets = ["cmu", "xia", "bandai-namco-1"];
     let inputs: Vec<PathBuf> = sets.iter().flat_map(|set| clips(&mocap, set, "")).collect();
     let inputs: Vec<PathBuf> = inputs.into_iter().step_by(if all_clips() { 1 } else { 13 }).collect();

@@ -6,7 +6,7 @@ mod common;
 #[path = "../../strut-core/benches/grown/mod.rs"]
 mod grown;
 
-use common::{all_clips, mocap_folder, strut_ok};
+use common::{all_clips, mocap, strut_ok};
 use rayon::prelude::*;
 use std::fs;
 use strut_core::search::{Index, Metric, Neighbours, Scratch};
@@ -17,16 +17,14 @@ const RUN: usize = 20;
 
 #[test]
 fn neighbours_of_unseen_motion_are_those_of_brute_force_at_every_size() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let sizes = if all_clips() {
         vec![(5_000, 10_000), (20_000, 10_000), (80_000, 10_000), (400_000, 1_000)]
     } else {
         vec![(5_000, 200), (20_000, 200), (80_000, 200)]
     };
     let folder = tempfile::tempdir().unwrap();
-    let mut clips: Vec<_> = fs::read_dir(mocap.join("bandai-namco-2")).unwrap().map(|e| e.unwrap().path()).collect();
-    clips.retain(|p| p.extension().is_some_and(|e| e == "bvh"));
-    clips.sort();
+    let clips = mocap::clips_of(&mocap, "bandai-namco-2");
     let mut args =
         vec!["build-db", "-o", "db", "--neutral", "normal", "--pattern", "{set}_{action}_{style}_{take}.bvh"];
     args.extend(clips.iter().map(|p| p.to_str().unwrap()));

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{assert_refused, mocap_folder, strut, strut_ok};
+use common::{assert_refused, mocap, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
 use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise, recursion_error};
@@ -38,7 +38,7 @@ fn walks(mocap: &Path) -> (Proportions, Vec<(usize, usize, Track)>) {
 
 #[test]
 fn held_out_walks_are_reconstructed_and_recognised() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let (body, walks) = walks(&mocap);
     let of = |takes: std::ops::RangeInclusive<usize>| walks.iter().filter(move |w| takes.contains(&w.1));
     let training: Vec<LabelledClip> =
@@ -70,7 +70,7 @@ fn held_out_walks_are_reconstructed_and_recognised() {
 
 #[test]
 fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let (body, walks) = walks(&mocap);
     let training: Vec<LabelledClip> =
         walks.iter().map(|(style, _, track)| LabelledClip { style: STYLES[*style], track }).collect();
@@ -111,7 +111,7 @@ fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
 
 #[test]
 fn steps_and_speed_go_one_way_from_the_opposite_of_a_style_to_twice_of_it() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let (body, walks) = walks(&mocap);
     let mut training: Vec<LabelledClip> = walks
         .iter()
@@ -240,12 +240,13 @@ fn what_holds_no_walk_is_left_out_with_a_reason() {
 
 #[test]
 fn takes_that_differ_much_are_styles_of_their_own() {
-    let Some(mocap) = mocap_folder() else { return };
+    let Some(mocap) = mocap::folder() else { return };
     let folder = tempfile::tempdir().unwrap();
     let model = folder.path().join("m.strutwalk").display().to_string();
-    let input = mocap.join("bandai-namco-1").display().to_string();
-    let pattern = "{set}_{action}_{style}_{take}.bvh";
-    let printed = strut_ok(folder.path(), &["train-walk", &input, "--pattern", pattern, "-o", &model]);
+    let clips = mocap::clips_of(&mocap, "bandai-namco-1");
+    let mut args = vec!["train-walk", "--pattern", "{set}_{action}_{style}_{take}.bvh", "-o", &model];
+    args.extend(clips.iter().map(|clip| clip.to_str().unwrap()));
+    let printed = strut_ok(folder.path(), &args);
     // The prototype finds the takes of these four alike, and those of proud farthest apart.
     for style in ["active,", "giant,", "masculinity,", "proud A, proud B", "tired)"] {
         assert!(printed.contains(style), "{style} in {printed}");

@@ -1,10 +1,11 @@
 //! One performance on the skeletons of other programs is one performance; what is no human is refused.
 
 mod mocap;
+mod performances;
 
+use performances::apart;
 use std::path::{Path, PathBuf};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Proportions, Role};
-use strut_core::kinematics::world_from_local;
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::note::NoteCode;
@@ -38,17 +39,6 @@ fn case(folder: &Path, name: &str) -> Motion {
 
 fn performed(motion: &Motion) -> HumanoidMotion {
     to_humanoid(motion, &Binding::detect(motion).unwrap(), &Proportions::default())
-}
-
-/// The greatest distance between the same joint of two motions in the same frame, metres.
-fn apart(a: &HumanoidMotion, b: &HumanoidMotion) -> f32 {
-    assert_eq!(a.poses.len(), b.poses.len());
-    let mut most = 0.0_f32;
-    for (p, q) in a.poses.iter().zip(&b.poses) {
-        let (p, q) = (world_from_local(&a.proportions, p), world_from_local(&b.proportions, q));
-        most = (0..JOINTS).map(|j| (p.positions[j] - q.positions[j]).length()).fold(most, f32::max);
-    }
-    most
 }
 
 /// A joint that is added above another one: its name, and how much of the other's translation it takes.

@@ -1,9 +1,10 @@
 //! A body whose file begins at the chest, the head or the spine is the same body.
 
 mod mocap;
+mod performances;
 
-use strut_core::humanoid::{HumanoidMotion, JOINTS, Proportions, Role};
-use strut_core::kinematics::world_from_local;
+use performances::apart;
+use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
@@ -74,17 +75,6 @@ fn rooted_at(motion: &Motion, root: usize) -> Motion {
     }
     let skeleton = Skeleton::new(joints.collect()).unwrap();
     Motion::new(skeleton, motion.frame_time_secs, translations, rotations).unwrap()
-}
-
-/// The greatest distance between the same joint of two motions in the same frame, metres.
-fn apart(a: &HumanoidMotion, b: &HumanoidMotion) -> f32 {
-    assert_eq!(a.poses.len(), b.poses.len());
-    let mut most = 0.0_f32;
-    for (p, q) in a.poses.iter().zip(&b.poses) {
-        let (p, q) = (world_from_local(&a.proportions, p), world_from_local(&b.proportions, q));
-        most = (0..JOINTS).map(|j| (p.positions[j] - q.positions[j]).length()).fold(most, f32::max);
-    }
-    most
 }
 
 #[test]

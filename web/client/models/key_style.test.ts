@@ -8,9 +8,6 @@ import { checkAxis, type KeyStyleFrame, type KeyStyleModel, openKeyStyle, trainK
 
 const FEET = ["foot_separation", "foot_height_difference"];
 const WALK: KeyStyleOrder = { clips: [], action: "walk", axes: FEET, components: 0, em: false };
-/** Longest training and synthesis that are allowed; machines that run tests are busy. */
-const MAX_TRAINING_SECS = 2;
-const MAX_POSE_US = 20;
 
 const heard: { label: string; fraction: number }[] = [];
 let trained: TrainedKeyStyle;
@@ -47,10 +44,9 @@ const onTurn = (share: number, radius = 1.35): number[] => {
 };
 
 describe("training", () => {
-  it("learns the built-in walk in no time, and says how far it is", () => {
+  it("learns the built-in walk, and says how far it is", () => {
     expect(trained.trainedOn.every((name) => /^walk.*neutral/.test(name))).toBe(true);
     expect(trained.clips.length).toBeGreaterThan(20);
-    expect(trained.secs).toBeLessThan(MAX_TRAINING_SECS);
     expect(model.axes).toEqual(FEET);
     expect(model.units).toEqual(["cm", "cm"]);
     expect(model.values.length).toBe(2 * model.clips.reduce((sum, clip) => sum + clip.frames, 0));
@@ -145,19 +141,6 @@ describe("a poser", () => {
     other.advance(0.1, onTurn(0.2));
     expect(largestTurn(one.frame.pose, other.frame.pose)).toBeLessThan(0.1);
   });
-
-  it(`poses in less than ${MAX_POSE_US} µs`, () => {
-    const poser = model.poser();
-    const places = Array.from({ length: 1000 }, (_, i) => onTurn(i / 70));
-    const rounds = Array.from({ length: 12 }, () => {
-      const begin = performance.now();
-      for (const place of places) poser.advance(1 / 60, place);
-      return performance.now() - begin;
-    });
-    const us = Math.min(...rounds);
-    console.info(`${us.toFixed(1)} µs a pose, ${(1000 * trained.secs).toFixed(0)} ms for training`);
-    expect(us).toBeLessThan(MAX_POSE_US);
-  });
 });
 
 describe("the mode of poses", () => {
@@ -192,11 +175,8 @@ describe("learning", () => {
     const { r, weights } = somn.step(1);
     expect(somn.state).toMatchObject({ updates: 1, delta: expect.closeTo(0.6, 5) });
     for (const shares of [r, weights]) expect(sum(shares)).toBeCloseTo(1, 5);
-    const [early, begin] = [somn.model(), performance.now()];
+    const early = somn.model();
     somn.step(somn.updates);
-    const us = (1000 * (performance.now() - begin)) / somn.updates;
-    console.info(`${us.toFixed(1)} µs an update`);
-    expect(us).toBeLessThan(20);
     expect(somn.state.updates).toBe(somn.updates);
     const late = somn.model();
     const smooth = { temperature: 2, blur: 0 };

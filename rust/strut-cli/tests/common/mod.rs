@@ -1,8 +1,10 @@
 //! Running the command, and files to run it on.
 #![allow(dead_code)] // Each test file uses its part.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+#[path = "../../../strut-formats/tests/mocap/mod.rs"]
+pub(crate) mod mocap;
+
+use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 use strut_core::humanoid::HumanoidMotion;
@@ -72,16 +74,4 @@ pub(crate) fn read_bvh(path: &Path) -> bvh::Bvh {
 pub(crate) fn body_of(motion: &Motion) -> HumanoidMotion {
     let binding = Binding::detect(motion).unwrap();
     to_humanoid(motion, &binding, &binding.proportions)
-}
-
-/// The folder of real clips: `$STRUT_MOCAP`, else `shared/data` beside the repository. Says so if there is none.
-pub(crate) fn mocap_folder() -> Option<PathBuf> {
-    let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("STRUT_MOCAP").map_or(beside, PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    // Not `println!`, whose output cargo shows of failed tests only.
-    let _ = writeln!(std::io::stderr(), "skipped: no real motion capture; set STRUT_MOCAP to its folder");
-    None
 }
