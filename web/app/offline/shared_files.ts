@@ -7,6 +7,12 @@ export const SHARED_QUERY = "?shared";
 
 const cacheOf = (folder: string): string => `strut-shared-${folder}`;
 
+/** Whether a request comes from the browser itself, as of another app that shares files, or from this site: not from any page. */
+export function isOfThisSite(request: Request): boolean {
+  const site = request.headers.get("Sec-Fetch-Site");
+  return site === null || site === "none" || site === "same-origin";
+}
+
 /** Stores the files of a form, and answers with the page that takes them. */
 export async function receiveShared(request: Request, folder: string): Promise<Response> {
   const files = (await request.formData()).getAll("files").filter((value) => value instanceof File);

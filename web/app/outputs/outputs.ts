@@ -13,6 +13,7 @@ import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";
 import type { OutputFormat, VideoSize } from "./formats";
+import { onePass } from "./one_pass";
 import { pngOf } from "./png";
 
 /** Media type of GLB files. */
@@ -139,16 +140,18 @@ async function video(
   store.edit({ playing: false, loop: false });
   playhead.goTo(first);
   await session.shown();
+  const advance = () => {
+    if (session.input !== input || store.state.view !== before.view) throw cancelled();
+    return session.playback.advance(before.speed / VIDEO_RATE);
+  };
   const film = ({ signal, onProgress }: CallOptions) =>
     pictures.film((pictureAt) => {
       async function* frames(): AsyncGenerator<HTMLCanvasElement> {
         yield pictureAt(0);
-        for (let count = 1, ended = false; !ended; count++) {
-          if (session.input !== input || store.state.view !== before.view) throw cancelled();
-          const frame = await session.playback.advance(before.speed / VIDEO_RATE);
-          ({ ended } = frame);
-          onProgress?.({ label, fraction: (frame.inputFrame - first) / Math.max(1, last - first) });
-          yield pictureAt(count / VIDEO_RATE);
+        let count = 0;
+        for await (const { inputFrame } of onePass(advance)) {
+          onProgress?.({ label, fraction: (inputFrame - first) / Math.max(1, last - first) });
+          yield pictureAt(++count / VIDEO_RATE);
         }
       }
       return makeVideo(frames(), size);

@@ -51,6 +51,7 @@ export class App {
   readonly #views: Views;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
+  #isExporting = false;
   /** Takes away what is said while there is no picture. */
   #pictureBack = () => {};
 
@@ -110,7 +111,7 @@ export class App {
         if (this.#viewer.draw(now) || graphics() === "none") this.#workspace.session.drawn();
       },
       onInput: () => {
-        this.#topBar.canExport = true;
+        this.#topBar.canExport = !this.#isExporting;
         this.#toasts.clearErrors();
         this.#views.shown?.refresh?.();
       },
@@ -239,7 +240,7 @@ export class App {
     const { view } = this.#store.state;
     if (graphics() === "none" && !viewEntry(view).flat) {
       this.#toasts.error(strings.page.noWebGl, { lasts: true });
-      this.#store.edit({ view: "learn" });
+      this.#address.redirect({ view: "learn" });
       return;
     }
     this.#showTopBar();
@@ -269,7 +270,7 @@ export class App {
     const again = { label: strings.page.tryAgain, act: () => this.#store.edit({ view: name }) };
     const text = navigator.onLine ? strings.page.viewNotLoaded(errorText(error)) : strings.page.viewOffline;
     this.#toasts.error(text, { action: navigator.onLine ? RELOAD : again });
-    if (name !== "play") this.#store.edit({ view: "play" });
+    if (name !== "play") this.#address.redirect({ view: "play" });
   }
 
   /** The browser has taken the picture away, or given it back. */
@@ -347,6 +348,7 @@ export class App {
     const { session, playhead } = this.#workspace;
     const keep = this.#views.shown?.keep?.bind(this.#views.shown);
     if (format !== "png" && keep && !(await keep())) return;
+    this.#isExporting = true;
     this.#topBar.canExport = false;
     await launchOutput(format, size, {
       session,
@@ -357,6 +359,7 @@ export class App {
       toasts: this.#toasts,
       progress: this.#progress.database,
     });
+    this.#isExporting = false;
     this.#topBar.canExport = true;
   }
 }

@@ -11,8 +11,20 @@ const page = (singleKeys = true): PageKeys => ({
   singleKeys: () => singleKeys,
 });
 
-/** An element that is what one of its selectors says. */
-const focus = (kind: string) => ({ matches: (selectors: string) => selectors.split(", ").includes(kind) }) as Element;
+/** An element with the focus: by the keyboard, or by a click. */
+function focus(localName: string, attributes: Record<string, string> = {}, byKeys = true): Element {
+  const is = (selector: string) => {
+    if (selector === ":focus-visible") return byKeys;
+    const [, name, attribute, value] = /^(\w*)(?:\[([\w-]+)(?:=(\w+))?\])?$/.exec(selector)!;
+    const found = attribute === undefined ? "" : attributes[attribute];
+    return (!name || name === localName) && found !== undefined && (value === undefined || value === found);
+  };
+  return {
+    localName,
+    getAttribute: (name: string) => attributes[name] ?? null,
+    matches: (selectors: string) => selectors.split(", ").some(is),
+  } as Element;
+}
 
 function press(
   key: string,
@@ -44,7 +56,29 @@ describe("a key", () => {
     expect(press("l", { focused: focus("select") })).toBe("");
     expect(press(" ", { focused: focus("button") })).toBe("");
     expect(press("ArrowLeft", { focused: focus("button") })).toBe("back");
-    expect(press("z", { focused: focus("input[type=text]"), ctrlKey: true })).toBe("");
+    expect(press(" ", { focused: focus("a") })).toBe("");
+    expect(press("ArrowLeft", { focused: focus("input", { type: "radio" }) })).toBe("");
+  });
+
+  it("acts where a control has the focus by a click", () => {
+    for (const control of [focus("button", {}, false), focus("input", { type: "radio" }, false)]) {
+      expect(press(" ", { focused: control })).toBe("play");
+      expect(press("ArrowLeft", { focused: control })).toBe("back");
+    }
+  });
+
+  it("is a text field's own, and so is its undo", () => {
+    const fields = [
+      focus("textarea"),
+      focus("div", { contenteditable: "true" }),
+      focus("input"),
+      ...["text", "number", "search"].map((type) => focus("input", { type })),
+    ];
+    for (const focused of fields) {
+      expect(press("z", { focused, ctrlKey: true })).toBe("");
+      expect([press("l", { focused }), press(" ", { focused }), press("ArrowLeft", { focused })]).toEqual(["", "", ""]);
+    }
+    expect(press("z", { focused: focus("input", { type: "range" }), ctrlKey: true })).toBe("undo");
   });
 
   it("of a single character does nothing where those are switched off; Space and arrows still act", () => {

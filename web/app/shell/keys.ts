@@ -11,34 +11,58 @@ export interface PageKeys {
   singleKeys(): boolean;
 }
 
+/** Kinds of `<input>` that no text is typed into. */
+const NO_TEXT = ["checkbox", "radio", "range", "file", "color", "button", "submit"];
+
+/** Whether text is typed into the element, so that letters and undo are its own. */
+function isTextField(element: Element | null): boolean {
+  if (!element) return false;
+  const { localName } = element;
+  if (localName === "input") return !NO_TEXT.includes(element.getAttribute("type") ?? "text");
+  return localName === "textarea" || element.matches("[contenteditable]");
+}
+
+/**
+ * Whether the element is used by the keyboard. A control that was clicked keeps the focus, for screen readers and switch
+ * devices, but leaves Space and arrows to the page.
+ */
+function isUsedByKeys(element: Element | null): boolean {
+  return element?.matches(":focus-visible") ?? false;
+}
+
 /** Whether the element handles arrows, Home and letters itself. */
 function wantsKeys(element: Element | null): boolean {
-  return element?.matches("input:not([type=checkbox]), select, textarea, [contenteditable]") ?? false;
+  if (isTextField(element) || element?.matches("select, input[type=range]")) return true;
+  return isUsedByKeys(element) && element!.matches("input[type=radio]");
 }
 
 /** Whether the element handles Space itself. */
 function takesSpace(element: Element | null): boolean {
-  return element?.matches("button, a, select, summary, [role=button], input[type=text], input[type=radio]") ?? false;
+  if (isTextField(element) || element?.matches("select")) return true;
+  return (
+    isUsedByKeys(element) &&
+    element!.matches("button, a, summary, [role=button], input[type=radio], input[type=checkbox]")
+  );
 }
 
 /** Listens to the page's keys until the signal aborts. */
 export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
+  let tookSpace = false;
   const onKeyDown = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const action = actionOf(event, document.activeElement, keys);
+    if (event.key === " ") tookSpace = action !== undefined;
     if (!action) return;
     event.preventDefault();
     // Key repeat would toggle playback again and again.
     if (event.key !== " " || !event.repeat) action();
   };
-  // A control that was clicked loses the focus, so that Space plays instead of clicking it again.
-  const onClick = (event: MouseEvent): void => {
-    const focused = document.activeElement;
-    if (event.detail === 0 || !focused?.matches("button, a, input[type=radio], [role=button]")) return;
-    if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
+  // Firefox clicks the focused button when Space is let go.
+  const onKeyUp = (event: KeyboardEvent): void => {
+    if (event.key === " " && tookSpace) event.preventDefault();
   };
   addEventListener("keydown", onKeyDown, { signal });
-  addEventListener("click", onClick, { signal });
+  addEventListener("keyup", onKeyUp, { signal });
 }
 
 type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
@@ -48,7 +72,7 @@ export function actionOf(pressed: Pressed, focused: Element | null, keys: PageKe
   const key = pressed.key.length === 1 ? pressed.key.toLowerCase() : pressed.key;
   if (pressed.altKey) return undefined;
   if (pressed.ctrlKey || pressed.metaKey) {
-    if (focused?.matches("input[type=text]")) return undefined;
+    if (isTextField(focused)) return undefined;
     if (key === "z") return pressed.shiftKey ? keys.redo : keys.undo;
     return key === "y" ? keys.redo : undefined;
   }

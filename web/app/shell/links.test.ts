@@ -121,6 +121,17 @@ describe("the address bar", () => {
     expect([store.state.view, history.entries.length]).toEqual(["walk", 2]);
   });
 
+  it("can be left by Back where it was redirected", () => {
+    const { store, bar, go, hashes, history } = opened();
+    store.edit({ view: "walk" });
+    bar.redirect({ view: "learn" });
+    vi.runAllTimers();
+    expect(hashes()).toEqual(["/", "#view=learn"]);
+    go(-1);
+    vi.runAllTimers();
+    expect([store.state.view, history.entries.length]).toEqual(["play", 2]);
+  });
+
   it("leaves a link alone that is followed while the address waits to be written", () => {
     const { store, history, hashes } = opened();
     store.edit({ k: 50 });

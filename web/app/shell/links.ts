@@ -39,6 +39,16 @@ export class AddressBar {
     this.#claim();
   }
 
+  /**
+   * Changes the state without a history entry of its own, where what the current one stands for cannot be shown: else Back
+   * would lead to it, and on from it, for ever.
+   */
+  redirect(change: Partial<AppState>): void {
+    this.#state = { ...this.#state, ...change };
+    this.#store.edit(change);
+    this.#replace();
+  }
+
   /** Writes the state after a debounce; a change of view adds a history entry at once. */
   write(): void {
     const { state } = this.#store;

@@ -33,6 +33,14 @@ function made(holdsWork = false) {
       { name: "play", load: async () => ({ createView: () => fakeView(said, "play") }) },
       { name: "walk", load: async () => ({ createView: () => walk }) },
       { name: "data", load: () => Promise.reject(new Error("offline")) },
+      {
+        name: "crowd",
+        load: async () => ({
+          createView: () => {
+            throw new Error("no memory");
+          },
+        }),
+      },
     ],
   );
   const take = () => said.splice(0);
@@ -53,6 +61,12 @@ describe("the views", () => {
     expect(await show("play")).toEqual(["play shown", "at play"]);
     expect(await show("walk")).toEqual(["play hidden", "play removed", "walk shown", "at walk"]);
     expect(await show("walk")).toEqual([]);
+  });
+
+  it("that cannot be made leave nothing behind", async () => {
+    const { show, signals } = made();
+    expect(await show("crowd")).toEqual(["crowd refused: no memory"]);
+    expect(signals.map((signal) => signal.aborted)).toEqual([true]);
   });
 
   it("are disposed of after a minute out of sight, and made again", async () => {

@@ -76,19 +76,21 @@ export class Views {
     const made = this.#made.get(name);
     if (made) return made.view;
     const life = new AbortController();
-    const view = this.#load(name, life.signal);
+    const view = this.#load(name, life);
     this.#made.set(name, { view, life });
     return view;
   }
 
-  async #load(name: ViewName, signal: AbortSignal): Promise<View | undefined> {
+  async #load(name: ViewName, life: AbortController): Promise<View | undefined> {
     try {
       const entry = this.#table.find((view) => view.name === name)!;
-      const view = (await entry.load()).createView(this.#listeners.host(signal));
+      const view = (await entry.load()).createView(this.#listeners.host(life.signal));
       // To make a view and to place it in the page take long enough for a task each.
       await otherTasks();
       return view;
     } catch (error) {
+      // Ends what the view has begun before it failed.
+      life.abort();
       this.#made.delete(name);
       this.#listeners.onRefused(name, error);
       return undefined;

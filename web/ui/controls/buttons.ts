@@ -37,6 +37,9 @@ export class Toggle {
   }
 }
 
+/** Segments so far: each is a group of its own, whatever its label. */
+let segments = 0;
+
 /** One choice out of a few, as radio buttons that look like a segment. */
 export class Segment<T extends string> {
   readonly element: HTMLElement;
@@ -47,7 +50,7 @@ export class Segment<T extends string> {
     options: readonly { value: T; label: string; icon?: IconName }[],
     onChange: (value: T) => void,
   ) {
-    const group = `segment-${name.toLowerCase().replace(/\W+/g, "-")}`;
+    const group = `segment-${++segments}`;
     this.element = html("div", { class: "segment", role: "radiogroup", "aria-label": name });
     for (const { value, label, icon: iconName } of options) {
       const input = html("input", { type: "radio", name: group, value });

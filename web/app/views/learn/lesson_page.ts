@@ -68,7 +68,7 @@ export class LessonPage {
     this.#bet = new BetPanel(lesson, text, learn, listeners.onBet);
     this.#equation = new EquationPanel(lesson, text, learn);
     this.#words = html("textarea", { rows: 5, "aria-label": learn.yourWords });
-    this.#words.addEventListener("change", () => listeners.onWords(this.#words.value));
+    this.#words.addEventListener("input", () => listeners.onWords(this.#words.value));
     this.#cards = new Map(
       lesson.exercises.map(({ id }) => [
         id,

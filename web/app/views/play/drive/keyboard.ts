@@ -53,6 +53,8 @@ export class Keyboard {
     };
     addEventListener("keydown", onDown, { signal, capture: true });
     addEventListener("keyup", ({ code }) => this.#held.delete(code), { signal, capture: true });
+    // macOS sends no keyup of a key that is let go while Command is held.
+    addEventListener("keydown", ({ key }) => key === "Meta" && this.stop(), { signal, capture: true });
     addEventListener("blur", () => this.stop(), { signal });
     document.addEventListener("visibilitychange", () => document.hidden && this.stop(), { signal });
   }
