@@ -1,6 +1,17 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { BuildClient, DroppedFile, Labelled, TwoManners } from "../../../client/build/protocol";
+import type {
+  BuildClient,
+  DroppedFile,
+  Labelled,
+  ReadEvent,
+  Roles,
+  Skeleton,
+  TwoManners,
+} from "../../../client/build/protocol";
 import { ClipCollection } from "./clip_collection";
+import { skeletonKey } from "./corpus";
+
+const CHOSEN = [0, 1] as unknown as Roles;
 
 /** What the client was told to label with. */
 let labelled: { pattern: string | undefined; table: string | undefined }[];
@@ -25,6 +36,11 @@ beforeEach(() => {
         if (style === "") return { reason: "Its name does not match." };
         return { action, style: table ? "tabled" : style, take: undefined };
       });
+    },
+    readAll: async (onRead: (event: ReadEvent) => void) => {
+      const skeleton = { joints: ["Hips", "Odd"], fault: "It has no knees." } as Skeleton;
+      const read = { frames: 10, rateHz: 60, skeleton: 0 };
+      onRead({ clips: opened.map((_, index) => ({ index, ...read })), skeletons: [skeleton] });
     },
     build: async () => ({ refused: [], twoManners }),
     dispose: () => {},
@@ -52,7 +68,23 @@ describe("clips that are opened", () => {
     await clips.open(files("walk_proud.bvh", "walk_old.bvh"), {}, {});
     expect(styles()).toEqual({ "walk_neutral.bvh": "neutral", "walk_old.bvh": "ancient", "walk_proud.bvh": "proud" });
     expect(labelled.at(-1)).toEqual({ pattern: "{style}_{action}.bvh", table: undefined });
-    expect(clips.edits.canUndo, "the rows of the edit are gone").toBe(false);
+    clips.edits.undo();
+    expect(styles()["walk_old.bvh"]).toBe("old");
+    clips.edits.redo();
+    expect(styles()["walk_old.bvh"]).toBe("ancient");
+  });
+
+  test("keep the joints that a person chose for their skeleton, which can be taken back", async () => {
+    const chosen = () => clips.skeletons.map((skeleton) => skeleton.chosen);
+    await clips.open(files("walk_old.bvh"), {}, {});
+    await clips.read({});
+    clips.edits.choose(skeletonKey(clips.skeletons[0]!), CHOSEN);
+    await clips.open(files("walk_proud.bvh"), {}, {});
+    expect(chosen(), "not read yet").toEqual([]);
+    await clips.read({});
+    expect(chosen()).toEqual([CHOSEN]);
+    clips.edits.undo();
+    expect(chosen()).toEqual([undefined]);
   });
 
   test("among which there is none are said so", async () => {
@@ -68,6 +100,17 @@ describe("clips that are opened", () => {
     await clips.open(files("run_sad.bvh"), {}, {});
     expect(styles()).toEqual({ "run_sad.bvh": "sad" });
     expect(labelled.at(-1)!.table, "its table too").toBeUndefined();
+  });
+
+  test("come back with all that a person edited", async () => {
+    await clips.open(files("walk_old.bvh", "walk_calm.bvh"), {}, {});
+    clips.edit(clips.rows[1]!, "style", "ancient");
+    clips.edits.setNeutral("calm");
+    const openAgain = clips.clear();
+    await clips.open(files("run_sad.bvh"), {}, {});
+    await openAgain({});
+    expect(styles()).toEqual({ "walk_calm.bvh": "calm", "walk_old.bvh": "ancient" });
+    expect(clips.neutral).toBe("calm");
   });
 });
 
@@ -88,6 +131,17 @@ test("a style is renamed wherever it is, with its being neutral, and back", asyn
   expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["calm", "calm"]);
   clips.edits.undo();
   expect([styles()["run_neutral.bvh"], clips.neutral]).toEqual(["neutral", "neutral"]);
+});
+
+test("a style that was chosen as the neutral one is so after a rename is taken back", async () => {
+  await clips.open(files("walk_neutral.bvh", "walk_old.bvh"), {}, {});
+  clips.edits.setNeutral("old");
+  clips.rename("style", "old", "aged");
+  expect(clips.neutral).toBe("aged");
+  clips.edits.undo();
+  expect(clips.neutral).toBe("old");
+  clips.edits.undo();
+  expect(clips.neutral).toBe("neutral");
 });
 
 test("a style of two manners becomes two styles, of the same name in every action, and one again", async () => {

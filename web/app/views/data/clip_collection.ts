@@ -22,8 +22,9 @@ import {
   obstacle,
   type Row,
   rowOf,
+  skeletonKey,
 } from "./corpus";
-import { Edits } from "./edits";
+import { type Edited, Edits } from "./edits";
 import { freeName } from "./free_name";
 import { type Manners, mannersAmong } from "./manners";
 import { renamedStyles } from "./renamed_styles";
@@ -40,8 +41,7 @@ export interface Labelling {
 
 export class ClipCollection {
   readonly edits: Edits;
-  /** Every clip that was found, usable or not. */
-  rows: Row[] = [];
+  readonly #edited: Edited & { rows: Row[] } = { rows: [], neutral: "", chosen: new Map() };
   skeletons: KnownSkeleton[] = [];
   pattern = "";
   /** How many names match the pattern or the table, or why these cannot be used. */
@@ -50,7 +50,6 @@ export class ClipCollection {
   readonly #onChange: () => void;
   #files: DroppedFile[] = [];
   #table: File | undefined;
-  #neutral = "";
   /** What the last build found. */
   #twoManners: readonly TwoManners[] = [];
   /** The style of each clip of the last build, by its path. */
@@ -62,7 +61,12 @@ export class ClipCollection {
   constructor(client: BuildClient, onChange: () => void) {
     this.#client = client;
     this.#onChange = onChange;
-    this.edits = new Edits(() => this.#labelled());
+    this.edits = new Edits(this.#edited, () => this.#labelled());
+  }
+
+  /** Every clip that was found, usable or not. */
+  get rows(): Row[] {
+    return this.#edited.rows;
   }
 
   /** The clips that will be part of the database. */
@@ -77,12 +81,7 @@ export class ClipCollection {
 
   /** The style that the others are compared with. */
   get neutral(): string {
-    return this.#neutral;
-  }
-
-  set neutral(style: string) {
-    this.#neutral = style;
-    this.#onChange();
+    return this.#edited.neutral;
   }
 
   /** What the database would be called after the folder or archive of the clips. */
@@ -90,22 +89,34 @@ export class ClipCollection {
     return databaseName(this.rows.map(({ path }) => path));
   }
 
-  /** Forgets all clips. */
-  clear(): void {
+  /**
+   * Forgets all clips.
+   * @returns opens them again, with all that a person edited; they are still to be {@link read}
+   */
+  clear(): (options: CallOptions) => Promise<void> {
+    const [files, before] = [this.#files, { ...this.#edited }];
+    const labelling = { pattern: this.pattern, ...(this.#table && { table: this.#table }) };
     this.#client.dispose();
     this.#files = [];
-    this.rows = [];
+    Object.assign(this.#edited, { rows: [], neutral: "", chosen: new Map() });
     this.#table = undefined;
-    this.#neutral = "";
     this.#twoManners = [];
     this.#built = new Map();
-    this.#forgetRead();
+    this.skeletons = [];
+    this.edits.forget();
     this.#onChange();
+    return async (options) => {
+      this.#files = [];
+      Object.assign(this.#edited, before);
+      await this.open(files, labelling, options);
+      this.#edited.neutral = before.neutral;
+      this.#labelled();
+    };
   }
 
   /**
    * Lists and labels the clips among files, beside those that are open; a file of the same path takes the place of the one
-   * before. Labels that a person typed stay, and the pattern of the clips that were open. {@link read} reads the clips.
+   * before. What a person edited stays, and the pattern of the clips that were open. {@link read} reads the clips.
    * @returns sentences about what was left out
    */
   async open(files: readonly DroppedFile[], labelling: Labelling, options: CallOptions): Promise<string[]> {
@@ -113,9 +124,9 @@ export class ClipCollection {
     const edited = new Map(this.rows.filter((row) => row.edited).map((row) => [row.path, row]));
     const wereOpen = this.rows.length > 0;
     this.#files = [...this.#files.filter(({ path }) => !paths.has(path)), ...files];
-    this.#forgetRead();
+    this.skeletons = [];
     const found = await this.#client.open(this.#files, options);
-    this.rows = found.clips.map(rowOf);
+    this.#edited.rows = found.clips.map(rowOf);
     for (const row of this.rows) {
       const edit = edited.get(row.path);
       if (edit) Object.assign(row, { action: edit.action, style: edit.style, take: edit.take, edited: true });
@@ -132,6 +143,7 @@ export class ClipCollection {
     const { rows, skeletons } = this;
     return this.#client.readAll((event) => {
       applyRead(rows, skeletons, event);
+      this.#applyChosen();
       this.#onChange();
     }, options);
   }
@@ -165,10 +177,11 @@ export class ClipCollection {
 
   /** Renames an action or a style wherever it is; with the name of another the two become one. */
   rename(field: "action" | "style", from: string, to: string): void {
-    if (field === "style" && this.#neutral === from) this.#neutral = to;
+    const isNeutral = field === "style" && this.neutral === from;
     this.edits.edit(
       this.rows.filter((row) => row[field].trim() === from),
       { [field]: to },
+      isNeutral ? to : this.neutral,
     );
   }
 
@@ -196,7 +209,7 @@ export class ClipCollection {
         roles: this.#rolesOf(row),
       }),
     );
-    const built = await this.#client.build(files, this.#neutral, options);
+    const built = await this.#client.build(files, this.neutral, options);
     const styles = new Map(files.map(({ path, style }) => [path, style]));
     this.renamed = renamedStyles(this.#built, styles);
     this.#built = styles;
@@ -206,20 +219,19 @@ export class ClipCollection {
     return built;
   }
 
-  /** Edits and skeletons are those of the clips before. */
-  #forgetRead(): void {
-    this.edits.forget();
-    this.skeletons = [];
-  }
-
   #rolesOf({ read }: Row): Roles | undefined {
     return read && this.skeletons[read.skeleton]?.chosen;
   }
 
   /** Where no clip has the neutral style any more, another style takes its place. */
   #labelled(): void {
+    this.#applyChosen();
     const { styles } = classTable(this.usable);
-    if (!styles.includes(this.#neutral)) this.#neutral = likelyNeutral(styles);
+    if (!styles.includes(this.neutral)) this.#edited.neutral = likelyNeutral(styles);
     this.#onChange();
+  }
+
+  #applyChosen(): void {
+    for (const skeleton of this.skeletons) skeleton.chosen = this.#edited.chosen.get(skeletonKey(skeleton));
   }
 }

@@ -42,7 +42,7 @@ export class ClipsPanel {
     this.#clips = clips;
     this.#matrix = new Matrix({
       onNeutral: (style) => {
-        clips.neutral = style;
+        clips.edits.setNeutral(style);
       },
       onFilter: (filter) => this.#narrow(filter),
       onRename: (field, from, to) => clips.rename(field, from, to),

@@ -31,6 +31,11 @@ export interface KnownSkeleton extends Skeleton {
   chosen: Roles | undefined;
 }
 
+/** What skeletons of the same joints have in common. */
+export function skeletonKey({ joints }: Skeleton): string {
+  return joints.join("\n");
+}
+
 /** How many clips every action has in every style. */
 export interface ClassTable {
   actions: string[];

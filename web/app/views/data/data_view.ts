@@ -2,7 +2,7 @@
 import "./data.css";
 import { createBuildClient } from "../../../client/build/client";
 import type { DroppedFile } from "../../../client/build/protocol";
-import { isCancellation } from "../../../client/protocol";
+import { type CallOptions, isCancellation } from "../../../client/protocol";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { html, saveFile, setAttributes } from "../../../ui/dom";
@@ -16,7 +16,7 @@ import type { PublicSet } from "./catalogue";
 import { CataloguePanel } from "./catalogue_panel";
 import { ClipCollection, type Labelling } from "./clip_collection";
 import { ClipsPanel } from "./clips_panel";
-import { classTable, concerns, type Row } from "./corpus";
+import { classTable, concerns, type Row, skeletonKey } from "./corpus";
 import { DatabasesPanel } from "./databases_panel";
 import { DeviceDatabases, type Placed } from "./device_databases";
 import { MannersPanel } from "./manners_panel";
@@ -169,20 +169,35 @@ class DatabaseView implements View {
     });
   }
 
+  /** Forgets all clips, and offers to have them back. */
   #clear(): void {
+    const count = this.#clips.rows.length;
     this.#clipsPanel.progress.cancel();
     this.#forgetShown();
-    this.#clips.clear();
+    const openAgain = this.#clips.clear();
+    if (count === 0) return;
+    this.#host.toasts.offer(words.cleared(count), strings.page.bar.undo, () => {
+      this.#clipsPanel.progress.cancel();
+      void this.#read(async (options) => {
+        await openAgain(options);
+        return [];
+      });
+    });
   }
 
-  /** Opens clips and reads them; the first that can be read is shown. */
-  async #open(files: readonly DroppedFile[], labelling: Labelling): Promise<void> {
+  /** Opens clips and reads them. */
+  #open(files: readonly DroppedFile[], labelling: Labelling): Promise<void> {
+    return this.#read((options) => this.#clips.open(files, labelling, options));
+  }
+
+  /** Reads the clips that `open` opens; the first that can be read is shown. */
+  async #read(open: (options: CallOptions) => Promise<readonly string[]>): Promise<void> {
     const wereOpen = this.#clips.rows.length > 0;
     this.#forgetShown();
     setAttributes(this.element, { "aria-busy": "true" });
     await this.#attempt(() =>
       this.#clipsPanel.progress.run(words.looking, async (options) => {
-        for (const note of await this.#clips.open(files, labelling, options)) this.#host.toasts.error(note);
+        for (const note of await open(options)) this.#host.toasts.error(note);
         if (!wereOpen) await this.#proposeName();
         await this.#clips.read(options);
       }),
@@ -230,7 +245,7 @@ class DatabaseView implements View {
         note: skeleton.fault || skeleton.note,
       }));
     if (!roles) return;
-    skeleton.chosen = roles;
+    this.#clips.edits.choose(skeletonKey(skeleton), roles);
     const ofSkeleton = rows.filter((row) => row.read?.skeleton === number);
     const shown = ofSkeleton.find((row) => row.index === this.#selected) ?? ofSkeleton[0];
     if (shown) await this.#select(shown);

@@ -4,8 +4,8 @@ import { Edits } from "./edits";
 
 test("an edit is taken back and done again, and a new one forgets what was taken back", () => {
   let changes = 0;
-  const edits = new Edits(() => changes++);
   const row = { ...rowOf({ path: "a", licence: "" }, 0), unlabelled: "Its name does not match." };
+  const edits = new Edits({ rows: [row], neutral: "", chosen: new Map() }, () => changes++);
   edits.edit([row], { action: "walk" });
   edits.edit([row], { style: "old", take: 3 });
   expect(row).toMatchObject({ action: "walk", style: "old", take: 3, edited: true, unlabelled: "" });
@@ -24,8 +24,8 @@ test("an edit is taken back and done again, and a new one forgets what was taken
 });
 
 test("many rows are edited, and taken back, at once", () => {
-  const edits = new Edits(() => {});
   const rows = ["old", "aged"].map((style, i) => ({ ...rowOf({ path: String(i), licence: "" }, i), style }));
+  const edits = new Edits({ rows, neutral: "", chosen: new Map() }, () => {});
   edits.edit(rows, { style: "elderly" });
   expect(rows.map((row) => row.style)).toEqual(["elderly", "elderly"]);
   edits.undo();

@@ -1,39 +1,77 @@
-/** Edits of the labels in the table of clips, with undo and redo. */
+/** Edits of the table of clips, with undo and redo: labels, the neutral style, and the joints of skeletons. */
+import type { Roles } from "../../../client/build/protocol";
 import { History } from "../../state/history";
 import type { Row } from "./corpus";
 
 /** The fields of a row that an edit changes. */
 type LabelFields = Pick<Row, "action" | "style" | "take" | "edited" | "unlabelled">;
 
-/** The labels of the rows of one edit, which may change many rows alike. */
-type SavedLabels = { row: Row; labels: LabelFields }[];
+/** What a person can edit. */
+export interface Edited {
+  readonly rows: readonly Row[];
+  /** The style that the others are compared with. */
+  neutral: string;
+  /** The joints that a person chose, by `skeletonKey`. */
+  chosen: ReadonlyMap<string, Roles>;
+}
 
-export class Edits extends History<SavedLabels> {
+/** The labels of the rows of one edit by their paths, as rows are made anew when files are added; and all else. */
+interface Saved {
+  labels: ReadonlyMap<string, LabelFields>;
+  neutral: string;
+  chosen: ReadonlyMap<string, Roles>;
+}
+
+export class Edits extends History<Saved> {
+  readonly #edited: Edited;
   readonly #onChange: () => void;
 
   /** @param onChange is called after an edit, undo and redo */
-  constructor(onChange: () => void) {
+  constructor(edited: Edited, onChange: () => void) {
     super(
-      (of) => saved(of.map(({ row }) => row)),
-      (rows) => {
-        for (const { row, labels } of rows) Object.assign(row, labels);
+      ({ labels }) =>
+        saved(
+          edited,
+          edited.rows.filter(({ path }) => labels.has(path)),
+        ),
+      ({ labels, neutral, chosen }) => {
+        for (const row of edited.rows) Object.assign(row, labels.get(row.path));
+        Object.assign(edited, { neutral, chosen });
         onChange();
       },
     );
+    this.#edited = edited;
     this.#onChange = onChange;
   }
 
-  /** Changes the labels of rows. */
-  edit(rows: readonly Row[], change: Partial<Pick<Row, "action" | "style" | "take">>): void {
-    this.record(saved(rows));
+  /** Changes the labels of rows, and what the neutral style is called after that. */
+  edit(
+    rows: readonly Row[],
+    change: Partial<Pick<Row, "action" | "style" | "take">>,
+    neutral = this.#edited.neutral,
+  ): void {
+    this.record(saved(this.#edited, rows));
     for (const row of rows) Object.assign(row, change, { edited: true, unlabelled: "" });
+    this.#edited.neutral = neutral;
+    this.#onChange();
+  }
+
+  /** Takes another style for the neutral one. */
+  setNeutral(style: string): void {
+    this.edit([], {}, style);
+  }
+
+  /** Chooses the joints of a skeleton. */
+  choose(key: string, roles: Roles): void {
+    this.record(saved(this.#edited, []));
+    this.#edited.chosen = new Map([...this.#edited.chosen, [key, roles]]);
     this.#onChange();
   }
 }
 
-function saved(rows: readonly Row[]): SavedLabels {
-  return rows.map((row) => {
-    const { action, style, take, edited, unlabelled } = row;
-    return { row, labels: { action, style, take, edited, unlabelled } };
+function saved({ neutral, chosen }: Edited, rows: readonly Row[]): Saved {
+  const labels = rows.map(({ path, action, style, take, edited, unlabelled }) => {
+    return [path, { action, style, take, edited, unlabelled }] as const;
   });
+  return { labels: new Map(labels), neutral, chosen };
 }
