@@ -17,6 +17,13 @@ interface Weights {
   sent: boolean;
 }
 
+/** What styles are on the way to: of the whole body, of {@link BODY_PARTS} that have their own, and over time. */
+export interface Targets {
+  readonly whole: Float32Array;
+  readonly parts: readonly (Float32Array | undefined)[];
+  readonly track: WeightKey[];
+}
+
 /** Nothing is allocated while weights are eased. */
 export class EasedStyles {
   /** Whole body, then each of {@link BODY_PARTS}. */
@@ -31,19 +38,25 @@ export class EasedStyles {
   ) {
     const whole = stream.weightsOf(options.styles);
     this.#weights = [undefined, ...BODY_PARTS].map(() => ({ now: whole.slice(), target: undefined, sent: false }));
-    this.setTargets(options);
+    this.targets = this.targetsOf(options);
     this.arrive(0);
   }
 
-  /** Sets the targets. What is refused changes nothing. */
-  setTargets({ styles, parts, track }: StylizeOptions): void {
+  /** The targets that options ask for. What cannot be is refused, and nothing is changed. */
+  targetsOf({ styles, parts, track }: StylizeOptions): Targets {
     const { stream } = this;
-    const whole = stream.weightsOf(styles);
-    const own = BODY_PARTS.map((part) => parts[part] && stream.weightsOf(parts[part]));
-    const keys = track.map((key) => ({ frame: key.frame, weights: stream.weightsOf(key.styles) }));
-    this.#track = keys;
+    return {
+      whole: stream.weightsOf(styles),
+      parts: BODY_PARTS.map((part) => parts[part] && stream.weightsOf(parts[part])),
+      track: track.map((key) => ({ frame: key.frame, weights: stream.weightsOf(key.styles) })),
+    };
+  }
+
+  /** Sets the targets. */
+  set targets({ whole, parts, track }: Targets) {
+    this.#track = track;
     this.#weights[0]!.target = whole;
-    for (const [i, weights] of own.entries()) {
+    for (const [i, weights] of parts.entries()) {
       const part = this.#weights[1 + i]!;
       // A part that begins to have its own starts from what it has in common with the whole.
       if (weights && !part.target) part.now.set(this.#weights[0]!.now);

@@ -25,8 +25,9 @@ export class LiveStylizer {
 
   /** Holds from the next frame on. What is refused changes nothing. */
   configure(options: StylizeOptions, halfLifeSecs: number): void {
+    const targets = this.#styles.targetsOf(options);
     this.stylizer.configure(options);
-    this.#styles.setTargets(options);
+    this.#styles.targets = targets;
     this.#styles.halfLifeSecs = halfLifeSecs;
   }
 

@@ -240,6 +240,17 @@ describe("a change of style", () => {
     };
     expect(() => session.configure(old(1))).toThrow("no such style");
     expect(session.step(0).pose[1]).toBeCloseTo(0.5, 6);
+    expect(stylizer.configured, "nothing else of it holds").toBe(1);
+  });
+
+  test("is not taken up where the engine refuses other options", () => {
+    const { session, stylizer } = open(old(0.5));
+    stylizer.configure = () => {
+      throw new Error("k is 0");
+    };
+    expect(() => session.configure(old(1))).toThrow("k is 0");
+    for (let i = 0; i < 60; i++) session.step(FRAME_SECS);
+    expect(session.step(0).pose[1]).toBeCloseTo(0.5, 6);
   });
 });
 
