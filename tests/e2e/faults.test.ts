@@ -15,7 +15,7 @@ import {
   visit,
 } from "./browser";
 
-declare const window: { strut: StrutHook };
+declare const window: { strut: StrutHook; restoreContext?: () => void };
 
 let page: Page;
 
@@ -73,8 +73,14 @@ describe("a lost graphics context", () => {
       await lost;
       // All listeners have heard of it by then.
       await new Promise(requestAnimationFrame);
-      extension.restoreContext();
+      window.restoreContext = () => extension.restoreContext();
     });
+    // Nothing is saved that would be empty.
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.locator(".export-menu").getByRole("button", { name: /^PNG/ }).click();
+    await eventually(() => page.getByRole("alert").textContent()).toContain("taken the 3-D picture away");
+    await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
+    await page.evaluate(() => window.restoreContext!());
     await eventually(picture).toBeGreaterThan(40);
     await page.keyboard.press("Space");
     expect(await page.getByRole("alert").textContent()).toBe("");

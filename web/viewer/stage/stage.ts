@@ -158,8 +158,13 @@ export class Stage implements Drawn {
     return this.#size;
   }
 
-  /** A copy of the picture; only right after it was drawn. */
+  /**
+   * A copy of the picture; only right after it was drawn.
+   * @throws Error while the browser has taken the picture away: the copy would be empty
+   */
   copy(): HTMLCanvasElement {
+    if (this.#screen.isLost)
+      throw new Error("The browser has taken the 3-D picture away. Try again when it is back, or reload the page.");
     const copy = document.createElement("canvas");
     Object.assign(copy, this.#pixels);
     this.#copyTo(copy.getContext("2d")!);
