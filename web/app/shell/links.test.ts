@@ -121,6 +121,19 @@ describe("the address bar", () => {
     expect([store.state.view, history.entries.length]).toEqual(["walk", 2]);
   });
 
+  it("has an entry a lesson, and goes back to the one before", () => {
+    const { store, go, history } = opened();
+    store.edit({ view: "learn", lesson: "near" });
+    store.edit({ beat: 2 });
+    vi.runAllTimers();
+    store.edit({ lesson: "mix", beat: 0 });
+    store.edit({ walkStride: 70 });
+    go(-1);
+    vi.runAllTimers();
+    expect(store.state).toMatchObject({ view: "learn", lesson: "near", beat: 2, walkStride: 70 });
+    expect(history.entries.length).toBe(3);
+  });
+
   it("can be left by Back where it was redirected", () => {
     const { store, bar, go, hashes, history } = opened();
     store.edit({ view: "walk" });

@@ -17,12 +17,24 @@ export function stateOfLink(hash: string, reducedMotion = prefersReducedMotion()
 /** The part of the browser's history that is used. */
 type BrowserHistory = Pick<History, "state" | "pushState" | "replaceState">;
 
-/** State of an entry in the browser's history. Entries with the same `link` follow from one opened link: they differ by view. */
+/**
+ * State of an entry in the browser's history. Entries with the same `link` follow from one opened link: they differ by view or
+ * by lesson.
+ */
 interface Entry {
   link: number;
 }
 
-/** Keeps the address bar in step with the state. A change of view adds a history entry, so that Back returns to the previous view. */
+/** What has a history entry of its own: a view, or a lesson. */
+type Place = Pick<AppState, "view" | "lesson">;
+
+const isSamePlace = (a: Place, b: Place): boolean =>
+  a.view === b.view && (a.view !== "learn" || a.lesson === b.lesson);
+
+/**
+ * Keeps the address bar in step with the state. A change of view or lesson adds a history entry, so that Back returns to the
+ * previous one.
+ */
 export class AddressBar {
   readonly #store: Store;
   readonly #history: BrowserHistory;
@@ -49,11 +61,11 @@ export class AddressBar {
     this.#replace();
   }
 
-  /** Writes the state after a debounce; a change of view adds a history entry at once. */
+  /** Writes the state after a debounce; a change of view or lesson adds a history entry at once. */
   write(): void {
     const { state } = this.#store;
     clearTimeout(this.#timer);
-    if (state.view !== this.#state.view) {
+    if (!isSamePlace(state, this.#state)) {
       this.#replace();
       this.#state = state;
       this.#history.pushState(this.#entry, "", addressOf(state));
@@ -70,7 +82,8 @@ export class AddressBar {
 
   /**
    * Handles a `hashchange`: Back, Forward, or a link entered in the address bar.
-   * @returns the fields to change: only the view within the entries of one link, otherwise everything
+   * @returns the fields to change: within the entries of one link only the view, and the lesson where that is another;
+   * otherwise everything
    */
   arrive(hash: string): Partial<AppState> {
     clearTimeout(this.#timer);
@@ -79,7 +92,7 @@ export class AddressBar {
     const within = entry?.link === this.#link;
     this.#link = entry?.link ?? Date.now();
     this.#claim();
-    const arrived = within ? { view: linked.view } : linked;
+    const arrived = within ? this.#placeOf(linked) : linked;
     // This entry exists already: the edit that follows must not add another one.
     this.#state = { ...this.#store.state, ...arrived };
     this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
@@ -88,6 +101,11 @@ export class AddressBar {
 
   dispose(): void {
     clearTimeout(this.#timer);
+  }
+
+  #placeOf({ view, lesson, beat }: AppState): Partial<AppState> {
+    if (view !== "learn" || lesson === this.#store.state.lesson) return { view };
+    return { view, lesson, beat, task: "", figures: "" };
   }
 
   get #entry(): Entry {
