@@ -17,7 +17,7 @@ const TRAVEL: f32 = 0.7;
 const THIGHS_ALONG: f32 = 0.5;
 /// Height of the hip joints over the origin of a body that stands still, in lengths of its legs.
 const HIPS_OVER_ORIGIN: std::ops::Range<f32> = 0.8..1.3;
-/// Feet are flat on the ground if they are pitched like those of the rest pose within this: radians.
+/// Feet are flat on the ground if they are pitched like those of the zero pose within this: radians.
 const FLAT_SOLE: f32 = 0.26;
 /// Toes point and knees bend backwards where the mean sum of their cosines with the way forward is below this: that of
 /// recordings is above 0.6.
@@ -145,7 +145,7 @@ pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &R
 }
 
 /// Whether the body stands along an axis without going anywhere: its hips are as high over the origin as its legs are long,
-/// and its feet are pitched as on flat soles. Feet of somebody who lies point away.
+/// and its feet are pitched as in the zero pose, which stands. Feet of somebody who lies point away.
 fn stands_still(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> bool {
     let at = |r: Role| roles[r.index()];
     let up = axis.direction();
@@ -160,11 +160,10 @@ fn stands_still(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample, 
             let leg = (w[knee].0 - w[hip].0).length() + (w[ankle].0 - w[knee].0).length();
             HIPS_OVER_ORIGIN.contains(&(w[hip].0.dot(up) / leg))
         });
-        let flat = feet.iter().all(|(foot, toes)| {
-            let (Some(foot), Some(toes)) = (at(*foot), at(*toes)) else { return true };
+        let flat = feet.iter().zip(rest.zero_foot_pitch).all(|((foot, toes), zero)| {
+            let (Some(foot), Some(toes), Some(zero)) = (at(*foot), at(*toes), zero) else { return true };
             let bone = (w[toes].0 - w[foot].0).normalize_or_zero();
-            let flat = rest.world_rotations[foot] * w[foot].1.inv_mul_vec3(bone);
-            (asin(bone.dot(up).clamp(-1.0, 1.0)) - asin(flat.y.clamp(-1.0, 1.0))).abs() < FLAT_SOLE
+            (asin(bone.dot(up).clamp(-1.0, 1.0)) - zero).abs() < FLAT_SOLE
         });
         high && flat
     });

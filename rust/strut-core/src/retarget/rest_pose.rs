@@ -37,6 +37,9 @@ pub(super) struct RestPose {
     pub(super) from_zero_pose: bool,
     /// Direction of the body's up axis in the zero pose, where that served.
     pub(super) zero_up: Option<Vec3>,
+    /// Pitch of the left and the right foot in the zero pose, from ankle to toe joint above the horizontal, where that served:
+    /// radians.
+    pub(super) zero_foot_pitch: [Option<f32>; 2],
 }
 
 /// Direction of each limb bone in the T-pose: role, the role at its end, direction.
@@ -69,8 +72,14 @@ pub(super) fn rest_pose(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS], sa
             world_rotations: body.bend_zero_pose(frame),
             from_zero_pose: true,
             zero_up: Some(frame.inv_mul_vec3(Vec3::Y)),
+            zero_foot_pitch: body.zero_foot_pitch(frame),
         },
-        None => RestPose { world_rotations: body.read_anatomy(), from_zero_pose: false, zero_up: None },
+        None => RestPose {
+            world_rotations: body.read_anatomy(),
+            from_zero_pose: false,
+            zero_up: None,
+            zero_foot_pitch: [None; 2],
+        },
     }
 }
 
@@ -179,6 +188,14 @@ impl Body<'_> {
         }
         let up = snapped((up - down.normalize_or_zero()).normalize_or_zero());
         Some(frame_of(left, up).inverse())
+    }
+
+    fn zero_foot_pitch(&self, frame: Quat) -> [Option<f32>; 2] {
+        let zero = positions(self.skeleton, &self.sample.translations, &vec![Quat::IDENTITY; self.skeleton.len()]);
+        [(Role::LeftFoot, Role::LeftToes), (Role::RightFoot, Role::RightToes)].map(|(foot, toes)| {
+            let bone = zero[self.at(toes)?] - zero[self.at(foot)?];
+            Some(asin((frame * bone).normalize_or_zero().y.clamp(-1.0, 1.0)))
+        })
     }
 
     fn bend_zero_pose(&self, frame: Quat) -> Vec<Quat> {
