@@ -48,6 +48,14 @@ impl Method {
         }
     }
 
+    /// Whether λ is a part of what is trained beforehand.
+    pub(super) fn trains_with_ridge(self) -> bool {
+        #[cfg(feature = "baselines")]
+        return self.baseline().is_some_and(crate::baselines::Baseline::has_ridge);
+        #[cfg(not(feature = "baselines"))]
+        false
+    }
+
     /// Which trained predictor the method runs, if any.
     #[cfg(feature = "baselines")]
     pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
@@ -153,6 +161,13 @@ pub enum OptionsError {
 }
 
 impl Options {
+    /// Whether what is made before the first frame for these options (components, working memory, trained predictors) serves
+    /// the others too. All other options are read anew in every frame.
+    pub(super) fn predicts_like(&self, other: &Self) -> bool {
+        (self.k, self.action, self.input_style, self.method) == (other.k, other.action, other.input_style, other.method)
+            && (self.lambda == other.lambda || !self.method.trains_with_ridge())
+    }
+
     /// Checks every number.
     ///
     /// # Errors
