@@ -50,10 +50,11 @@ impl Method {
 
     /// Whether λ is a part of what is trained beforehand.
     pub(super) fn trains_with_ridge(self) -> bool {
-        #[cfg(feature = "baselines")]
-        return self.baseline().is_some_and(crate::baselines::Baseline::has_ridge);
-        #[cfg(not(feature = "baselines"))]
-        false
+        match self {
+            Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => false,
+            #[cfg(feature = "baselines")]
+            _ => self.baseline().is_some_and(crate::baselines::Baseline::has_ridge),
+        }
     }
 
     /// Which trained predictor the method runs, if any.
