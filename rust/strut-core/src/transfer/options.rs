@@ -48,6 +48,24 @@ impl Method {
         }
     }
 
+    /// Its command-line name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mar => "mar",
+            Self::LocalAr => "lar",
+            Self::NearestNeighbour => "nn",
+            Self::Knn => "knn",
+            #[cfg(feature = "baselines")]
+            Self::GlobalAr => "gar",
+            #[cfg(feature = "baselines")]
+            Self::Lti => "lti-dof",
+            #[cfg(feature = "baselines")]
+            Self::LtiJoint => "lti",
+            #[cfg(feature = "baselines")]
+            Self::Gp => "gp",
+        }
+    }
+
     /// Whether λ is a part of what is trained beforehand.
     pub(super) fn trains_with_ridge(self) -> bool {
         match self {
