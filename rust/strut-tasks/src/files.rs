@@ -29,8 +29,8 @@ pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
     if bytes.len() > most { too_large() } else { Ok(bytes) }
 }
 
-/// Output files that appear complete and together, or not at all: each is written beside its target under
-/// a temporary name; [`Outputs::commit`] renames them.
+/// Output files of which each appears complete or not at all, and none before all are written: each is written beside its
+/// target under a temporary name; [`Outputs::commit`] renames them.
 #[derive(Debug, Default)]
 pub struct Outputs {
     staged: Vec<Staged>,
@@ -92,10 +92,10 @@ impl Outputs {
         }
     }
 
-    /// Gives all files their names.
+    /// Gives all files their names, one after the other.
     ///
     /// # Errors
-    /// What the system says.
+    /// What the system says; then files before the one that it says it of have their names, and the others do not appear.
     pub fn commit(mut self) -> Outcome {
         while let Some(Staged { temporary, target }) = self.staged.first() {
             fs::rename(temporary, target).map_err(|e| TaskError::io(target, &e))?;

@@ -98,7 +98,7 @@ pub struct PartWeights {
 impl Serialize for PartWeights {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let mut entry = to.serialize_struct("PartWeights", 2)?;
-        entry.serialize_field("parts", &format!("{:?}", self.parts))?;
+        entry.serialize_field("parts", &self.parts.iter().map(|part| part.name()).collect::<Vec<_>>())?;
         entry.serialize_field("weights", &self.weights)?;
         entry.end()
     }

@@ -18,6 +18,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     for clip in &evaluation.left_out {
         print_warnings(&format!("warning: left out {}: {}\n", clip.file, clip.reason));
     }
+    if let Some(note) = evaluation.note() {
+        print_warnings(&format!("warning: {note}\n"));
+    }
     let mut outputs = Outputs::default();
     outputs.stage_json(args.json.as_deref(), &evaluation.report)?;
     if let (Some(target), Some(curves)) = (&args.curves, &evaluation.curves) {

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 struct Key {
     baseline: Baseline,
     style: u16,
-    /// Only global autoregression has a ridge.
+    /// 0 for those without a ridge.
     lambda: f32,
     segments: Vec<Range<usize>>,
 }
@@ -31,7 +31,7 @@ impl Baselines {
         let key = Key {
             baseline,
             style: pairs.style,
-            lambda: if baseline == Baseline::GlobalAr { lambda } else { 0.0 },
+            lambda: if baseline.has_ridge() { lambda } else { 0.0 },
             segments: pairs.segments.clone(),
         };
         self.predictors.get(key, || match baseline {

@@ -35,6 +35,13 @@ pub(crate) enum Baseline {
     Gp,
 }
 
+impl Baseline {
+    /// Whether what is trained depends on λ.
+    pub(crate) fn has_ridge(self) -> bool {
+        self == Self::GlobalAr
+    }
+}
+
 /// Input of the prediction of a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Now<'a> {

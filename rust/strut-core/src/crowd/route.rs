@@ -5,6 +5,8 @@ use crate::math::Vec2;
 
 /// A route whose ends are nearer to each other is a loop, metres.
 const LOOP: f32 = 2.0;
+/// Less than this there and back is no way to go, metres.
+const SHORTEST: f32 = 0.1;
 /// How far ahead on the route is what people walk to, metres.
 const AHEAD: f32 = 2.5;
 /// Room for everybody on the route, m², and the least and the greatest width of what they walk on beside it, metres.
@@ -24,7 +26,7 @@ pub(super) struct Route {
 }
 
 impl Route {
-    /// Through points [x, z] on the ground, metres; none are no route.
+    /// Through points [x, z] on the ground, metres; none, or points that are all in one place, are no route.
     pub(super) fn new(points: &[[f32; 2]]) -> Result<Self, CrowdError> {
         if points.len() == 1 || points.len() > MAX_ROUTE_POINTS {
             return Err(CrowdError::Route(points.len()));
@@ -40,7 +42,7 @@ impl Route {
         way.dedup();
         let mut route = Self { way, length: 0.0 };
         route.length = route.parts().map(|[from, to]| from.distance(to)).sum();
-        Ok(if route.length > 0.0 { route } else { Self::default() })
+        Ok(if route.length >= SHORTEST { route } else { Self::default() })
     }
 
     /// Where somebody should walk to who is at a place and faces along a unit vector, in a lane from 0 (next to the line) to 1,
@@ -55,9 +57,9 @@ impl Route {
         let costs = self.parts().map(cost).enumerate();
         let (part, (_, share)) = costs.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
         let (mut at, mut ahead) = (share, AHEAD);
-        let mut parts = self.parts().cycle().skip(part);
-        loop {
-            let [from, to] = parts.next()?;
+        // The shortest route is walked round so often; a place that is no number leads nowhere.
+        let rounds = (AHEAD / SHORTEST) as usize + 2;
+        for [from, to] in self.parts().cycle().skip(part).take(rounds * self.way.len()) {
             let rest = (1.0 - at) * from.distance(to);
             if rest >= ahead {
                 let way = (to - from).normalize_or_zero();
@@ -67,6 +69,7 @@ impl Route {
             }
             (at, ahead) = (0.0, ahead - rest);
         }
+        None
     }
 
     /// The straight parts of the way.
@@ -93,6 +96,19 @@ mod tests {
         // Round the corner.
         let corner = line.target(Vec2::new(5.0, 0.0), Vec2::new(1.0, 0.0), 0.0, 1).unwrap();
         assert!(corner.distance(Vec2::new(6.0 - ASIDE, 1.5)) < 1e-5, "{corner}");
+    }
+
+    #[test]
+    fn a_loop_of_no_size_is_no_route() {
+        for size in [f32::MIN_POSITIVE, 1e-8, 1e-6, 0.03] {
+            let route = Route::new(&[[0.0, 0.0], [size, 0.0]]).unwrap();
+            assert_eq!(route.target(Vec2::ZERO, Vec2::X, 0.5, 10), None, "{size}");
+        }
+        // Round a loop of the least size there is a target, whatever the place.
+        for at in [Vec2::ZERO, Vec2::splat(1e30), Vec2::NAN] {
+            let route = Route::new(&[[0.0, 0.0], [0.06, 0.0]]).unwrap();
+            assert!(route.target(at, Vec2::X, 0.5, 10).is_none_or(|target| target.is_finite() || at.is_nan()));
+        }
     }
 
     #[test]

@@ -27,9 +27,7 @@ impl Job<'_> {
     pub fn run_last(&self, executor: &impl ParallelMap) -> Result<Addition, Refusal> {
         let (last, style) = (self.examples.len() - 1, self.styles - 1);
         let mut refusals = self.wrong_turns();
-        if let Some(refusal) = refusals[last].take() {
-            return Err(refusal);
-        }
+        let wrong_turn = refusals[last].take();
         refusals.fill(None);
         let (clip, others) = (&self.examples[last..], &self.examples[..last]);
         let locomotion = gait::is_locomotion(others, self.rate_hz);
@@ -39,6 +37,9 @@ impl Job<'_> {
         }
         if locomotion && cuts[last].0.iter().all(|s| s.kind != SegmentKind::Cycle) {
             return Err(Refusal::NoGait);
+        }
+        if let Some(refusal) = wrong_turn {
+            return Err(refusal);
         }
         let features = self.features(&refusals, &cuts, locomotion, executor);
         let parts: Vec<Part> = (0..self.examples.len()).map(|i| self.part(i, &features[i], &cuts[i].0)).collect();

@@ -292,19 +292,25 @@ pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) 
     if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
         return Err(BindError::Missing(role));
     }
+    match misplaced(skeleton, roles).first() {
+        Some(&(role, joint)) => {
+            let name = skeleton.joints().get(joint).map_or_else(|| joint.to_string(), |found| found.name.clone());
+            Err(BindError::Misplaced { role, joint: name })
+        }
+        None => Ok(()),
+    }
+}
+
+/// The roles whose joint does not exist or does not hang on that of the nearest role above, with the joint.
+fn misplaced(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Vec<(Role, usize)> {
     let tree = BodyTree::of_skeleton(skeleton, roles);
     let parent = |j: usize| tree.parents.get(j).copied().flatten();
-    for role in Role::ALL {
-        let Some(joint) = roles[role.index()] else { continue };
-        let misplaced = |name: String| Err(BindError::Misplaced { role, joint: name });
-        let Some(found) = skeleton.joints().get(joint) else { return misplaced(joint.to_string()) };
+    let hangs = |role: Role, joint: usize| {
         let above = std::iter::successors(role.parent(), |r| r.parent()).find_map(|r| roles[r.index()]);
-        let hangs = above.is_none_or(|a| std::iter::successors(parent(joint), |&p| parent(p)).any(|p| p == a));
-        if !hangs {
-            return misplaced(found.name.clone());
-        }
-    }
-    Ok(())
+        above.is_none_or(|a| std::iter::successors(parent(joint), |&p| parent(p)).any(|p| p == a))
+    };
+    let joints = Role::ALL.into_iter().filter_map(|role| roles[role.index()].map(|joint| (role, joint)));
+    joints.filter(|&(role, joint)| joint >= skeleton.len() || !hangs(role, joint)).collect()
 }
 
 /// Toes that lie at the ankle say nothing about the foot: it is as if there were none.
@@ -415,17 +421,20 @@ fn ankle_over_sole(
     Some((ankles - sole) * facts.metres_per_unit)
 }
 
-/// Takes away roles that were found but do not descend from those above them or are not above those below.
+/// Takes away roles that were found but do not descend from those above them or are not above those below: as long as fewer
+/// are misplaced without a role, the one without which the fewest are.
 fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS], facts: &CharacterFacts) {
-    let optional = |role: Role| facts.roles[role.index()].is_none() && !REQUIRED.contains(&role);
-    for role in Role::ALL.into_iter().filter(|r| optional(*r)) {
-        let joint = roles[role.index()];
-        let complete = matches!(check_roles(skeleton, roles), Err(BindError::Misplaced { .. }));
-        if complete {
-            roles[role.index()] = None;
-            if matches!(check_roles(skeleton, roles), Err(BindError::Misplaced { .. })) {
-                roles[role.index()] = joint;
-            }
+    let is_optional = |role: &Role| facts.roles[role.index()].is_none() && !REQUIRED.contains(role);
+    let mut left = misplaced(skeleton, roles).len();
+    while left > 0 {
+        let without = Role::ALL.into_iter().filter(is_optional).map(|role| {
+            let mut fewer = *roles;
+            fewer[role.index()] = None;
+            (misplaced(skeleton, &fewer).len(), fewer)
+        });
+        match without.min_by_key(|(count, _)| *count) {
+            Some((count, fewer)) if count < left => (left, *roles) = (count, fewer),
+            _ => return,
         }
     }
 }

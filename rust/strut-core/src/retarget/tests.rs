@@ -517,6 +517,37 @@ fn given_roles_come_first_and_found_ones_fill_the_rest() {
 }
 
 #[test]
+fn found_roles_that_do_not_fit_given_ones_are_left_out_on_both_sides() {
+    let plain = character_skeleton(&Proportions::default(), Quat::IDENTITY, 1.0);
+    // A joint between the chest and the collarbone of each side, which is given as the upper arm.
+    for sides in [&[Role::LeftShoulder][..], &[Role::RightShoulder], &[Role::LeftShoulder, Role::RightShoulder]] {
+        let mut joints: Vec<Joint> = plain.joints().to_vec();
+        let mut facts = known(1.0, None);
+        for side in sides {
+            let at = joints.iter().position(|j| j.name == side.name()).unwrap();
+            let half = joints[at].offset * 0.5;
+            joints[at].offset = half;
+            let above = Joint { name: format!("above {}", side.name()), offset: half, ..joints[at].clone() };
+            joints.insert(at, above);
+            for joint in &mut joints[at + 1..] {
+                joint.parent = joint.parent.map(|p| p + usize::from(p >= at));
+            }
+            joints[at + 1].parent = Some(at);
+        }
+        let skeleton = Skeleton::new(joints).unwrap();
+        for side in sides {
+            let arm = if *side == Role::LeftShoulder { Role::LeftUpperArm } else { Role::RightUpperArm };
+            facts.roles[arm.index()] =
+                skeleton.joints().iter().position(|j| j.name == format!("above {}", side.name()));
+        }
+        let binding = Binding::of_character(&skeleton, &facts).unwrap();
+        for side in [Role::LeftShoulder, Role::RightShoulder] {
+            assert_eq!(binding.joint_of_role[side.index()].is_none(), sides.contains(&side), "{sides:?}");
+        }
+    }
+}
+
+#[test]
 fn characters_of_no_size_are_refused() {
     let skeleton = character_skeleton(&Proportions::default(), Quat::IDENTITY, 1.0);
     assert_eq!(Binding::of_character(&skeleton, &known(1e-6, None)), Err(BindError::Size));

@@ -89,9 +89,10 @@ impl Index {
         self.windows.of_class(class).count()
     }
 
-    /// Positions of the feet at a row, in its clip's frame of reference.
-    pub(crate) fn feet(&self, row: usize) -> Feet {
-        self.windows.feet(row)
+    /// Positions of the feet at a row at which a window ends and at the two before it, oldest first, in the clip's frame of
+    /// reference.
+    pub(crate) fn last_feet(&self, row: usize) -> [Feet; 3] {
+        self.windows.last_feet(row)
     }
 
     /// Working memory large enough for any search for `k` windows.

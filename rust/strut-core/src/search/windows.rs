@@ -80,9 +80,12 @@ impl Windows {
         (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
-    /// Positions of the feet at a row, in the clip's frame of reference.
-    pub(super) fn feet(&self, row: usize) -> Feet {
-        FramePoints(self.points[row]).feet()
+    /// Positions of the feet at a row at which a window ends and at the two before it, oldest first, in the clip's frame of
+    /// reference. A clip's first row stands for the one before it, which only shorter windows leave out.
+    pub(super) fn last_feet(&self, row: usize) -> [Feet; 3] {
+        let begins_before = frames_of::<LENGTH>(self.length) >= 3;
+        let first = if begins_before { 0 } else { self.clips[self.clips.partition_point(|c| c.end <= row)].start };
+        [2, 1, 0].map(|back| FramePoints(self.points[row.saturating_sub(back).max(first)]).feet())
     }
 
     /// The points of a row.

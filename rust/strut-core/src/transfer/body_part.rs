@@ -25,6 +25,17 @@ impl BodyPart {
     /// All parts, in the order of their numbers.
     pub const ALL: [Self; PARTS] = [Self::Head, Self::Torso, Self::LeftArm, Self::RightArm, Self::Legs];
 
+    /// Its name, of which [`BodyPart::from_name`] makes it alone.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Head => "head",
+            Self::Torso => "torso",
+            Self::LeftArm => "left_arm",
+            Self::RightArm => "right_arm",
+            Self::Legs => "legs",
+        }
+    }
+
     /// The parts of a name: `head`, `torso`, `left_arm`, `right_arm`, `arms`, `legs`.
     pub fn from_name(name: &str) -> Option<&'static [Self]> {
         match name {
@@ -63,6 +74,7 @@ mod tests {
     fn every_part_has_degrees_of_freedom_and_its_number() {
         for (i, part) in BodyPart::ALL.into_iter().enumerate() {
             assert_eq!(part as usize, i);
+            assert_eq!(BodyPart::from_name(part.name()), Some(&[part][..]));
             assert!(BodyPart::of_row().contains(&part));
         }
     }

@@ -43,9 +43,10 @@ impl FeetState {
         Self { heights: Lane::of(&middle[1], 0), speeds: lengths * Lane::splat(0.5) * Lane::splat(rate_hz) }
     }
 
-    /// The state at the row before this one, from its clip's rows `row` − 2 to `row`.
+    /// The state at the row before this one, which its clip has, from rows `row` − 2 to `row`. Before the clip the feet were
+    /// at rest, as before the input.
     fn of_row(index: &Index, row: usize, rate_hz: f32) -> Self {
-        Self::new(&[row - 2, row - 1, row].map(|row| index.feet(row)), rate_hz)
+        Self::new(&index.last_feet(row), rate_hz)
     }
 
     /// Sums of squared differences of the left and the right foot.
@@ -89,7 +90,7 @@ pub(super) struct Voice {
     pub(super) weights: [f32; 2],
 }
 
-/// The voices of neighbours, whose windows reach back two frames at least; none before the first frame of the input.
+/// The voices of neighbours; none before the first frame of the input.
 pub(super) fn voices<'a>(
     catalogue: &'a Catalogue,
     neighbours: &'a [Neighbour],

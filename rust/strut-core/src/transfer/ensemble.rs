@@ -224,7 +224,9 @@ fn mix(old: &[f32], share: f32, new: &mut [f32]) {
 mod tests {
     use super::*;
     use crate::fixtures::{Gait, NEUTRAL, database, walk};
+    use crate::humanoid::{JOINTS, Role};
     use crate::kinematics::world_from_local;
+    use crate::pose_vector::ROW;
     use crate::transfer::{Model, Options};
 
     fn input() -> Vec<Pose> {
@@ -260,6 +262,26 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn numbers_that_are_no_predictions_are_refused() {
+        let numbers = predictions(&stylizer(Options::DEFAULT), &input()[..40]).unwrap().to_floats();
+        assert!(Predictions::from_floats(&numbers).is_ok());
+        let refuses = |change: &dyn Fn(&mut Vec<f32>)| {
+            let mut numbers = numbers.clone();
+            change(&mut numbers);
+            Predictions::from_floats(&numbers).is_err()
+        };
+        // Ranges the wrong way round, in one degree of freedom or in all.
+        let range = 6 + 7 * JOINTS;
+        let swings = range + 3 * Role::LeftUpperLeg.index();
+        assert!(refuses(&|n| n.swap(swings, swings + ROW)));
+        assert!(refuses(&|n| n[range..range + 2 * ROW].rotate_left(ROW)));
+        // Means of the chart that are no rotations.
+        assert!(refuses(&|n| n[6..10].fill(0.0)));
+        assert!(refuses(&|n| n[6..10].iter_mut().for_each(|v| *v *= 2.0)));
+        assert!(refuses(&|n| n[4] = f32::NAN) && refuses(&|n| n.truncate(n.len() - 1)) && refuses(&Vec::clear));
     }
 
     #[test]

@@ -23,6 +23,8 @@ pub(super) enum Admitted {
     Repaired(Pose),
     /// Unchanged, but not continuous with the frames before.
     Cut(Pose),
+    /// As [`Admitted::Cut`], but for joints that are unusable, which keep their last good rotation.
+    RepairedCut(Pose),
 }
 
 /// See the module documentation.
@@ -40,27 +42,21 @@ impl InputGuard {
     pub(super) fn admit(&mut self, pose: &Pose, dt_secs: f32) -> Admitted {
         let root_is_usable = pose.root.is_finite() && pose.root.abs().max_element() < MAX_COORDINATE;
         let Some(last) = self.last else {
-            return match normalised(pose) {
-                Some(pose) if root_is_usable => self.begin(&pose, Admitted::Good),
-                // Joints that are unusable from the first frame on are at rest until they are not.
-                None if root_is_usable && pose.rotations.iter().any(|q| usable(*q).is_some()) => {
-                    let mut at_rest = *pose;
-                    at_rest.rotations = pose.rotations.map(|q| usable(q).unwrap_or(Quat::IDENTITY));
-                    let admitted = self.begin(&at_rest, Admitted::Repaired);
-                    for (held, q) in self.held_joints.iter_mut().zip(&pose.rotations) {
-                        *held = if usable(*q).is_some() { 0 } else { MAX_HELD };
-                    }
-                    admitted
-                }
+            // Joints that are unusable from the first frame on are at rest until they are not.
+            return match root_is_usable.then(|| self.begin(pose, &Pose::default())).flatten() {
+                Some((pose, false)) => Admitted::Good(pose),
+                Some((pose, true)) => Admitted::Repaired(pose),
                 // A default pose in place of a bad first frame says nothing about the next frame.
-                _ => Admitted::Repaired(Pose::default()),
+                None => Admitted::Repaired(Pose::default()),
             };
         };
         let step = pose.root - last.root;
         if !root_is_usable || step.length() > MAX_SPEED * dt_secs {
-            return match normalised(pose) {
-                Some(pose) if root_is_usable && self.held >= MAX_HELD => self.begin(&pose, Admitted::Cut),
-                _ => Admitted::Repaired(self.hold(last, dt_secs)),
+            let may_cut = root_is_usable && self.held >= MAX_HELD;
+            return match may_cut.then(|| self.begin(pose, &last)).flatten() {
+                Some((pose, false)) => Admitted::Cut(pose),
+                Some((pose, true)) => Admitted::RepairedCut(pose),
+                None => Admitted::Repaired(self.hold(last, dt_secs)),
             };
         }
         let mut admitted = Pose { root: pose.root, ..last };
@@ -82,9 +78,21 @@ impl InputGuard {
         if repaired { Admitted::Repaired(admitted) } else { Admitted::Good(admitted) }
     }
 
-    fn begin(&mut self, pose: &Pose, as_what: impl Fn(Pose) -> Admitted) -> Admitted {
-        *self = Self { last: Some(*pose), ..Self::default() };
-        as_what(*pose)
+    /// Begins with a pose; joints that are unusable in it are as in `otherwise` until they are usable, however they are turned
+    /// then. The pose that was taken, and whether a joint was replaced; `None` if no joint is usable.
+    fn begin(&mut self, pose: &Pose, otherwise: &Pose) -> Option<(Pose, bool)> {
+        let (mut taken, mut held_joints) = (*otherwise, [MAX_HELD; JOINTS]);
+        taken.root = pose.root;
+        for (j, q) in pose.rotations.iter().enumerate() {
+            if let Some(q) = usable(*q) {
+                (taken.rotations[j], held_joints[j]) = (q, 0);
+            }
+        }
+        if held_joints.iter().all(|held| *held > 0) {
+            return None;
+        }
+        *self = Self { last: Some(taken), held_joints, ..Self::default() };
+        Some((taken, held_joints.iter().any(|held| *held > 0)))
     }
 
     fn hold(&mut self, mut pose: Pose, dt_secs: f32) -> Pose {
@@ -100,15 +108,6 @@ impl InputGuard {
 /// The rotation at unit length, if its length is plausible.
 fn usable(q: Quat) -> Option<Quat> {
     (q.is_finite() && (0.5..2.0).contains(&q.dot(q))).then(|| q.normalized())
-}
-
-/// The pose with unit rotations, if all are usable.
-fn normalised(pose: &Pose) -> Option<Pose> {
-    let mut out = *pose;
-    for q in &mut out.rotations {
-        *q = usable(*q)?;
-    }
-    Some(out)
 }
 
 #[cfg(test)]
@@ -181,6 +180,26 @@ mod tests {
         }
         assert_eq!(guard.admit(&at(5.0), DT), Admitted::Cut(at(5.0)));
         assert_eq!(guard.admit(&at(5.01), DT), Admitted::Good(at(5.01)));
+    }
+
+    #[test]
+    fn a_jump_that_stays_is_a_cut_also_where_a_joint_is_never_usable() {
+        let bad = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
+        let with = |mut pose: Pose, q: Quat| {
+            pose.rotations[9] = q;
+            pose
+        };
+        let last_good = Quat::from_rotation_x(0.3);
+        for (first, at_cut) in [(bad, Quat::IDENTITY), (last_good, last_good)] {
+            let mut guard = InputGuard::default();
+            guard.admit(&with(at(0.0), first), DT);
+            for _ in 0..MAX_HELD {
+                assert!(matches!(guard.admit(&with(at(5.0), bad), DT), Admitted::Repaired(_)));
+            }
+            let expected = Admitted::RepairedCut(with(at(5.0), at_cut));
+            assert_eq!(guard.admit(&with(at(5.0), bad), DT), expected);
+            assert_eq!(guard.admit(&with(at(5.01), bad), DT), Admitted::Repaired(with(at(5.01), at_cut)));
+        }
     }
 
     #[test]

@@ -65,10 +65,16 @@ impl InputStream {
             }
             Admitted::Cut(pose) => {
                 cut = true;
-                self.forget_frames();
+                pose
+            }
+            Admitted::RepairedCut(pose) => {
+                (repaired, cut) = (true, true);
                 pose
             }
         };
+        if cut {
+            self.forget_frames();
+        }
         let world = world_from_local(&db.proportions, &pose);
         self.feet.push(&world);
         let heading = self.heading.update(&world, dt_secs);

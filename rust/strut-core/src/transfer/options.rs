@@ -48,6 +48,33 @@ impl Method {
         }
     }
 
+    /// Its command-line name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mar => "mar",
+            Self::LocalAr => "lar",
+            Self::NearestNeighbour => "nn",
+            Self::Knn => "knn",
+            #[cfg(feature = "baselines")]
+            Self::GlobalAr => "gar",
+            #[cfg(feature = "baselines")]
+            Self::Lti => "lti-dof",
+            #[cfg(feature = "baselines")]
+            Self::LtiJoint => "lti",
+            #[cfg(feature = "baselines")]
+            Self::Gp => "gp",
+        }
+    }
+
+    /// Whether λ is a part of what is trained beforehand.
+    pub(super) fn trains_with_ridge(self) -> bool {
+        match self {
+            Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => false,
+            #[cfg(feature = "baselines")]
+            _ => self.baseline().is_some_and(crate::baselines::Baseline::has_ridge),
+        }
+    }
+
     /// Which trained predictor the method runs, if any.
     #[cfg(feature = "baselines")]
     pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
@@ -153,6 +180,13 @@ pub enum OptionsError {
 }
 
 impl Options {
+    /// Whether what is made before the first frame for these options (components, working memory, trained predictors) serves
+    /// the others too. All other options are read anew in every frame.
+    pub(super) fn predicts_like(&self, other: &Self) -> bool {
+        (self.k, self.action, self.input_style, self.method) == (other.k, other.action, other.input_style, other.method)
+            && (self.lambda == other.lambda || !self.method.trains_with_ridge())
+    }
+
     /// Checks every number.
     ///
     /// # Errors

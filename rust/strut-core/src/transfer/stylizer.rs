@@ -90,22 +90,20 @@ impl Stylizer {
         self.output.set_share(if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) });
     }
 
-    /// Replaces the options; the stream goes on. Changing the method or the labels starts the
-    /// autoregression anew.
+    /// Replaces the options; the stream goes on. Changing the method, the labels, `k`, or a
+    /// ridge that a method was trained with starts the autoregression anew.
     ///
     /// # Errors
     /// As [`Stylizer::new`]; the former options then stay.
     pub fn set_options(&mut self, options: Options) -> Result<(), OptionsError> {
         options.validate()?;
-        let o = &self.options;
-        let same_search = (o.k, o.action, o.input_style, o.method)
-            == (options.k, options.action, options.input_style, options.method);
-        if !same_search {
+        let begins_anew = !self.options.predicts_like(&options);
+        if begins_anew {
             self.mixture = Mixture::new(&self.model, &options)
                 .ok_or(OptionsError::NoClass { action: options.action, style: options.input_style })?;
         }
         self.options = options;
-        if !same_search {
+        if begins_anew {
             // They hold the targets that the new ones need.
             let before = std::mem::take(&mut self.styles);
             if !before.is_empty() {

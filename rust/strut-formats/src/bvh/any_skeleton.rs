@@ -1,6 +1,6 @@
 //! The motion of any skeleton as a file of its own.
 
-use super::{Axis, Bvh, BvhError, Channel, Joint};
+use super::{Axis, Bvh, BvhError, Channel, Joint, parse_hierarchy, write};
 use strut_core::math::Vec3;
 use strut_core::motion::Motion;
 
@@ -9,7 +9,7 @@ impl Bvh {
     /// positions on the root and wherever a translation differs from the offset.
     ///
     /// # Errors
-    /// [`BvhError::Unwritable`] if a value is not finite or beyond [`MAX_ABS_VALUE`](super::MAX_ABS_VALUE).
+    /// [`BvhError::UnwritableJoint`] if a name or an offset could not be read back, and those of [`Bvh::with_motion`].
     pub fn from_motion(motion: &Motion) -> Result<Self, BvhError> {
         let joints = motion.skeleton.joints();
         let order = contiguous(motion);
@@ -34,6 +34,7 @@ impl Bvh {
         let joints = order.iter().map(of).collect();
         let frame_time_secs = motion.frame_time_secs;
         let rest = Self { joints, added_positions: false, frame_time_secs, frames: 0, values: Vec::new() };
+        rest.check_joints()?;
         let (mut translations, mut rotations) = (Vec::new(), Vec::new());
         for frame in 0..motion.frames() {
             translations.extend(order.iter().map(|&joint| motion.translations_at(frame)[joint]));
@@ -41,6 +42,21 @@ impl Bvh {
         }
         let skeleton = rest.to_motion()?.skeleton;
         rest.with_motion(&Motion::new(skeleton, frame_time_secs, translations, rotations)?)
+    }
+}
+
+impl Bvh {
+    /// Whether the joints are read back as they are written.
+    fn check_joints(&self) -> Result<(), BvhError> {
+        for joint in &self.joints {
+            // One joint alone, which says which it is.
+            let alone = Joint { parent: None, ..joint.clone() };
+            let file = Self { joints: vec![alone], values: Vec::new(), ..*self };
+            if !parse_hierarchy(&write(&file)).is_ok_and(|read| read.joints == file.joints) {
+                return Err(BvhError::UnwritableJoint { joint: joint.name.clone() });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -62,6 +78,35 @@ mod tests {
     use super::*;
     use strut_core::math::Quat;
     use strut_core::skeleton::{self, Skeleton};
+
+    #[test]
+    fn what_could_not_be_read_back_is_refused() {
+        let of = |name: &str, x: f32, frames: usize, frame_time_secs: f64| {
+            let joint =
+                |name: &str, parent| skeleton::Joint { name: name.into(), parent, offset: Vec3::X * x, end: None };
+            let skeleton = Skeleton::new(vec![joint("hips", None), joint(name, Some(0))]).unwrap();
+            let (translations, rotations) = (vec![Vec3::X * x; 2 * frames], vec![Quat::IDENTITY; 2 * frames]);
+            Bvh::from_motion(&Motion::new(skeleton, frame_time_secs, translations, rotations).unwrap())
+        };
+        for name in ["spine", "left arm", "naïve", "b{r", "1"] {
+            let file = of(name, 1.0, 2, 0.01).unwrap();
+            let file = super::super::parse(&super::super::write(&file)).unwrap();
+            assert_eq!(file.joints[1].name, name);
+        }
+        let long = "n".repeat(super::super::MAX_NAME_BYTES + 1);
+        for name in ["", " ", "two\nlines", "two\rlines", "with\ttab", "brace {", " before", "after ", long.as_str()] {
+            let refused = Err(BvhError::UnwritableJoint { joint: name.into() });
+            assert_eq!(of(name, 1.0, 2, 0.01), refused);
+        }
+        for x in [1e8, -2e7] {
+            assert!(of("spine", x, 2, 0.01).is_err(), "{x}");
+        }
+        assert_eq!(of("spine", 1.0, 0, 0.01), Err(BvhError::UnwritableFrames { frames: 0, joints: 2 }));
+        assert!(of("spine", 1.0, super::super::MAX_FRAMES + 1, 0.01).is_err());
+        for secs in [1e-5, 11.0] {
+            assert_eq!(of("spine", 1.0, 2, secs), Err(BvhError::UnwritableFrameTime { secs }));
+        }
+    }
 
     #[test]
     fn joints_in_any_order_are_written_and_read_back() {

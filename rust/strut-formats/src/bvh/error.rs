@@ -1,7 +1,8 @@
 //! Errors of reading and writing, with line and column.
 
 use super::{
-    FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS, MAX_TRANSFORMS,
+    FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_BYTES, MAX_CHANNELS_PER_JOINT, MAX_FRAMES, MAX_JOINTS, MAX_NAME_BYTES,
+    MAX_TRANSFORMS,
 };
 use strut_core::motion::MotionError;
 use strut_core::skeleton::SkeletonError;
@@ -83,6 +84,25 @@ pub enum BvhError {
     /// A motion of another hierarchy.
     #[error("the motion has {found} joints; this file has {needed}")]
     JointCount { found: usize, needed: usize },
+    /// A motion without frames, with more than [`MAX_FRAMES`], or with more than [`MAX_TRANSFORMS`] joints in all of them.
+    #[error(
+        "the motion has {frames} frames of {joints} joints; 1 to {MAX_FRAMES} frames, and at most {MAX_TRANSFORMS} joints in all \
+         of them, can be written"
+    )]
+    UnwritableFrames { frames: usize, joints: usize },
+    /// A motion whose frame time is outside [`FRAME_TIME_SECS`].
+    #[error(
+        "the motion has a frame time of {secs} s; {} to {} s were expected",
+        FRAME_TIME_SECS.start(),
+        FRAME_TIME_SECS.end()
+    )]
+    UnwritableFrameTime { secs: f64 },
+    /// A joint whose name or offset a file could not be read back with.
+    #[error(
+        "the joint {joint:?} cannot be written; a name of at most {MAX_NAME_BYTES} bytes on one line, without tabs and without \
+         blanks or braces at its ends, and offsets within ±{MAX_ABS_VALUE} were expected"
+    )]
+    UnwritableJoint { joint: String },
     /// A motion has a value that a file could not be read back with.
     #[error(
         "frame {frame} of the motion moves joint '{joint}' by {value}; a number within ±{MAX_ABS_VALUE} was expected"

@@ -51,7 +51,7 @@ impl Bvh {
     ///
     /// # Errors
     /// [`BvhError::Motion`] if the rate is not a positive number, [`BvhError::Skeleton`] if an offset is not
-    /// finite.
+    /// finite, and those of [`Bvh::with_motion`].
     pub fn from_humanoid(motion: &HumanoidMotion) -> Result<Self, BvhError> {
         let cm = |v: Vec3| v * UNITS_PER_METRE;
         let rotations = [Axis::Z, Axis::X, Axis::Y].map(Channel::Rotation);
@@ -93,6 +93,18 @@ mod tests {
     use super::*;
     use strut_core::humanoid::{Pose, Proportions};
     use strut_core::math::Quat;
+
+    #[test]
+    fn what_could_not_be_read_back_is_refused() {
+        let of = |frames: usize, rate_hz: f32| {
+            let poses = vec![Pose::default(); frames];
+            Bvh::from_humanoid(&HumanoidMotion { proportions: Proportions::default(), rate_hz, poses })
+        };
+        assert_eq!(of(0, 60.0), Err(BvhError::UnwritableFrames { frames: 0, joints: 21 }));
+        assert!(matches!(of(2, 0.01), Err(BvhError::UnwritableFrameTime { .. })));
+        assert!(matches!(of(2, 20_000.0), Err(BvhError::UnwritableFrameTime { .. })));
+        assert!(of(1, 60.0).is_ok());
+    }
 
     #[test]
     fn a_humanoid_is_written_in_centimetres_with_its_rotations() {

@@ -2,7 +2,7 @@
 
 use super::euler::{compose, decompose};
 use super::far::Far;
-use super::{Axis, Bvh, BvhError, Channel, MAX_ABS_VALUE};
+use super::{Axis, Bvh, BvhError, Channel, FRAME_TIME_SECS, MAX_ABS_VALUE, MAX_FRAMES, MAX_TRANSFORMS};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::skeleton::{self, Skeleton};
@@ -114,20 +114,28 @@ impl Bvh {
     /// first frame. Values are rounded to six decimals, finer than `f32` resolves.
     ///
     /// # Errors
-    /// [`BvhError::JointCount`] if the motion has another number of joints, [`BvhError::Unwritable`] if a
-    /// value is not finite or beyond [`MAX_ABS_VALUE`].
+    /// [`BvhError::JointCount`] if the motion has another number of joints. If the file could not be read back:
+    /// [`BvhError::UnwritableFrames`] and [`BvhError::UnwritableFrameTime`] outside the limits of files,
+    /// [`BvhError::Unwritable`] if a value is not finite or beyond [`MAX_ABS_VALUE`].
     pub fn with_motion(&self, motion: &Motion) -> Result<Self, BvhError> {
         let (found, needed) = (motion.skeleton.len(), self.joints.len());
         if found != needed {
             return Err(BvhError::JointCount { found, needed });
         }
+        let (frames, joints) = (motion.frames(), found);
+        if !(1..=MAX_FRAMES).contains(&frames) || frames * joints > MAX_TRANSFORMS {
+            return Err(BvhError::UnwritableFrames { frames, joints });
+        }
+        if !FRAME_TIME_SECS.contains(&motion.frame_time_secs) {
+            return Err(BvhError::UnwritableFrameTime { secs: motion.frame_time_secs });
+        }
         let channels = self.channels();
-        let mut values: Vec<f64> = Vec::with_capacity(motion.frames() * channels);
+        let mut values: Vec<f64> = Vec::with_capacity(frames * channels);
         let mut previous: Vec<f64> = self.values.iter().copied().take(channels).collect();
         previous.resize(channels, 0.0);
         let mut solver = AngleSolver::default();
         let far = self.far();
-        for f in 0..motion.frames() {
+        for f in 0..frames {
             let mut first = 0;
             let transforms = motion.translations_at(f).iter().zip(motion.rotations_at(f));
             for (j, (joint, (t, q))) in self.joints.iter().zip(transforms).enumerate() {
@@ -150,7 +158,7 @@ impl Bvh {
             joints: self.joints.clone(),
             added_positions: self.added_positions,
             frame_time_secs: motion.frame_time_secs,
-            frames: motion.frames(),
+            frames,
             values,
         })
     }

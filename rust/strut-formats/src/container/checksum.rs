@@ -4,9 +4,13 @@ use super::Source;
 use super::crc32::Crc32;
 use std::ops::Range;
 
-/// The metadata's field as it is in the file: JSON within a JSON string. Quotation marks in texts of the metadata are
-/// escaped twice, so that no text can match it.
-const FIELD: &[u8] = br#"\"checksum\":\""#;
+/// The name of the metadata's field as it is in the file: JSON within a JSON string. Quotation marks in texts of the metadata
+/// are escaped twice, so that no text can match it.
+const NAME: &[u8] = br#"\"checksum\""#;
+/// What begins a text of the metadata.
+const QUOTATION_MARK: &[u8] = br#"\""#;
+/// What may stand between name, colon and value.
+const BLANKS: [&[u8]; 4] = [b" ", br"\n", br"\r", br"\t"];
 /// Digits of a checksum.
 const DIGITS: usize = 8;
 /// Placeholder of the digits while the checksum is computed.
@@ -16,15 +20,37 @@ pub(crate) const BLANK: &str = "00000000";
 /// runs.
 const PART: usize = 1 << 15;
 
-/// Position of the digits in the beginning of a file, if it has a checksum.
-fn digits(beginning: &[u8]) -> Option<Range<usize>> {
-    let begin = beginning.windows(FIELD.len()).position(|w| w == FIELD)? + FIELD.len();
-    (begin + DIGITS <= beginning.len()).then_some(begin..begin + DIGITS)
+/// Position of the digits in the beginning of a file, if it has this checksum.
+fn digits(beginning: &[u8], checksum: &str) -> Option<Range<usize>> {
+    let mut from = 0;
+    loop {
+        let end = from + beginning[from..].windows(NAME.len()).position(|w| w == NAME)? + NAME.len();
+        let value = text_after_colon(&beginning[end..]);
+        if let Some(rest) = value.filter(|rest| checksum.len() == DIGITS && rest.starts_with(checksum.as_bytes())) {
+            let begin = beginning.len() - rest.len();
+            return Some(begin..begin + DIGITS);
+        }
+        from = end;
+    }
 }
 
-/// The checksum that a file should have, if its beginning, up to the end of the header, has one; lower-case hexadecimal.
-pub(super) fn compute<S: Source + ?Sized>(beginning: &[u8], file: &S) -> Option<String> {
-    let digits = digits(beginning)?;
+/// What comes after the quotation mark of a text that is the value of a field.
+fn text_after_colon(after_name: &[u8]) -> Option<&[u8]> {
+    let value = without_blanks(after_name).strip_prefix(b":")?;
+    without_blanks(value).strip_prefix(QUOTATION_MARK)
+}
+
+fn without_blanks(mut text: &[u8]) -> &[u8] {
+    while let Some(rest) = BLANKS.iter().find_map(|blank| text.strip_prefix(*blank)) {
+        text = rest;
+    }
+    text
+}
+
+/// The checksum that a file should have which has the one that is `found` in its beginning, up to the end of the header;
+/// lower-case hexadecimal. `None` if it is not there.
+pub(super) fn compute<S: Source + ?Sized>(beginning: &[u8], file: &S, found: &str) -> Option<String> {
+    let digits = digits(beginning, found)?;
     let mut crc = Crc32::new();
     crc.update(&beginning[..digits.start]);
     crc.update(BLANK.as_bytes());
@@ -39,7 +65,7 @@ pub(super) fn compute<S: Source + ?Sized>(beginning: &[u8], file: &S) -> Option<
 
 /// Enters the checksum into a file whose metadata hold [`BLANK`] in its place.
 pub(super) fn enter(file: &mut [u8]) {
-    if let (Some(sum), Some(digits)) = (compute(file, file), digits(file)) {
+    if let (Some(sum), Some(digits)) = (compute(file, file, BLANK), digits(file, BLANK)) {
         file[digits].copy_from_slice(sum.as_bytes());
     }
 }

@@ -41,7 +41,10 @@ pub(crate) fn open<M: DeserializeOwned, S: Source + ?Sized>(
     if checksum.is_some() || minor >= kind.checksum_since {
         let none = || ContainerError::Metadata { kind, reason: "they have no checksum".to_owned() };
         let found = checksum.ok_or_else(none)?;
-        let computed = checksum::compute(&beginning, file).ok_or_else(none)?;
+        let computed = checksum::compute(&beginning, file, &found).ok_or_else(|| ContainerError::Metadata {
+            kind,
+            reason: format!("the checksum {} is not written with eight digits", quotation(&found, SHOWN)),
+        })?;
         if found != computed {
             return Err(ContainerError::Checksum { kind, found: quotation(&found, SHOWN), computed });
         }

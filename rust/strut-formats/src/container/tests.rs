@@ -51,6 +51,30 @@ fn other_files_are_refused_with_a_reason() {
     assert_eq!(error, "the sample has version 1.1; this Strut reads version 2.0");
 }
 
+/// As other programs write JSON: with blanks or lines between its tokens, and keys in another order.
+#[test]
+fn metadata_may_be_spelt_otherwise() {
+    for json in [
+        r#"{"version": "1.1", "checksum": "00000000", "note": "\"checksum\": \"00000000\""}"#,
+        r#"{"note": "checksum", "more": {"checksum": "12345678"}, "checksum" : "00000000", "version": "1.1"}"#,
+        "{\n\t\"checksum\"\n:\r\n\t \"00000000\",\n \"version\": \"1.1\", \"note\": \"\"}",
+    ] {
+        let about = std::iter::once((KIND.entry.to_owned(), json.to_owned())).collect();
+        let data: Vec<u8> = (0..6).flat_map(|i| (i as f32).to_le_bytes()).collect();
+        let view = safetensors::tensor::TensorView::new(safetensors::Dtype::F32, vec![2, 3], &data).unwrap();
+        let mut file = safetensors::serialize([("values", view)], Some(about)).unwrap();
+        // What a program in any language does: the sum with zeros in its place, then the sum there.
+        let sum = format!("{:08x}", crc32fast::hash(&file));
+        let at = file.windows(8).rposition(|w| w == b"00000000").unwrap();
+        let at =
+            if json.starts_with("{\"version") { file.windows(8).position(|w| w == b"00000000").unwrap() } else { at };
+        file[at..at + 8].copy_from_slice(sum.as_bytes());
+        assert_eq!(values(&file).unwrap(), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], "{json}");
+        file[at - 20] ^= 1;
+        assert!(values(&file).is_err());
+    }
+}
+
 proptest! {
     #[test]
     fn every_changed_byte_is_noticed(at: prop::sample::Index, change in 1_u8..) {

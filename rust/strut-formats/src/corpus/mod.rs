@@ -14,7 +14,7 @@ pub use table::{Table, TableError, assign};
 
 use crate::bvh::{self, Bvh, BvhError};
 use crate::joints::Reading;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use strut_core::database::build::SourceClip;
 use strut_core::humanoid::Proportions;
 use strut_core::motion::Motion;
@@ -113,13 +113,20 @@ impl Entry {
     }
 }
 
-/// Numbers clips without a take within their class, in the order given: that of the paths.
+/// Numbers clips without a take within their class, in the order given: that of the paths. A clip's number is its place in
+/// the class, or the next one that no other clip of the class has.
 pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
-    let mut counts: BTreeMap<(String, String), u32> = BTreeMap::new();
+    let mut classes: BTreeMap<(String, String), Vec<&mut Option<u32>>> = BTreeMap::new();
     for labels in labels {
-        let count = counts.entry((labels.action.clone(), labels.style.clone())).or_default();
-        *count += 1;
-        labels.take.get_or_insert(*count);
+        classes.entry((labels.action.clone(), labels.style.clone())).or_default().push(&mut labels.take);
+    }
+    for takes in classes.into_values() {
+        let mut known: BTreeSet<u32> = takes.iter().filter_map(|take| **take).collect();
+        for (place, take) in (1_u32..).zip(takes) {
+            if take.is_none() {
+                *take = (place..=u32::MAX).find(|number| known.insert(*number));
+            }
+        }
     }
 }
 
@@ -169,6 +176,22 @@ mod tests {
         let mut labels = [of("old", None), of("sad", None), of("old", Some(7)), of("old", None)];
         count_takes(&mut labels);
         assert_eq!(labels.map(|l| l.take), [Some(1), Some(1), Some(7), Some(3)]);
+    }
+
+    #[test]
+    fn no_two_takes_of_a_class_get_one_number() {
+        let of = |take| Labels { action: "walk".into(), style: "old".into(), take };
+        for (given, expected) in [
+            ([None, Some(1), None], [2, 1, 3]),
+            ([Some(2), None, None], [2, 3, 4]),
+            ([Some(1), None, None], [1, 2, 3]),
+            ([None, None, Some(1)], [2, 3, 1]),
+            ([None, Some(u32::MAX), Some(u32::MAX)], [1, u32::MAX, u32::MAX]),
+        ] {
+            let mut labels = given.map(of);
+            count_takes(&mut labels);
+            assert_eq!(labels.map(|l| l.take), expected.map(Some), "{given:?}");
+        }
     }
 
     #[test]

@@ -17,8 +17,10 @@ const RETURN_SECS: f64 = 0.2;
 pub struct Frame {
     /// Where the model stands.
     pub root: RootPlace,
-    /// Each bone relative to its parent by [`Bone::index`]; `None` if it is not sent.
+    /// Each bone relative to its parent by [`Bone::index`]; `None` if it was never sent.
     pub bones: [Option<Place>; BONES],
+    /// Bones that this frame did not bring: they are as they were last sent.
+    pub held: [bool; BONES],
     /// How far each bone is at rest, 0–1: one that is not sent any more is held where it was, and returns after a while.
     pub rest_shares: [f32; BONES],
     /// The sender's time, seconds, if it is sent.
@@ -58,6 +60,8 @@ pub struct FrameReader {
     had: Option<u32>,
     /// When each bone last came, seconds.
     heard_secs: [f64; BONES],
+    /// Where the model stands in the next frame, if that came before this one ended.
+    next_root: Option<RootPlace>,
     /// A time that came before the bones of its frame, or after it had ended.
     time: Option<f64>,
     /// Whether the last frame ended with its time.
@@ -80,7 +84,12 @@ impl FrameReader {
                 ended
             }
             Message::Root(root) => {
-                self.frame.root = *root;
+                // It comes before the bones of its frame.
+                if self.has == 0 || self.ended_with_time {
+                    self.frame.root = *root;
+                } else {
+                    self.next_root = Some(*root);
+                }
                 None
             }
             Message::Time(secs) => {
@@ -111,6 +120,15 @@ impl FrameReader {
     }
 
     fn end(&mut self, with_time: bool) -> Option<Frame> {
+        let ended = self.whole(with_time);
+        if let Some(root) = self.next_root.take() {
+            self.frame.root = root;
+        }
+        ended
+    }
+
+    /// The frame that ends, if it is whole.
+    fn whole(&mut self, with_time: bool) -> Option<Frame> {
         self.ended_with_time = with_time;
         let has = std::mem::take(&mut self.has);
         let had = self.had.replace(has);
@@ -128,7 +146,8 @@ impl FrameReader {
             let returning_secs = self.frame.arrived_secs - heard_secs - HELD_SECS;
             (returning_secs / RETURN_SECS).clamp(0.0, 1.0) as f32
         });
-        Some(Frame { rest_shares, sent_secs, ..self.frame })
+        let held = std::array::from_fn(|i| self.frame.bones[i].is_some() && has & (1 << i) == 0);
+        Some(Frame { held, rest_shares, sent_secs, ..self.frame })
     }
 }
 

@@ -29,10 +29,13 @@ pub struct Performer {
 }
 
 impl Performer {
-    /// The body of a whole frame: its bones' offsets, or the default humanoid at the height of the hips where there are none.
+    /// The body of the bones that a frame brought: their offsets, or the default humanoid at the height of the hips where there
+    /// are none.
     /// Without a calibration all bones are unturned in the T-pose, as those of VRM 0 are.
     pub fn new(frame: &Frame, calibration: Option<&Calibration>) -> Self {
         let rest = calibration.and_then(Calibration::rest).unwrap_or([Quat::IDENTITY; BONES]);
+        // A bone that was sent before is another avatar's, or not sent for a while: then the body has it as soon as it is.
+        let frame = &with_bones(frame, |i| !frame.held[i]);
         let hips_height = frame.world()[0].position.y;
         let proportions = body(frame, &rest).unwrap_or_else(|| default_body(hips_height));
         Self { proportions, rest, has: frame.bones.map(|bone| bone.is_some()) }
@@ -50,14 +53,18 @@ impl Performer {
         &self.proportions
     }
 
-    /// Whether the bones of a frame are those of this body: of another avatar they have other lengths. Bones that are sent
-    /// without lengths fit every body.
+    /// Whether the bones of a frame are those of this body: of another avatar they have other lengths, or there is one that this
+    /// body lacks. Bones that are sent without lengths fit every body.
     pub fn has_body_of(&self, frame: &Frame) -> bool {
+        if (0..BONES).any(|i| frame.bones[i].is_some() && !frame.held[i] && !self.has[i]) {
+            return false;
+        }
         let apart = |theirs: Proportions| {
             let pairs = theirs.offsets.iter().zip(&self.proportions.offsets);
             pairs.map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max)
         };
-        body(frame, &self.rest).is_none_or(|theirs| apart(theirs) <= SAME_BODY * self.proportions.offsets[0].y)
+        body(&with_bones(frame, |i| self.has[i]), &self.rest)
+            .is_none_or(|theirs| apart(theirs) <= SAME_BODY * self.proportions.offsets[0].y)
     }
 
     /// Whether a frame says where its body is: hips that are sent as zero do not.
@@ -84,9 +91,9 @@ impl Performer {
         pose
     }
 
-    /// The frame with the bones that are not sent any more on their way to rest.
+    /// The frame with the bones of this body, of which those that are not sent any more are on their way to rest.
     fn returning(&self, frame: &Frame) -> Frame {
-        let mut frame = *frame;
+        let mut frame = with_bones(frame, |i| self.has[i]);
         for bone in Bone::all() {
             let share = frame.rest_shares[bone.index()];
             if let (Some(place), true, Some(parent)) = (&mut frame.bones[bone.index()], share > 0.0, bone.parent()) {
@@ -119,6 +126,12 @@ impl Performer {
         }
         frame
     }
+}
+
+/// The frame with those of its bones alone whose number is one of `these`.
+fn with_bones(frame: &Frame, these: impl Fn(usize) -> bool) -> Frame {
+    let bones = std::array::from_fn(|i| frame.bones[i].filter(|_| these(i)));
+    Frame { bones, ..*frame }
 }
 
 /// The body that a frame's bones have, given their rotations in the T-pose; `None` if they have no lengths, or no

@@ -359,6 +359,28 @@ fn a_time_the_next_hips_or_silence_end_a_frame() {
 }
 
 #[test]
+fn a_root_belongs_to_the_bones_that_come_after_it() {
+    let root = |x: f32| {
+        let place = Place { position: Vec3::X * x, rotation: Quat::IDENTITY };
+        Message::Root(RootPlace { place, scale_and_offset: None })
+    };
+    for (timed, step_secs) in [(false, 0.001), (false, 0.01), (true, 0.001), (true, 0.01)] {
+        let frame = |i: u8| {
+            let (x, secs) = (f32::from(i), step_secs * f64::from(i));
+            let mut messages = vec![root(x), bone_at(Role::Hips, x), bone_at(Role::Spine, 0.0)];
+            if timed {
+                messages.push(Message::Time(secs));
+            }
+            messages.into_iter().map(move |message| (secs, message))
+        };
+        let found = frames(&(0..5).flat_map(frame).collect::<Vec<_>>());
+        let at = |place: Place| place.position.x;
+        let places = found.iter().map(|f| (at(f.root.place), at(f.bones[0].unwrap()))).collect::<Vec<_>>();
+        assert_eq!(places, [1.0, 2.0, 3.0, 4.0].map(|x| (x, x)), "{timed} {step_secs}");
+    }
+}
+
+#[test]
 fn silence_does_not_cut_the_frames_of_those_who_send_times() {
     let frame = |i: u8| {
         let messages = [bone_at(Role::Hips, 0.0), bone_at(Role::Spine, 0.0), Message::Time(f64::from(i))];
@@ -429,6 +451,45 @@ fn a_bone_that_is_not_sent_any_more_returns_to_rest_and_follows_at_once_when_it_
             _ => assert!(turn < 1.21, "{i}: {turn}"),
         }
     }
+}
+
+#[test]
+fn another_avatar_has_no_bone_of_the_one_before() {
+    let child = Proportions { offsets: Proportions::default().offsets.map(|offset| offset * 0.7) };
+    let (mut with_upper_chest, without) = (Performer::of_body(&Proportions::default()), Performer::of_body(&child));
+    with_upper_chest.has[Bone::UpperChest.index()] = true;
+    let mut like = Frame { bones: offsets_in(&with_upper_chest), ..Frame::default() };
+    like.bones[Bone::UpperChest.index()] = Some(Place { position: Vec3::Y * 0.2, rotation: Quat::IDENTITY });
+    let mut pose = Pose { root: Vec3::Y, ..Pose::default() };
+    pose.rotations[Role::Chest.index()] = Quat::from_rotation_y(0.9);
+    let send = |reader: &mut FrameReader, by: &Performer, pose: &Pose, like: &Frame, secs: f64| {
+        let messages: Vec<Message> = by.frame(pose, like).messages().chain([Message::Time(secs)]).collect();
+        messages.iter().filter_map(|message| reader.push(message, secs)).last()
+    };
+    let mut reader = FrameReader::default();
+    let first = (0..3).filter_map(|i| send(&mut reader, &with_upper_chest, &pose, &like, 0.01 * f64::from(i))).last();
+    let bodies = Performer::new(&first.unwrap(), None);
+    // The next avatar looks straight ahead, and has no upper chest.
+    let straight = Pose { root: Vec3::Y * 0.7, ..Pose::default() };
+    let next = (3..6).filter_map(|i| send(&mut reader, &without, &straight, &Frame::default(), 0.01 * f64::from(i)));
+    let next = next.last().unwrap();
+    assert!(!bodies.has_body_of(&next));
+    let body = Performer::new(&next, None);
+    for (found, expected) in body.proportions().offsets.iter().zip(&child.offsets) {
+        assert!(found.distance(*expected) < 2e-3, "{found} {expected}");
+    }
+    for turn in body.pose(&next).rotations {
+        assert!(turn.angle() < 2e-3, "{turn:?}");
+    }
+    // Back to the first one, even in the size of the other: it has a bone more.
+    let mut small = without.clone();
+    small.has = with_upper_chest.has;
+    let again = (6..9).filter_map(|i| send(&mut reader, &small, &straight, &Frame::default(), 0.01 * f64::from(i)));
+    assert!(!body.has_body_of(&again.last().unwrap()));
+    // A bone that is not sent for a while is no other body.
+    let mut lacking = next;
+    lacking.held[Role::LeftHand.index()] = true;
+    assert!(body.has_body_of(&lacking) && body.has_body_of(&next));
 }
 
 #[test]

@@ -31,7 +31,8 @@ pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Ou
             let expected = "a path in the archive without '..' was expected";
             TaskError::in_file(Path::new(&of.path), expected)
         })?;
-        if let Some(other) = places.insert(place.clone(), of) {
+        // Some systems take names for the same that differ in capitals alone.
+        if let Some(other) = places.insert(place.to_lowercase(), of) {
             let reason = format_args!("its output has the same name as that of {}", other.path);
             return Err(TaskError::in_file(Path::new(&of.path), reason).with_hint("give the folder that holds both"));
         }
@@ -78,6 +79,13 @@ mod tests {
         let sources = gather(&[folder.path().join("in")]).unwrap();
         let refused = jobs(&sources, &variants, Shard::WHOLE).unwrap_err().to_string();
         assert!(refused.contains("its output has the same name as that of "), "{refused}");
+
+        // On a system that tells capitals apart.
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("walk.bvh"), "").unwrap();
+        std::fs::write(folder.path().join("Walk.bvh"), "").unwrap();
+        let sources = gather(&[folder.path().to_owned()]).unwrap();
+        assert_eq!(jobs(&sources, &variants, Shard::WHOLE).is_err(), sources.len() == 2);
     }
 
     #[test]

@@ -1,29 +1,65 @@
 //! Checkpoints: samples saved during an evaluation, so that a stopped one can be resumed.
 
 use super::results::Sample;
+use crate::digest::sha256_hex;
 use crate::error::{Outcome, TaskError};
-use crate::files;
+use crate::files::{self, Outputs};
+use crate::gather::Source;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use strut_core::database::build::SourceClip;
+use strut_core::math::Vec3;
 use strut_formats::GENERATOR;
 
 /// Greatest size of a checkpoint, bytes.
 const MAX_BYTES: usize = 1 << 30;
 
-/// Lines of JSON beside the results: first the command line, then one line a unit of work.
+/// Lines of JSON beside the results: first what is measured, then one line a unit of work.
 pub(super) struct Checkpoint {
     done: HashMap<String, Vec<Sample>>,
     file: Option<(PathBuf, Mutex<File>)>,
+    note: Option<String>,
+}
+
+/// What is measured: samples of something else are of no use.
+#[derive(PartialEq, Serialize, Deserialize)]
+pub(super) struct Work {
+    /// The command line.
+    pub(super) command: String,
+    /// Digest of the motion that is read; see [`digest_of`].
+    pub(super) data: String,
 }
 
 #[derive(PartialEq, Serialize, Deserialize)]
 struct Header {
     generator: String,
-    command: String,
+    #[serde(flatten)]
+    work: Work,
+}
+
+/// A digest of all clips, and of files that are read later.
+pub(super) fn digest_of(clips: &[SourceClip], inputs: &[Source]) -> String {
+    let of_clip = |clip: &SourceClip| {
+        let SourceClip { name, action, style, take, motion, source, .. } = clip;
+        let mut bytes = [name, action, style, source].map(|text| format!("{text}\n")).concat().into_bytes();
+        bytes.extend(take.to_le_bytes());
+        let poses = motion.poses.iter();
+        let of_poses =
+            poses.flat_map(|p| p.root.to_array().into_iter().chain(p.rotations.iter().flat_map(|q| q.to_array())));
+        let numbers = std::iter::once(motion.rate_hz)
+            .chain(motion.proportions.offsets.iter().flat_map(Vec3::to_array))
+            .chain(of_poses);
+        numbers.for_each(|number| bytes.extend(number.to_le_bytes()));
+        sha256_hex(&bytes)
+    };
+    // A file that cannot be read is left out later, with its reason.
+    let of_input = |input: &Source| input.bytes().map_or_else(|_| input.path.clone(), |bytes| sha256_hex(&bytes));
+    let all: Vec<String> = clips.iter().map(of_clip).chain(inputs.iter().map(of_input)).collect();
+    sha256_hex(all.join("\n").as_bytes())
 }
 
 #[derive(Serialize, Deserialize)]
@@ -33,24 +69,42 @@ struct Unit {
 }
 
 impl Checkpoint {
-    /// Opens the checkpoint of a results file; one of another command or version is discarded. Without a results file
-    /// nothing is saved.
-    pub(super) fn open(results: Option<&Path>, command: &str) -> Outcome<Self> {
-        let Some(results) = results else { return Ok(Self { done: HashMap::new(), file: None }) };
+    /// Opens the checkpoint of a results file; one of another command, version or data is begun anew, with a note. Without a
+    /// results file nothing is saved.
+    ///
+    /// # Errors
+    /// If there is a checkpoint that cannot be read, or it cannot be written.
+    pub(super) fn open(results: Option<&Path>, work: Work) -> Outcome<Self> {
+        let Some(results) = results else { return Ok(Self { done: HashMap::new(), file: None, note: None }) };
         let mut name = results.file_name().unwrap_or_default().to_owned();
         name.push(".partial");
         let path = results.with_file_name(name);
-        let header = Header { generator: GENERATOR.to_owned(), command: command.to_owned() };
-        let done = files::read(&path, MAX_BYTES).ok().and_then(|bytes| samples(&bytes, &header)).unwrap_or_default();
         let fail = |e: std::io::Error| TaskError::io(&path, &e);
-        // Written anew, since the last line may have been cut off.
-        let mut file = OpenOptions::new().write(true).create(true).truncate(true).open(&path).map_err(fail)?;
-        writeln!(file, "{}", serde_json::to_string(&header).map_err(TaskError::new)?).map_err(fail)?;
-        let checkpoint = Self { done: HashMap::new(), file: Some((path, Mutex::new(file))) };
-        for (unit, samples) in &done {
-            checkpoint.keep(unit, samples)?;
+        let header = Header { generator: GENERATOR.to_owned(), work };
+        let (mut done, mut note) = (HashMap::new(), None);
+        if path.try_exists().map_err(fail)? {
+            let kept = samples(&files::read(&path, MAX_BYTES)?, &header);
+            if kept.is_none() {
+                let what = "is of another command, version or data: it was begun anew";
+                note = Some(format!("{} {what}", path.display()));
+            }
+            done = kept.unwrap_or_default();
         }
-        Ok(Self { done, ..checkpoint })
+        // Written anew, since the last line may have been cut off; beside the old one, so that there always is one.
+        let mut text = line_of(&header)?;
+        for (unit, samples) in &done {
+            text += &line_of(&Unit { unit: unit.clone(), samples: samples.clone() })?;
+        }
+        let mut outputs = Outputs::default();
+        outputs.stage(&path, text.as_bytes())?;
+        outputs.commit()?;
+        let file = OpenOptions::new().append(true).open(&path).map_err(fail)?;
+        Ok(Self { done, file: Some((path, Mutex::new(file))), note })
+    }
+
+    /// What became of a checkpoint that is of no use.
+    pub(super) fn note(&self) -> Option<&str> {
+        self.note.as_deref()
     }
 
     /// The samples of a unit of work, if it is done.
@@ -61,10 +115,9 @@ impl Checkpoint {
     /// Keeps the samples of a unit of work.
     pub(super) fn keep(&self, unit: &str, samples: &[Sample]) -> Outcome {
         let Some((path, file)) = &self.file else { return Ok(()) };
-        let line = Unit { unit: unit.to_owned(), samples: samples.to_vec() };
-        let line = serde_json::to_string(&line).map_err(TaskError::new)?;
+        let line = line_of(&Unit { unit: unit.to_owned(), samples: samples.to_vec() })?;
         let mut file = file.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        writeln!(file, "{line}").map_err(|e| TaskError::io(path, &e))
+        file.write_all(line.as_bytes()).map_err(|e| TaskError::io(path, &e))
     }
 
     /// Removes the file: the results are written.
@@ -76,7 +129,12 @@ impl Checkpoint {
     }
 }
 
-/// The units in a checkpoint; `None` if it is of another command or version. An incomplete line is ignored.
+/// A line of JSON.
+fn line_of(of: &impl Serialize) -> Outcome<String> {
+    serde_json::to_string(of).map(|line| line + "\n").map_err(TaskError::new)
+}
+
+/// The units in a checkpoint; `None` if it is of another command, version or data. An incomplete line is ignored.
 fn samples(bytes: &[u8], expected: &Header) -> Option<HashMap<String, Vec<Sample>>> {
     let text = String::from_utf8_lossy(bytes);
     let mut lines = text.lines();
@@ -88,30 +146,111 @@ fn samples(bytes: &[u8], expected: &Header) -> Option<HashMap<String, Vec<Sample
 #[cfg(test)]
 mod tests {
     use super::*;
+    use strut_core::humanoid::{HumanoidMotion, Pose, Proportions};
 
     fn sample(pose: f64) -> Sample {
         Sample::new("walk", "old", 0, 0, [("pose_error_cm", pose)])
     }
 
+    fn of(command: &str, data: &str) -> Work {
+        Work { command: command.to_owned(), data: data.to_owned() }
+    }
+
     #[test]
-    fn a_stopped_run_goes_on_and_another_command_begins_anew() {
+    fn a_stopped_run_goes_on_and_another_command_or_other_data_begin_anew() {
         let folder = tempfile::tempdir().unwrap();
         let results = folder.path().join("out.json");
         let partial = folder.path().join("out.json.partial");
-        let first = Checkpoint::open(Some(&results), "a").unwrap();
+        let first = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
+        assert_eq!(first.note(), None);
         first.keep("1", &[sample(1.5)]).unwrap();
         first.keep("2", &[sample(2.5)]).unwrap();
         drop(first);
         let text = fs::read_to_string(&partial).unwrap();
         fs::write(&partial, &text[..text.len() - 10]).unwrap();
 
-        let second = Checkpoint::open(Some(&results), "a").unwrap();
+        let second = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
         assert_eq!(second.done("1"), Some(&vec![sample(1.5)]));
         assert_eq!(second.done("2"), None, "its line was cut off");
+        assert_eq!(second.note(), None);
+        second.keep("3", &[sample(3.5)]).unwrap();
         drop(second);
-        let other = Checkpoint::open(Some(&results), "b").unwrap();
-        assert_eq!(other.done("1"), None);
-        other.remove();
+        let third = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
+        assert_eq!([third.done("1"), third.done("3")], [Some(&vec![sample(1.5)]), Some(&vec![sample(3.5)])]);
+        drop(third);
+        for (command, data) in [("a", "y"), ("b", "y")] {
+            let other = Checkpoint::open(Some(&results), of(command, data)).unwrap();
+            assert_eq!(other.done("1"), None);
+            assert!(other.note().unwrap().contains("begun anew"), "{:?}", other.note());
+            other.keep("1", &[sample(0.5)]).unwrap();
+        }
+        Checkpoint::open(Some(&results), of("b", "y")).unwrap().remove();
         assert!(!partial.exists());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn the_digest_is_that_of_what_is_read() {
+        let clip = |take: u32| SourceClip {
+            name: take.to_string(),
+            action: "walk".into(),
+            style: "old".into(),
+            take,
+            motion: HumanoidMotion {
+                proportions: Proportions::default(),
+                rate_hz: 60.0,
+                poses: vec![Pose::default(); 9],
+            },
+            source: String::new(),
+            licence: String::new(),
+            script: None,
+        };
+        let clips = || (1..=3).map(clip).collect::<Vec<_>>();
+        let of = |change: fn(&mut SourceClip)| {
+            let mut clips = clips();
+            change(&mut clips[1]);
+            digest_of(&clips, &[])
+        };
+        let same = of(|_| {});
+        assert_eq!(same, of(|_| {}));
+        assert_ne!(same, of(|clip| clip.motion.poses[3].root.x += 1e-4));
+        assert_ne!(same, of(|clip| clip.style.push('x')));
+        assert_ne!(same, of(|clip| clip.motion.rate_hz = 30.0));
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bvh");
+        let with_input = |text: &str| {
+            fs::write(&path, text).unwrap();
+            digest_of(&clips(), &[Source::file(&path)])
+        };
+        assert_ne!(with_input("one"), with_input("two"));
+    }
+
+    #[test]
+    fn what_was_kept_is_whole_until_the_new_file_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let (results, partial) = (folder.path().join("out.json"), folder.path().join("out.json.partial"));
+        let first = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
+        first.keep("1", &[sample(1.5)]).unwrap();
+        drop(first);
+        OpenOptions::new().append(true).open(&partial).unwrap().write_all(b"{\"unit\":\"2").unwrap();
+        let before = fs::read_to_string(&partial).unwrap();
+        // Whoever is killed while it is written anew finds what this handle sees.
+        let mut old = File::open(&partial).unwrap();
+        let second = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
+        let mut seen = String::new();
+        std::io::Read::read_to_string(&mut old, &mut seen).unwrap();
+        assert_eq!(seen, before);
+        assert_eq!(second.done("1"), Some(&vec![sample(1.5)]));
+        assert_eq!(fs::read_to_string(&partial).unwrap().lines().count(), 2);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_not_overwritten() {
+        let folder = tempfile::tempdir().unwrap();
+        let (results, partial) = (folder.path().join("out.json"), folder.path().join("out.json.partial"));
+        File::create(&partial).unwrap().set_len(MAX_BYTES as u64 + 1).unwrap();
+        let refused = Checkpoint::open(Some(&results), of("a", "x")).err().unwrap().to_string();
+        assert!(refused.contains("larger than 1024 MiB"), "{refused}");
+        assert_eq!(fs::metadata(&partial).unwrap().len(), MAX_BYTES as u64 + 1);
     }
 }

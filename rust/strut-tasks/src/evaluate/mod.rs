@@ -14,7 +14,7 @@ use crate::error::{Outcome, TaskError};
 use crate::gather::gather;
 use crate::progress::OnProgress;
 use crate::suggestion::unknown;
-use checkpoint::Checkpoint;
+use checkpoint::{Checkpoint, Work, digest_of};
 pub use choices::{Labels, Part, PassMode, Registration};
 pub use curves::TrialCurves;
 pub use request::{Protocol, Request};
@@ -47,6 +47,11 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
+    /// A sentence on what a run before had kept, if it was of no use.
+    pub fn note(&self) -> Option<&str> {
+        self.checkpoint.note()
+    }
+
     /// Removes what a stopped run would go on from: the results are written.
     pub fn conclude(self) {
         self.checkpoint.remove();
@@ -74,10 +79,16 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
     let mut left_out = Vec::new();
     let clips = read(request, &mut left_out, on_progress)?;
     let left_out = Mutex::new(left_out);
-    let checkpoint = Checkpoint::open(request.results.as_deref(), &request.command)?;
+    let inputs = if request.inputs.is_empty() { Vec::new() } else { gather(&request.inputs)? };
+    // What is not kept need not be known again.
+    let data = if request.results.is_some() { digest_of(&clips, &inputs) } else { String::new() };
+    let work = Work { command: request.command.clone(), data };
+    let checkpoint = Checkpoint::open(request.results.as_deref(), work)?;
     let samples: Vec<Sample> = match request.protocol {
         Protocol::Loo => cross_validation::run(request, &grid, &clips, &checkpoint, on_progress)?,
-        Protocol::OffDatabase => off_database::run(request, &grid, &clips, &checkpoint, &left_out, on_progress)?,
+        Protocol::OffDatabase => {
+            off_database::run(request, &grid, (&clips, &inputs), &checkpoint, &left_out, on_progress)?
+        }
     };
     if samples.is_empty() {
         let advice = "a take of the source style with the same number as one of a target style was expected";

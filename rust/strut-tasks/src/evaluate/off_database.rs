@@ -7,7 +7,7 @@ use super::results::{Sample, quality_values};
 use super::settings::Grid;
 use crate::corpus::{RefusedFile, parse};
 use crate::error::{Outcome, TaskError};
-use crate::gather::gather;
+use crate::gather::Source;
 use crate::progress::{Counter, OnProgress};
 use crate::threads::ThreadPool;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -24,12 +24,11 @@ use strut_formats::corpus::Clip;
 pub(super) fn run(
     args: &Request,
     grid: &Grid,
-    clips: &[SourceClip],
+    (clips, sources): (&[SourceClip], &[Source]),
     checkpoint: &Checkpoint,
     refused: &Mutex<Vec<RefusedFile>>,
     on_progress: &OnProgress<'_>,
 ) -> Outcome<Vec<Sample>> {
-    let sources = gather(&args.inputs)?;
     let mut samples = Vec::new();
     for (b, &of) in grid.builds.iter().enumerate() {
         let options = of.options(&args.source);

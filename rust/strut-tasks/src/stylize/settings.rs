@@ -9,8 +9,9 @@ use std::fmt::Display;
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
+use strut_core::retarget::ReadAs;
 use strut_core::transfer::{Method, Model, Options, Stylizer};
-use strut_formats::joints::Reading;
+use strut_formats::joints::{JointAssignment, Reading};
 
 /// Names that [`Method::from_name`] knows.
 pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
@@ -64,10 +65,82 @@ struct Canonical<'a> {
     action: &'a Option<String>,
     input_style: &'a Option<String>,
     search: Search,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reading: Option<String>,
-    /// Numbers are written so that they read back as the same; also those that JSON lacks.
-    options: String,
+    reading: CanonicalReading<'a>,
+    options: CanonicalOptions,
+}
+
+/// [`Reading`], field by field.
+#[derive(Serialize)]
+struct CanonicalReading<'a> {
+    joints: Option<&'a JointAssignment>,
+    metres_per_unit: Option<f32>,
+    up: Option<&'static str>,
+    floor_metres: Option<f32>,
+    swap_sides: bool,
+    mirrored: Option<bool>,
+}
+
+impl<'a> From<&'a Reading> for CanonicalReading<'a> {
+    fn from(Reading { joints, read_as }: &'a Reading) -> Self {
+        // Its own joints are not used.
+        let ReadAs { joints: _, metres_per_unit, up, floor_metres, swap_sides, mirrored } = *read_as;
+        let up = up.map(|axis| axis.name());
+        Self { joints: joints.as_ref(), metres_per_unit, up, floor_metres, swap_sides, mirrored }
+    }
+}
+
+/// [`Options`], field by field. Of the numbers only κ may be one that JSON lacks: infinity is `null`.
+#[derive(Serialize)]
+struct CanonicalOptions {
+    k: usize,
+    delta: f32,
+    least_weight: f32,
+    lambda: f32,
+    kappa: f32,
+    rho: f32,
+    tempo: f32,
+    coherence: bool,
+    timing: bool,
+    footplant: bool,
+    action: Option<u16>,
+    input_style: Option<u16>,
+    method: &'static str,
+}
+
+impl From<&Options> for CanonicalOptions {
+    fn from(options: &Options) -> Self {
+        let &Options {
+            k,
+            delta,
+            least_weight,
+            lambda,
+            kappa,
+            rho,
+            tempo,
+            coherence,
+            timing,
+            footplant,
+            action,
+            input_style,
+            method,
+        } = options;
+        let method = method.name();
+        Self {
+            k,
+            delta,
+            least_weight,
+            lambda,
+            kappa,
+            rho,
+            tempo,
+            coherence,
+            timing,
+            footplant,
+            action,
+            input_style,
+            method,
+        }
+    }
 }
 
 impl StyleSettings {
@@ -176,8 +249,7 @@ impl StyleSettings {
     /// None that settings can cause.
     pub fn canonical(&self) -> Outcome<String> {
         let Self { styles, parts, action, input_style, search, reading, options } = self;
-        let reading = (*reading != Reading::default()).then(|| format!("{reading:?}"));
-        let options = format!("{options:?}");
+        let (reading, options) = (reading.into(), options.into());
         let canonical = Canonical { styles, parts, action, input_style, search: *search, reading, options };
         serde_json::to_string(&canonical).map_err(|e| TaskError::of(crate::Code::Fault, e))
     }
@@ -218,6 +290,31 @@ mod tests {
             let of = |value: &str| settings().set(name, value).err().map(|e| e.to_string());
             assert!(["1", "on", "mar", "legs:old", "exact"].iter().any(|value| of(value).is_none()), "{name}");
         }
+    }
+
+    /// The keys of batches are made of this text: names of types and fields of the program must not be in it.
+    #[test]
+    fn equal_settings_have_the_same_text_in_every_version() {
+        let mut settings = settings();
+        for (name, value) in [("kappa", "inf"), ("lambda", "0.1"), ("part", "arms:proud=0.5")] {
+            settings.set(name, value).unwrap();
+        }
+        settings.reading = Reading {
+            joints: Some(JointAssignment::parse(br#"{"joints": {"hips": "Bip01", "chest": null}}"#).unwrap()),
+            read_as: ReadAs {
+                up: Some(strut_core::retarget::UpAxis::Z),
+                floor_metres: Some(0.25),
+                ..ReadAs::default()
+            },
+        };
+        let expected =
+            r#"{"styles":[["old",1.0]],"parts":[{"parts":["left_arm","right_arm"],"weights":[["proud",0.5]]}],"#
+                .to_owned()
+                + r#""action":null,"input_style":null,"search":"exact","reading":{"joints":{"joints":{"chest":null,"hips":"#
+                + r#""Bip01"}},"metres_per_unit":null,"up":"z","floor_metres":0.25,"swap_sides":false,"mirrored":null},"#
+                + r#""options":{"k":40,"delta":0.35,"least_weight":0.00002,"lambda":0.1,"kappa":null,"rho":0.7,"tempo":0.5,"#
+                + r#""coherence":true,"timing":true,"footplant":true,"action":null,"input_style":null,"method":"mar"}}"#;
+        assert_eq!(settings.canonical().unwrap(), expected);
     }
 
     #[test]

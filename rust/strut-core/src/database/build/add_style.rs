@@ -38,12 +38,13 @@ pub enum AddStyleError {
     /// It is too short to show an action.
     #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {MIN_SECS:.1} s, was expected")]
     Brief(f32),
-    /// It shows none of the actions; with the reason for the most similar one.
+    /// It shows none of the actions; with the reason for the one that it comes nearest to.
     #[error("it fits none of the database's actions ({actions}): {reason}")]
     NoAction {
         /// Names of the actions.
         actions: String,
-        /// Why it was refused for that action.
+        /// Why it was refused for that action: of an action of the same kind if there is one, and of several the one for which
+        /// most was in order.
         reason: Refusal,
     },
     /// It is unlike all actions of the database.
@@ -107,7 +108,9 @@ pub fn add_style_of(
         match job.run_last(executor) {
             Ok(found) if best.as_ref().is_none_or(|(_, least)| found.cost < least.cost) => best = Some((action, found)),
             Ok(_) => {}
-            Err(reason) => refusal = refusal.or(Some(reason)),
+            Err(reason) => {
+                refusal = Some(refusal.filter(|kept| nearness(kept) >= nearness(&reason)).unwrap_or(reason));
+            }
         }
     }
     let actions = || db.actions.join(", ");
@@ -122,6 +125,17 @@ pub fn add_style_of(
             Some(reason) => Err(AddStyleError::NoAction { actions: actions(), reason: reason.into() }),
             None => Err(AddStyleError::Unlike { actions: actions() }),
         },
+    }
+}
+
+/// How much of a clip was in order before it was refused for an action: the order of the checks of [`Job::run_last`].
+fn nearness(refusal: &registration::Refusal) -> u8 {
+    use registration::Refusal as R;
+    match refusal {
+        R::Gait => 0,
+        R::NoGait | R::NoHeelStrikes => 1,
+        R::TurnsTheOtherWay { .. } => 2,
+        R::NoWarp => 3,
     }
 }
 

@@ -47,14 +47,17 @@ struct Resampled {
 pub(super) struct Preparation<C> {
     clips: Vec<C>,
     options: BuildOptions,
+    /// A clip with the proportions of most.
+    usual: usize,
     /// Of the clips so far.
     resampled: Vec<Result<Resampled, Refusal>>,
 }
 
-impl<C> Preparation<C> {
+impl<C: Borrow<SourceClip>> Preparation<C> {
     /// The preparation of these clips.
     pub(super) fn new(clips: Vec<C>, options: BuildOptions) -> Self {
-        Self { clips, options, resampled: Vec::new() }
+        let usual = most_common(clips.iter().map(|clip| &clip.borrow().motion.proportions));
+        Self { clips, options, usual, resampled: Vec::new() }
     }
 
     /// The clips.
@@ -73,7 +76,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
     fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<usize>, BuildError> {
         let from = self.resampled.len().min(self.clips.len());
         let batch = &self.clips[from..self.clips.len().min(from + BATCH)];
-        let one = |i: usize| resample(batch[i].borrow(), self.clips[0].borrow(), self.options.rate_hz);
+        let one = |i: usize| resample(batch[i].borrow(), self.clips[self.usual].borrow(), self.options.rate_hz);
         let resampled = executor.map(batch.len(), &one);
         let any = !resampled.is_empty();
         self.resampled.extend(resampled);
@@ -82,7 +85,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
 
     /// Encodes all clips.
     fn conclude(self, executor: &impl ParallelMap) -> Result<Prepared<C>, BuildError> {
-        let Self { clips, options, resampled } = self;
+        let Self { clips, options, resampled, .. } = self;
         let labels = labels(&clips, &resampled, &options)?;
         let neutral_clips = || {
             clips.iter().zip(&resampled).filter_map(|(c, r)| {
@@ -104,12 +107,24 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
     }
 }
 
-fn resample(clip: &SourceClip, first: &SourceClip, rate_hz: f32) -> Result<Resampled, Refusal> {
+/// The first of those that most are equal to; of two that equally many are, the one that comes first. 0 if there are none.
+fn most_common<T: PartialEq>(all: impl Iterator<Item = T>) -> usize {
+    let mut counts: Vec<(T, usize, usize)> = Vec::new();
+    for (i, value) in all.enumerate() {
+        match counts.iter_mut().find(|(of, ..)| *of == value) {
+            Some((_, _, count)) => *count += 1,
+            None => counts.push((value, i, 1)),
+        }
+    }
+    counts.iter().rev().max_by_key(|(.., count)| *count).map_or(0, |(_, first, _)| *first)
+}
+
+fn resample(clip: &SourceClip, usual: &SourceClip, rate_hz: f32) -> Result<Resampled, Refusal> {
     let motion = &clip.motion;
     if !(motion.rate_hz.is_finite() && motion.rate_hz > 0.0) {
         return Err(Refusal::Rate(motion.rate_hz));
     }
-    if motion.proportions != first.motion.proportions {
+    if motion.proportions != usual.motion.proportions {
         return Err(Refusal::Proportions);
     }
     if let Some(frame) = motion.poses.iter().position(|p| !p.is_finite()) {

@@ -84,8 +84,8 @@ pub enum Refusal {
     /// Too few frames at the database's rate.
     #[error("it has only {0} frames; at least {min} are needed", min = super::source::MIN_CLIP_FRAMES)]
     TooShort(usize),
-    /// Other bone lengths than the first clip: clips must be retargeted to common proportions first.
-    #[error("its bone lengths differ from those of the first clip")]
+    /// Other bone lengths than most clips: clips must be retargeted to common proportions first.
+    #[error("its bone lengths differ from those of most clips")]
     Proportions,
     /// The script has not one finite, strictly increasing time per frame; the first offending frame.
     #[error("its script has no finite time that increases at frame {0}")]

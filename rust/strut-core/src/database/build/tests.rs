@@ -160,6 +160,28 @@ fn a_clip_that_is_no_style_is_refused_with_a_sentence() {
     assert_eq!(add(&broken), "frame 5 holds a value that is not a finite number");
 }
 
+#[test]
+fn a_clip_that_fits_no_action_is_told_the_reason_of_the_one_that_it_comes_nearest_to() {
+    let whirling = |style: &str, pace: f32, turn: f32| {
+        let mut clip = waving(style, pace, 2.0);
+        let frames = clip.motion.poses.len() as f32;
+        for (pose, frame) in clip.motion.poses.iter_mut().zip(0_u16..) {
+            pose.rotations[0] = Quat::from_rotation_y(turn * f32::from(frame) / frames);
+        }
+        SourceClip { action: "whirl".into(), script: None, ..clip }
+    };
+    let mut clips = two_styles();
+    clips.extend([1.0, 1.1].map(|pace| whirling("neutral", pace, 1.6)));
+    clips.extend([0.8, 0.9].map(|pace| whirling("old", pace, 1.6)));
+    let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(db.actions, ["walk", "whirl"]);
+    // It whirls, only the other way.
+    let other = whirling("weary", 0.9, -1.6);
+    let refused = add_style(&db, &other, &registration::Options::default(), &Sequential);
+    let reason = refused.map(|_| ()).unwrap_err().to_string();
+    assert!(reason.contains("it turns the other way"), "{reason}");
+}
+
 /// Runs pieces in reverse order on as many threads as there are pieces.
 struct Backwards;
 
@@ -215,6 +237,24 @@ fn unusable_clips_are_refused_with_a_reason_and_the_rest_is_built() {
             ("tall", Refusal::Proportions),
         ]
     );
+}
+
+#[test]
+fn one_clip_of_other_proportions_does_not_refuse_all_others_wherever_it_stands() {
+    let mut tall = waving("alpha", 1.0, 2.0);
+    tall.motion.proportions.offsets[1].y += 0.1;
+    let clips = [tall.clone(), waving("slow", 0.5, 2.0), waving("fast", 1.5, 2.0)];
+    for at in 0..3 {
+        let mut clips = clips.clone();
+        clips.swap(0, at);
+        let (db, report) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+        assert_eq!(db.styles, ["fast", "slow"]);
+        let refused: Vec<_> = report.refused().map(|c| (c.style.as_str(), c.refused.clone().unwrap())).collect();
+        assert_eq!(refused, [("alpha", Refusal::Proportions)]);
+    }
+    // Where no more have the one than the other, the first by action, style and take decides.
+    let (db, _) = build(&clips[..2], &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(db.styles, ["alpha"]);
 }
 
 #[test]

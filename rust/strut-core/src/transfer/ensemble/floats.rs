@@ -18,6 +18,9 @@ const FIXED: usize = HEAD + 4 * JOINTS + 3 * JOINTS + 2 * ROW;
 const OF_FRAME: usize = ROW + 6;
 const OF_STYLE: usize = ROW + 3;
 
+/// How far from 1 the squared length of a rotation may be.
+const UNIT: f32 = 1e-3;
+
 /// Numbers are no predictions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("these {0} numbers are no predictions of a motion in styles")]
@@ -45,7 +48,8 @@ impl Predictions {
     /// What [`Predictions::to_floats`] wrote.
     ///
     /// # Errors
-    /// If the numbers are not that: too many or too few, not finite, of no style, or of a body without limbs.
+    /// If the numbers are not that: too many or too few, not finite, of no style, of a body without limbs, means that are no
+    /// rotations, or least values above greatest ones.
     pub fn from_floats(floats: &[f32]) -> Result<Self, PredictionsError> {
         read(floats).ok_or(PredictionsError(floats.len()))
     }
@@ -75,8 +79,11 @@ fn read(floats: &[f32]) -> Option<Predictions> {
         let (row, &[step_secs, left, right]) = split(of);
         Predicted { row, step_secs, contact: [left, right] }
     });
-    proportions.is_valid().then(|| Predictions {
-        chart: PoseChart { means: chunks(means, Quat::from_array).unwrap_or([Quat::IDENTITY; JOINTS]) },
+    let chart = PoseChart { means: chunks(means, Quat::from_array)? };
+    let are_rotations = chart.means.iter().all(|q| (q.dot(*q) - 1.0).abs() <= UNIT);
+    let is_range = observed_range[0].iter().zip(&observed_range[1]).all(|(least, greatest)| least <= greatest);
+    (are_rotations && is_range && proportions.is_valid()).then(|| Predictions {
+        chart,
         proportions,
         rate_hz,
         observed_range: Box::new(observed_range),

@@ -1,6 +1,7 @@
 //! The stages together, on the synthetic walks.
 
 use super::*;
+use crate::catalogue::Catalogue;
 use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, Walk, database, walk};
 use crate::humanoid::Role;
 use crate::kinematics::world_from_local;
@@ -72,6 +73,24 @@ fn skipped_classes_would_have_changed_nothing() {
     }
 }
 
+/// A window may be shorter than what the speed of a foot is measured over, also at the beginning of a clip.
+#[cfg(feature = "baselines")]
+#[test]
+fn windows_of_any_length_style() {
+    for length in [1, 2, 3] {
+        let index = crate::search::Index::with_window(&database(), length);
+        let model = Arc::new(Model::of(Catalogue::with_index(database(), index)));
+        let mut s = stylizer(&model, 1.0);
+        // The beginning of a clip that the database holds finds that beginning.
+        for gait in [NEUTRAL, BENT] {
+            s.reset(None);
+            for frame in run(&mut s, &walk(&gait, 20, 0.0).poses) {
+                assert!(frame.pose.is_finite(), "{length}");
+            }
+        }
+    }
+}
+
 #[test]
 fn every_method_styles() {
     let model = model();
@@ -99,6 +118,60 @@ fn every_method_styles() {
         let ratio = frames[239].time_out_secs / frames[239].time_in_secs;
         let expected = f64::from((BENT.period + 1.0) / (NEUTRAL.period + 1.0));
         assert!((ratio - expected).abs() < 0.04, "{method:?}: ratio {ratio}, expected {expected}");
+    }
+}
+
+/// Whatever an option decides, and whenever: nothing of the former options stays.
+#[test]
+fn options_that_are_set_later_give_the_bits_of_a_new_stylizer() {
+    let (model, input) = (model(), unseen_walk());
+    let methods: &[Method] = &[
+        Method::Mar,
+        Method::LocalAr,
+        Method::NearestNeighbour,
+        Method::Knn,
+        #[cfg(feature = "baselines")]
+        Method::GlobalAr,
+        #[cfg(feature = "baselines")]
+        Method::Lti,
+        #[cfg(feature = "baselines")]
+        Method::LtiJoint,
+        #[cfg(feature = "baselines")]
+        Method::Gp,
+    ];
+    let changes: [fn(&mut Options); 11] = [
+        |o| o.k = 12,
+        |o| o.delta = 1.5,
+        |o| o.least_weight = 0.1,
+        |o| o.lambda = 3.0,
+        |o| o.kappa = 0.5,
+        |o| o.rho = 0.1,
+        |o| o.tempo = 0.9,
+        |o| o.coherence = false,
+        |o| (o.timing, o.footplant) = (false, false),
+        |o| o.action = Some(1),
+        |o| o.input_style = Some(1),
+    ];
+    for (&method, other) in methods.iter().zip(methods.iter().cycle().skip(1)) {
+        for (i, change) in changes.iter().enumerate() {
+            let mut options = Options { method, ..Options::DEFAULT };
+            let set_later = |from: Options, to: Options| {
+                let mut s = Stylizer::new(Arc::clone(&model), from).unwrap();
+                s.set_styles(&[0.0, 0.8]).unwrap();
+                s.set_options(to).unwrap();
+                run(&mut s, &input.poses[..12])
+            };
+            let before = options;
+            change(&mut options);
+            let fresh = set_later(options, options);
+            assert!(set_later(before, options) == fresh, "{method:?}: option {i}");
+            if i == 0 {
+                assert!(
+                    set_later(Options { method: *other, ..options }, options) == fresh,
+                    "{method:?} after {other:?}"
+                );
+            }
+        }
     }
 }
 
