@@ -5,6 +5,9 @@ const motions = counted("motion");
 const quoted = (name: string) => `“${name}”`;
 
 export const projectWords = {
+  /** What screen readers call the card that shows how far something is. */
+  task: "Project",
+
   // --- a file that cannot be read; the name stands before it ---
   refused: (name: string, why: string) => `${quoted(name)} was not opened. ${why}`,
   noProject: "It is no project of Strut, or its end is missing. Save it again, or copy it again from where it came.",

@@ -200,4 +200,20 @@ describe("a database of a project", () => {
     await databases.open({ kind: "demo" }, "");
     expect(databases.unnamed).toBeUndefined();
   });
+
+  it("can be come back to from the built-in one, once it was given a name", async () => {
+    const { store, session, databases } = made("");
+    await databases.nameUnnamed();
+    expect(databases.held.size).toBe(0);
+    const file = new Blob();
+    await databases.open({ kind: "strutdb", name: "dropped.strutdb", file }, "");
+    await databases.nameUnnamed();
+    expect([store.state.database, databases.mustFollow, databases.unnamed]).toEqual(["dropped", false, undefined]);
+    store.edit({ database: "" });
+    expect(databases.mustFollow).toBe(true);
+    await databases.follow("");
+    store.edit({ database: "dropped" });
+    await databases.follow("");
+    expect(session.opened).toEqual(["dropped.strutdb", "built in", "dropped"]);
+  });
 });

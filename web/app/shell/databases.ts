@@ -53,6 +53,11 @@ export class Databases {
     return this.#held;
   }
 
+  /** Holds a file by a name that the state has for it already. */
+  keep(name: string, file: Blob): void {
+    this.#held.set(name, file);
+  }
+
   /** Holds a file, so that the state can name it; the name, its own unless another database has that. */
   async hold(fileName: string, file: Blob): Promise<string> {
     const base = fileName.replace(/\.strutdb$/i, "").trim() || "database";
@@ -68,6 +73,17 @@ export class Databases {
   /** Forgets a held file; what is open of it stays open. */
   release(name: string): void {
     this.#held.delete(name);
+  }
+
+  /** Gives the last open database without a name one: the state can come back to it from the built-in database. */
+  async nameUnnamed(): Promise<void> {
+    const source = this.#unnamed;
+    if (source.kind === "demo") return;
+    const name = await this.hold(source.name, source.file);
+    this.#unnamed = BUILT_IN;
+    if (this.#name !== "") return;
+    this.#name = name;
+    this.#store.adopt({ database: name });
   }
 
   /** The file of the last open database without a name; undefined where that is the built-in one. */

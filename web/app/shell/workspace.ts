@@ -83,7 +83,7 @@ export class Workspace {
     firstSteps?.then((steps) => session.startWith(steps, { neutral: 1 })).catch(() => {});
     const carried = await this.#carriedInput(hash, this.#store.state.reading);
     if (carried !== undefined) this.#store.adopt({ input: carried });
-    if (isPlain(hash)) {
+    if (isPlain(hash) && !this.databases.unnamed) {
       await this.databases.startWithFirst();
       void this.#counted(this.databases.complete);
     }
