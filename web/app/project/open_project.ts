@@ -2,9 +2,9 @@
 import { isCancellation } from "../../client/protocol";
 import type { Prepared } from "../character/characters";
 import { stateOfLink } from "../shell/links";
-import { UNDOABLE } from "../state/state";
 import { errorText } from "../ui/words";
 import { checkProject } from "./check_project";
+import { offerUntilEdit } from "./offer";
 import type { ProjectPlace } from "./place";
 import { isFileOf, type Project, type ProjectCharacter, ProjectError, readProject } from "./project_file";
 import { projectWords as words } from "./strings.en";
@@ -80,19 +80,5 @@ async function show(
     if (back) back.take();
     else characters.leave();
   };
-  offerUntilEdit(words.opened(fileName), () => void goBack(), place);
-}
-
-/** Offers to go back until something is changed that undo takes back. */
-function offerUntilEdit(text: string, act: () => void, { toasts, store }: ProjectPlace): void {
-  const offered = new AbortController();
-  const withdraw = toasts.offer(text, words.back, () => {
-    offered.abort();
-    act();
-  });
-  store.subscribe((_, changed) => {
-    if (!UNDOABLE.some((name) => changed.has(name))) return;
-    offered.abort();
-    withdraw();
-  }, offered.signal);
+  offerUntilEdit(words.opened(fileName), words.back, () => void goBack(), place);
 }

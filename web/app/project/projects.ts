@@ -1,6 +1,7 @@
 /** Projects and dropped files as the page has them: opens, saves, forgets. Loaded with the first of these. */
 import { ProgressLine } from "../ui/progress";
 import { taskCard } from "../ui/task_card";
+import { offerUntilEdit } from "./offer";
 import { openProject } from "./open_project";
 import type { ProjectPlace } from "./place";
 import { saveProject } from "./save_project";
@@ -45,7 +46,7 @@ export class Projects {
     for (const { name } of motions) library.remove(name);
     for (const [name] of held) databases.release(name);
     characters.leave();
-    toasts.offer(words.forgotten, words.undo, async () => {
+    const bringBack = async (): Promise<void> => {
       for (const { name, bytes, exact, reading } of motions) {
         library.add(name, bytes, exact);
         if (reading) library.say(name, reading);
@@ -57,6 +58,7 @@ export class Projects {
           (prepared) => prepared.take(),
           (error) => toasts.failure(error),
         );
-    });
+    };
+    offerUntilEdit(words.forgotten, words.undo, () => void bringBack(), this.#place);
   }
 }

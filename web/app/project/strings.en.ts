@@ -43,7 +43,7 @@ export const projectWords = {
   settings: "Styles, view, camera, time and all settings",
   motions,
   database: (name: string) => `Database ${quoted(name)}`,
-  builtIn: "Built-in styles, by name only",
+  builtIn: "Built-in database, by name only",
   character: (name: string) => `Character ${quoted(name)}`,
   characterInside: "Put the character into the file",
   characterLeft: "Without it, whoever opens the project is asked for the character.",

@@ -1,6 +1,7 @@
 /** The Project menu: open, save, and what the browser keeps of dropped files; on a narrow screen items of the page's menu. */
 
 import { button } from "../../ui/controls/buttons";
+import type { IconName } from "../../ui/controls/icons";
 import { html, setText } from "../../ui/dom";
 import { strings } from "../strings/strings";
 
@@ -42,17 +43,24 @@ export class ProjectMenu {
     const open = button(strings.page.bar.project, () => {}, { icon: "folder", label: true, class: "bar-action" });
     open.title = words.why;
     open.setAttribute("popovertarget", menu.id);
+    menu.addEventListener("beforetoggle", () => {
+      // Below its button, as far as the window allows.
+      menu.style.setProperty("--left", `${open.getBoundingClientRect().left}px`);
+    });
     this.elements = [open, menu];
-    const narrow = (name: string, act: () => void) => button(name, act, { label: true, class: "menu-item" });
-    this.#menuForget = narrow(words.menuForget, onForget);
+    const narrow = (name: string, icon: IconName, act: () => void) =>
+      button(name, act, { icon, label: true, class: "menu-item" });
+    this.#menuForget = narrow(words.forget, "remove", onForget);
     this.#menuForget.hidden = true;
-    this.items = [narrow(words.menuOpen, onOpen), narrow(words.menuSave, onSave), this.#menuForget];
+    this.items = [narrow(words.open, "folder", onOpen), narrow(words.menuSave, "save", onSave), this.#menuForget];
   }
 
   /** How many dropped files there are, and their bytes. */
   set kept({ files, bytes }: { files: number; bytes: number }) {
     this.#keptRow.hidden = files === 0;
     this.#menuForget.hidden = files === 0;
-    setText(this.#kept, words.kept(files, words.size((bytes / 1e6).toFixed(1))));
+    setText(this.#kept, words.kept(files, (bytes / 1e6).toFixed(1)));
+    setText(this.#menuForget.lastElementChild!, words.menuForget(files));
+    this.#menuForget.removeAttribute("title");
   }
 }

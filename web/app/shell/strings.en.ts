@@ -45,13 +45,11 @@ export const page = {
     openWhat: "a project, motion, character or database",
     save: "Save…",
     saveWhat: "settings, dropped files and styles in one file",
-    menuOpen: "Open…",
     menuSave: "Save project…",
     forget: "Forget",
-    menuForget: "Forget dropped files",
-    kept: (n: number, size: string) =>
-      `${n === 1 ? "1 dropped file" : `${n} dropped files`}, ${size}: here after a reload, until this tab is closed.`,
-    size: (megabytes: string) => `${megabytes} MB`,
+    menuForget: (n: number) => (n === 1 ? "Forget the dropped file" : `Forget ${n} dropped files`),
+    kept: (n: number, megabytes: string) =>
+      `${n === 1 ? "1 dropped file" : `${n} dropped files`}, ${megabytes} MB: here after a reload, until this tab is closed.`,
   },
 
   outputs: {

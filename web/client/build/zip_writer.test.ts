@@ -33,6 +33,8 @@ describe("an archive that is written", () => {
     await writer.add("a/one.bvh", new TextEncoder().encode("one ".repeat(500)));
     expect(Object.keys(await filesOf(writer.archive()))).toEqual(["a/one.bvh"]);
     expect(writer.bytes).toBeLessThan(500);
+    const report = { name: "report.csv", bytes: new TextEncoder().encode("done") };
+    expect(Object.keys(await filesOf(writer.archive("application/zip", report)))).toEqual(["a/one.bvh", "report.csv"]);
     await writer.add("a/two.bvh", new TextEncoder().encode("two"));
     expect(Object.keys(await filesOf(writer.archive()))).toEqual(["a/one.bvh", "a/two.bvh"]);
   });

@@ -15,14 +15,15 @@ const FLAGS = 0x800;
 const VERSION = 20;
 /** 1 January 1980, the first day that the format knows. */
 const DATE = 0x21;
+const STORED = 0;
 const DEFLATED = 8;
 
 /** A part of an archive: numbers of 16 or 32 bits, as `[bytes, value]`. */
 type Fields = readonly (readonly [2 | 4, number])[];
 
 export class ZipWriter {
-  readonly #parts: BlobPart[] = [];
-  readonly #directory: BlobPart[] = [];
+  readonly #parts: Part[] = [];
+  readonly #directory: Part[] = [];
   readonly #names = new Set<string>();
   #bytes = 0;
   #directoryBytes = 0;
@@ -44,60 +45,75 @@ export class ZipWriter {
   }
 
   /**
-   * Adds a file; `packed` says whether it is worth deflating.
+   * Adds a file.
    * @param name path with `/`, which no other entry may have
+   * @param packed whether it is worth deflating
    * @throws ZipError if there is no room for it, and nothing has changed then
    */
   async add(name: string, bytes: Uint8Array<ArrayBuffer>, packed = true): Promise<void> {
-    const crc = crc32(bytes);
     const deflated = packed ? await deflate(bytes) : undefined;
     const content = deflated && deflated.size < bytes.length ? deflated : new Blob([bytes]);
-    const encoded = new TextEncoder().encode(name);
+    const made = this.#entryOf(name, bytes, content, content === deflated ? DEFLATED : STORED);
+    this.#names.add(name);
+    this.#parts.push(...made.parts);
+    this.#bytes += sizeOf(made.parts);
+    this.#directory.push(...made.directory);
+    this.#directoryBytes += sizeOf(made.directory);
+  }
+
+  /**
+   * The archive with what was added until now; more may be added afterwards.
+   * @param last a file that is in this archive alone
+   * @throws ZipError if there is no room for the last file
+   */
+  archive(type = "application/zip", last?: { name: string; bytes: Uint8Array<ArrayBuffer> }): Blob {
+    const added = last && this.#entryOf(last.name, last.bytes, new Blob([last.bytes]), STORED);
+    const entries = this.entries + (added ? 1 : 0);
+    const [parts, directory] = [added?.parts ?? [], added?.directory ?? []];
+    const end = fields([
+      [4, 0x06054b50],
+      [2, 0],
+      [2, 0],
+      [2, entries],
+      [2, entries],
+      [4, this.#directoryBytes + sizeOf(directory)],
+      [4, this.#bytes + sizeOf(parts)],
+      [2, 0],
+    ]);
+    return new Blob([...this.#parts, ...parts, ...this.#directory, ...directory, end], { type });
+  }
+
+  /** An entry after all others, and its place in the directory. @throws ZipError */
+  #entryOf(name: string, bytes: Uint8Array<ArrayBuffer>, content: Blob, method: number): Record<Parts, Part[]> {
     if (this.#names.has(name)) throw new ZipError(`The archive would have two files “${name}”.`);
-    const method = content === deflated ? DEFLATED : 0;
+    const encoded = new TextEncoder().encode(name);
     const common: Fields = [
       [2, VERSION],
       [2, FLAGS],
       [2, method],
       [2, 0],
       [2, DATE],
-      [4, crc],
+      [4, crc32(bytes)],
       [4, content.size],
       [4, bytes.length],
       [2, encoded.length],
     ];
-    const head = fields([[4, 0x04034b50], ...common, [2, 0]]);
-    const entry = fields([
-      [4, 0x02014b50],
-      [2, VERSION],
-      ...common,
-      ...([2, 2, 2, 2, 4] as const).map((size) => [size, 0] as const),
-      [4, this.#bytes],
-    ]);
-    const grows = head.length + content.size + entry.length + 2 * encoded.length;
-    if (this.entries >= MAX_ENTRIES || this.bytes + grows > this.#maxBytes || encoded.length > 0xffff)
+    const parts = [fields([[4, 0x04034b50], ...common, [2, 0]]), encoded, content];
+    const unused = ([2, 2, 2, 2, 4] as const).map((size) => [size, 0] as const);
+    const entry = fields([[4, 0x02014b50], [2, VERSION], ...common, ...unused, [4, this.#bytes]]);
+    const directory = [entry, encoded];
+    const room = this.bytes + sizeOf(parts) + sizeOf(directory) <= this.#maxBytes;
+    if (!room || this.entries >= MAX_ENTRIES || encoded.length > 0xffff)
       throw new ZipError("The archive is full. Save it, then go on with another one.");
-    this.#names.add(name);
-    this.#parts.push(head, encoded, content);
-    this.#bytes += head.length + encoded.length + content.size;
-    this.#directory.push(entry, encoded);
-    this.#directoryBytes += entry.length + encoded.length;
+    return { parts, directory };
   }
+}
 
-  /** The archive with what was added until now; more may be added afterwards. */
-  archive(type = "application/zip"): Blob {
-    const end = fields([
-      [4, 0x06054b50],
-      [2, 0],
-      [2, 0],
-      [2, this.entries],
-      [2, this.entries],
-      [4, this.#directoryBytes],
-      [4, this.#bytes],
-      [2, 0],
-    ]);
-    return new Blob([...this.#parts, ...this.#directory, end], { type });
-  }
+type Part = Blob | Uint8Array<ArrayBuffer>;
+type Parts = "parts" | "directory";
+
+function sizeOf(parts: readonly Part[]): number {
+  return parts.reduce((sum, part) => sum + (part instanceof Blob ? part.size : part.length), 0);
 }
 
 function fields(values: Fields): Uint8Array<ArrayBuffer> {
