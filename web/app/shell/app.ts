@@ -5,6 +5,7 @@ import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import { graphics } from "../../viewer";
+import type { Motions } from "../batch/take_motions";
 import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
@@ -55,6 +56,8 @@ export class App {
   readonly #files: SessionFiles;
   /** What opens and saves projects, once it was asked for. */
   #projects: Promise<Projects> | undefined;
+  /** What takes several motions, once there were some. */
+  #motions: Promise<Motions> | undefined;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
   /** Takes away what is said while there is no picture. */
@@ -209,6 +212,7 @@ export class App {
   dispose(): void {
     this.#listening.abort();
     this.#files.dispose();
+    void this.#motions?.then((motions) => motions.dispose());
     this.#address.dispose();
     this.#views.dispose();
     this.#workspace.dispose();
@@ -335,8 +339,38 @@ export class App {
     return this.#workspace.databases.open(source, kept);
   }
 
-  /** Clips go to the view if it takes them; elsewhere they are a database to be. */
+  /** Clips go to the view if it takes them; elsewhere a person says what they are for. */
   async #takeClips(files: DroppedFile[]): Promise<void> {
+    // A table of labels or a database among them says it already.
+    const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
+    if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
+    else await this.#attempt(async () => (await this.#loadMotions()).take(files));
+  }
+
+  #loadMotions(): Promise<Motions> {
+    const { session } = this.#workspace;
+    this.#motions ??= import("../batch/take_motions").then(
+      ({ Motions }) =>
+        new Motions({
+          store: this.#store,
+          session,
+          toasts: this.#toasts,
+          input: this.#progress.input,
+          root: this.#root,
+          asInputs: async (motions) => {
+            this.#store.edit({ view: "play" });
+            await this.#workspace.takeMotions(motions);
+          },
+          asDatabase: (files) => this.#showClips(files),
+        }),
+    );
+    return this.#motions.catch((error: unknown) => {
+      this.#motions = undefined;
+      throw error;
+    });
+  }
+
+  async #showClips(files: DroppedFile[]): Promise<void> {
     const { view: shown } = this.#store.state;
     const view = viewEntry(shown).takes ? shown : "data";
     this.#store.edit({ view });
@@ -370,12 +404,22 @@ export class App {
           this.#root,
         ),
     );
+    const loaded = this.#projects.catch((error: unknown) => {
+      // The next time it may be there.
+      this.#projects = undefined;
+      throw error;
+    });
+    await this.#attempt(async () => act(await loaded));
+    this.#views.shown?.refresh?.();
+  }
+
+  /** Does something whose code may not be loaded yet, and says where that cannot be had. */
+  async #attempt(task: () => Promise<void>): Promise<void> {
     try {
-      await act(await this.#projects);
+      await task();
     } catch (error) {
       this.#toasts.failure(error);
     }
-    this.#views.shown?.refresh?.();
   }
 
   async #embed(): Promise<void> {

@@ -72,7 +72,7 @@ export const page = {
   },
 
   drop: {
-    invitation: "Drop a BVH, a character, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
+    invitation: "Drop BVHs, a folder or zip of them, a character or a project. Any humanoid skeleton works.",
     file: "Motion, character, database or project",
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
