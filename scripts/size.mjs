@@ -25,6 +25,8 @@ const LATER = [
   { name: "Learn", key: /views\/learn\/learn_view\.ts$/, budget: 60 },
   { name: "Crowd", key: /views\/crowd\/crowd_view\.ts$/, budget: 25 },
   { name: "Drive", key: /views\/play\/drive\/driving\.ts$/, budget: 17 },
+  { name: "Projects", key: /^project\/projects\.ts$/, budget: 12 },
+  { name: "Batches", key: /^batch\/take_motions\.ts$/, budget: 12 },
   { name: "live poses", key: /client\/live\/live_stream\.ts$/, budget: 7 },
   { name: "Live", key: /views\/play\/live\/performance\.ts$/, budget: 9 },
   { name: "figures", key: /element\/figure\/\w+\/\w+_figure\.ts$/, budget: 30 },

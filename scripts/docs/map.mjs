@@ -19,6 +19,7 @@ const SECTIONS = [
     title: "Guides",
     pages: [
       "own-styles.md",
+      { path: "projects.md", label: "Projects" },
       "reading.md",
       "characters.md",
       "embedding.md",

@@ -231,22 +231,31 @@ export async function settledPose(page: Page): Promise<number[]> {
 }
 
 /** Drops a file on the page, at a point of it. */
-export async function dropFile(
+export function dropFile(
   page: Page,
   name: string,
   content: string | Uint8Array,
   at: { clientX: number; clientY: number } = { clientX: 5, clientY: 5 },
 ): Promise<void> {
-  const bytes = Buffer.from(content).toString("base64");
-  const transfer = await page.evaluateHandle(
-    ({ name, bytes }) => {
-      const data = Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0));
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([data], name));
-      return transfer;
-    },
-    { name, bytes },
-  );
+  return dropFiles(page, { [name]: content }, at);
+}
+
+/** Drops files on the page at once. */
+export async function dropFiles(
+  page: Page,
+  files: Readonly<Record<string, string | Uint8Array>>,
+  at: { clientX: number; clientY: number } = { clientX: 5, clientY: 5 },
+): Promise<void> {
+  const packed = Object.entries(files).map(([name, content]) => ({
+    name,
+    bytes: Buffer.from(content).toString("base64"),
+  }));
+  const transfer = await page.evaluateHandle((packed) => {
+    const transfer = new DataTransfer();
+    for (const { name, bytes } of packed)
+      transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name));
+    return transfer;
+  }, packed);
   for (const type of ["dragenter", "dragover", "drop"])
     await page.dispatchEvent("body", type, { dataTransfer: transfer, ...at });
 }

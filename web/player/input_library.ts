@@ -13,6 +13,8 @@ export class InputLibrary {
   builtIn: readonly string[] = [];
   /** The set that {@link builtIn} is of; all built-in motions where there is none. */
   builtInSet: BuiltInSet | undefined;
+  /** Called when a file was added or removed, or something was said of how one is read. */
+  onChange: () => void = () => {};
   readonly #dropped = new Map<string, ArrayBuffer>();
   /** Poses that a file was written from. */
   readonly #exact = new Map<string, ExactPoses>();
@@ -46,12 +48,14 @@ export class InputLibrary {
     for (let n = 2; this.has(name) && !sameBytes(this.#dropped.get(name), bytes); n++) name = `${base} (${n})`;
     this.#dropped.set(name, bytes);
     if (exact) this.#exact.set(name, exact);
+    this.onChange();
     return name;
   }
 
   /** Keeps what is said of how a file is read, also of one that is yet to be added. */
   say(name: string, reading: FileReading): void {
     this.#readings.set(name, reading);
+    this.onChange();
   }
 
   /** Forgets a file that could not be opened. */
@@ -59,6 +63,7 @@ export class InputLibrary {
     this.#dropped.delete(name);
     this.#readings.delete(name);
     this.#exact.delete(name);
+    this.onChange();
   }
 
   /** What the engine opens for a name; `undefined` where there is no such input. */

@@ -227,9 +227,13 @@ export class Session {
         this.#leaveDrive();
         this.#leaveLive();
         const name = this.library.has(inputName) ? inputName : this.library.first;
+        const { frame } = this;
+        const stands = name === this.inputName && !this.playback.playing;
         // Where nobody can be steered, something is shown all the same.
         if (name === DRIVE) await this.#open(this.library.first);
         await this.#open(name);
+        // What stands still stays where it is.
+        if (frame && stands) this.playback.seek(frame.inputFrame);
       }),
     );
   }

@@ -6,10 +6,18 @@ import { announce } from "../ui/announce";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import type { Performing } from "../view";
-import type { Content } from "./open_character";
+import type { ChosenRoles, Content } from "./open_character";
 
 /** Confidence in the roles below which a person should look at them. */
 const SURE = 0.7;
+
+/** A character that is open and does not perform yet. */
+export interface Prepared {
+  /** Has it perform. */
+  take(): void;
+  /** Frees it where it is not to perform. */
+  dispose(): void;
+}
 
 export class Characters {
   readonly #toasts: Toasts;
@@ -17,6 +25,7 @@ export class Characters {
   readonly #onChange: () => void;
   #character: Character | undefined;
   #file: File | undefined;
+  #roles: ChosenRoles | undefined;
   #performing: Performing | undefined;
 
   /** `onChange` is called when another body performs; the one before is freed right after. */
@@ -27,6 +36,32 @@ export class Characters {
   /** The character that performs; undefined where the mannequin does. */
   get performing(): Performing | undefined {
     return this.#performing;
+  }
+
+  /** The file of the character that performs, and what a person said of its joints. */
+  get file(): File | undefined {
+    return this.#file;
+  }
+
+  get roles(): ChosenRoles | undefined {
+    return this.#roles;
+  }
+
+  /** Whether the character may be handed on, as far as its file says. */
+  get mayHandOn(): boolean {
+    return this.#character?.licence?.mayExport ?? true;
+  }
+
+  /**
+   * Opens a character without having it perform.
+   * @param roles what a person said of its joints
+   * @param accepted whether this person has accepted its terms before
+   * @throws StrutError as `loadCharacter`
+   */
+  async prepare(file: File, roles: ChosenRoles | undefined, accepted: boolean): Promise<Prepared> {
+    const { openCharacter } = await import("./open_character");
+    const character = await openCharacter(file, {}, roles, accepted);
+    return { take: () => this.#take(character, file, roles), dispose: () => character.dispose() };
   }
 
   /**
@@ -56,7 +91,7 @@ export class Characters {
     const { askForJoints, openCharacter } = await import("./open_character");
     const roles = await askForJoints(this.#character);
     const corrected = roles && (await this.#run(file, (call) => openCharacter(file, call, roles)));
-    if (corrected) this.#take(corrected, file);
+    if (corrected) this.#take(corrected, file, roles);
   }
 
   /** Has the mannequin perform again. */
@@ -86,9 +121,9 @@ export class Characters {
     }
   }
 
-  #take(character?: Character, file?: File): void {
+  #take(character?: Character, file?: File, roles?: ChosenRoles): void {
     const before = this.#character;
-    [this.#character, this.#file] = [character, file];
+    [this.#character, this.#file, this.#roles] = [character, file, roles];
     this.#performing = character && performing(character, file?.name.replace(/\.[^.]*$/, "") ?? "");
     this.#onChange();
     before?.dispose();

@@ -18,11 +18,17 @@ export type ChosenRoles = Partial<Record<Role, string>>;
 
 /**
  * Opens a character. A person is asked whether they may perform it where the author does not allow everybody to.
- * @param roles what a person said of its joints, who has accepted its terms before
+ * @param roles what a person said of its joints
+ * @param accepted whether this person has accepted its terms before
  * @throws StrutError as `loadCharacter`
  */
-export function openCharacter(file: File, call: CallOptions, roles?: ChosenRoles): Promise<Character> {
-  const options: LoadCharacterOptions = roles ? { roles, accept: () => true } : { accept: askToPerform };
+export function openCharacter(
+  file: File,
+  call: CallOptions,
+  roles?: ChosenRoles,
+  accepted = roles !== undefined,
+): Promise<Character> {
+  const options: LoadCharacterOptions = { accept: accepted ? () => true : askToPerform, ...(roles && { roles }) };
   return loadCharacter(file, { ...call, ...options }, () => import("@pixiv/three-vrm"));
 }
 

@@ -5,10 +5,12 @@ import type { DatabaseSource, StrutClient } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import { graphics } from "../../viewer";
+import type { Motions } from "../batch/take_motions";
 import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
+import type { Projects } from "../project/projects";
 import type { UndoRedo } from "../state/history";
 import type { AppState } from "../state/state";
 import { Store } from "../state/store";
@@ -23,6 +25,7 @@ import { Help } from "./help";
 import type { StrutHook } from "./hook";
 import { listenToKeys } from "./keys";
 import { AddressBar, stateOfLink } from "./links";
+import { SessionFiles } from "./session_files";
 import { SessionProgressLines } from "./session_progress";
 import { shareLink } from "./share";
 import { SharedViewer } from "./shared_viewer";
@@ -49,6 +52,12 @@ export class App {
   readonly #drop: DropZone;
   readonly #characters: Characters;
   readonly #views: Views;
+  /** What was dropped, for a reload. */
+  readonly #files: SessionFiles;
+  /** What opens and saves projects, once it was asked for. */
+  #projects: Promise<Projects> | undefined;
+  /** What takes several motions, once there were some. */
+  #motions: Promise<Motions> | undefined;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
   #isExporting = false;
@@ -64,25 +73,39 @@ export class App {
     this.#root = root;
     this.#workspace = new Workspace(client, store, this.#toasts, this.#progress);
     this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light", (lost) => this.#onPicture(lost));
-    this.#characters = new Characters(this.#toasts, this.#progress.input, () => this.#views.shown?.refresh?.());
+    this.#characters = new Characters(this.#toasts, this.#progress.input, () => {
+      this.#views.shown?.refresh?.();
+      this.#files.changed();
+    });
+    const { session, databases } = this.#workspace;
+    this.#files = new SessionFiles({ library: session.library, databases, characters: this.#characters }, this.#toasts);
+    session.library.onChange = () => this.#files.changed();
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
       onReach: (view) => void this.#prepare(view),
       onUndo: () => this.#history.undo(),
       onRedo: () => this.#history.redo(),
-      onShare: () => void shareLink(store.state, this.#workspace.session.library, this.#toasts),
+      onOpen: () => this.#drop.choose(),
+      onSave: () => void this.#project((projects) => projects.save()),
+      onForget: () => void this.#project((projects) => projects.forget()),
+      onShare: () =>
+        void shareLink(store.state, session.library, this.#toasts, () => void this.#project((all) => all.save())),
       onEmbed: () => void this.#embed(),
       onExport: (format, size) => void this.#export(format, size),
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
       onHelp: () => this.#help.open(),
     });
     this.#topBar.canExport = false;
+    this.#files.onChange = () => {
+      this.#topBar.kept = this.#files.size;
+    };
     this.#drop = new DropZone(
       {
         takes: () => viewEntry(store.state.view).takes,
         onMotion: (file) => void this.#workspace.takeFile(file),
         onModel: (file) => void this.#takeModel(file),
         onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
+        onProject: (file) => void this.#project((projects) => projects.open(file)),
         onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
         styleTarget: () => this.#views.shown?.styleTarget,
         onClips: (files) => void this.#takeClips(files),
@@ -105,10 +128,11 @@ export class App {
       },
       VIEWS,
     );
-    this.#workspace.session.listen({
+    session.listen({
+      onDatabase: () => this.#files.changed(),
       onTick: (now) => {
         // Where nothing can draw, nothing waits to be drawn.
-        if (this.#viewer.draw(now) || graphics() === "none") this.#workspace.session.drawn();
+        if (this.#viewer.draw(now) || graphics() === "none") session.drawn();
       },
       onInput: () => {
         this.#topBar.canExport = !this.#isExporting;
@@ -125,6 +149,8 @@ export class App {
         undo: () => this.#history.undo(),
         redo: () => this.#history.redo(),
         help: () => this.#help.open(),
+        open: () => this.#drop.choose(),
+        save: () => void this.#project((projects) => projects.save()),
         view: () => this.#views.shown?.keys,
         singleKeys: () => this.#singleKeys.on,
       },
@@ -135,7 +161,13 @@ export class App {
 
   /** Shows the view that the link asks for, opens what it asks for, and begins to play. */
   async start(): Promise<void> {
-    await Promise.all([this.#workspace.start(this.#hash, this.#firstSteps), this.#showFirstView()]);
+    await Promise.all([this.#startWork(), this.#showFirstView()]);
+  }
+
+  async #startWork(): Promise<void> {
+    const restored = await this.#files.restore();
+    await this.#workspace.start(this.#hash, this.#firstSteps);
+    await restored.character();
   }
 
   /** Opens files that came from outside the page as if they had been dropped. */
@@ -180,6 +212,8 @@ export class App {
 
   dispose(): void {
     this.#listening.abort();
+    this.#files.dispose();
+    void this.#motions?.then((motions) => motions.dispose());
     this.#address.dispose();
     this.#views.dispose();
     this.#workspace.dispose();
@@ -306,8 +340,38 @@ export class App {
     return this.#workspace.databases.open(source, kept);
   }
 
-  /** Clips go to the view if it takes them; elsewhere they are a database to be. */
+  /** Clips go to the view if it takes them; elsewhere a person says what they are for. */
   async #takeClips(files: DroppedFile[]): Promise<void> {
+    // A table of labels or a database among them says it already.
+    const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
+    if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
+    else await this.#attempt(async () => (await this.#loadMotions()).take(files));
+  }
+
+  #loadMotions(): Promise<Motions> {
+    const { session } = this.#workspace;
+    this.#motions ??= import("../batch/take_motions").then(
+      ({ Motions }) =>
+        new Motions({
+          store: this.#store,
+          session,
+          toasts: this.#toasts,
+          input: this.#progress.input,
+          root: this.#root,
+          asInputs: async (motions) => {
+            this.#store.edit({ view: "play" });
+            await this.#workspace.takeMotions(motions);
+          },
+          asDatabase: (files) => this.#showClips(files),
+        }),
+    );
+    return this.#motions.catch((error: unknown) => {
+      this.#motions = undefined;
+      throw error;
+    });
+  }
+
+  async #showClips(files: DroppedFile[]): Promise<void> {
     const { view: shown } = this.#store.state;
     const view = viewEntry(shown).takes ? shown : "data";
     this.#store.edit({ view });
@@ -321,6 +385,42 @@ export class App {
     await this.#workspace.takeMotions(motions);
     const others = motions.length - 1;
     if (others > 0) this.#toasts.note(strings.page.characters.otherMotions(others));
+  }
+
+  /** Does something with projects; what does it is loaded with the first time. */
+  async #project(act: (projects: Projects) => Promise<void>): Promise<void> {
+    const workspace = this.#workspace;
+    const { session, databases } = workspace;
+    this.#projects ??= import("../project/projects").then(
+      ({ Projects }) =>
+        new Projects(
+          {
+            store: this.#store,
+            session,
+            databases,
+            characters: this.#characters,
+            toasts: this.#toasts,
+            arrive: (state) => workspace.arrive(state, ""),
+          },
+          this.#root,
+        ),
+    );
+    const loaded = this.#projects.catch((error: unknown) => {
+      // The next time it may be there.
+      this.#projects = undefined;
+      throw error;
+    });
+    await this.#attempt(async () => act(await loaded));
+    this.#views.shown?.refresh?.();
+  }
+
+  /** Does something whose code may not be loaded yet, and says where that cannot be had. */
+  async #attempt(task: () => Promise<void>): Promise<void> {
+    try {
+      await task();
+    } catch (error) {
+      this.#toasts.failure(error);
+    }
   }
 
   async #embed(): Promise<void> {

@@ -174,3 +174,46 @@ describe("a database that a person opens", () => {
     expect([store.state.database, store.state.view]).toEqual(["mine", "play"]);
   });
 });
+
+describe("a database of a project", () => {
+  it("has a name that no other has, and is followed by it", async () => {
+    const { store, session, databases } = made("");
+    const file = new Blob(["project"]);
+    expect(await databases.hold("mine.strutdb", file)).toBe("mine (2)");
+    expect(await databases.hold("mine", file)).toBe("mine (2)");
+    expect(await databases.hold("mine", new Blob())).toBe("mine (3)");
+    expect(await databases.hold("other.strutdb", new Blob())).toBe("other");
+    await databases.follow("");
+    store.edit({ database: "mine (2)" });
+    await databases.follow("");
+    expect([session.opened.at(-1), databases.file]).toEqual(["mine (2)", { name: "mine (2)", file }]);
+    databases.release("other");
+    expect([...databases.held.keys()]).toEqual(["mine (2)", "mine (3)"]);
+  });
+
+  it("that has no name is opened where none is asked for", async () => {
+    const { session, databases } = made("");
+    expect(databases.unnamed).toBeUndefined();
+    databases.unnamed = { name: "dropped", file: new Blob() };
+    await databases.follow("");
+    expect([session.opened, databases.unnamed?.name]).toEqual([["dropped"], "dropped"]);
+    await databases.open({ kind: "demo" }, "");
+    expect(databases.unnamed).toBeUndefined();
+  });
+
+  it("can be come back to from the built-in one, once it was given a name", async () => {
+    const { store, session, databases } = made("");
+    await databases.nameUnnamed();
+    expect(databases.held.size).toBe(0);
+    const file = new Blob();
+    await databases.open({ kind: "strutdb", name: "dropped.strutdb", file }, "");
+    await databases.nameUnnamed();
+    expect([store.state.database, databases.mustFollow, databases.unnamed]).toEqual(["dropped", false, undefined]);
+    store.edit({ database: "" });
+    expect(databases.mustFollow).toBe(true);
+    await databases.follow("");
+    store.edit({ database: "dropped" });
+    await databases.follow("");
+    expect(session.opened).toEqual(["dropped.strutdb", "built in", "dropped"]);
+  });
+});

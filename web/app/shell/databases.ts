@@ -1,4 +1,4 @@
-/** Which database is open: the built-in one, one that is kept on this device, or one that was dropped. */
+/** Which database is open: the built-in one, one that is kept on this device, one of a project, or one that was dropped. */
 
 import type { DatabaseSource } from "../../client/protocol";
 import { isCancellation } from "../../client/protocol";
@@ -22,8 +22,10 @@ export class Databases {
   readonly #toasts: Toasts;
   readonly #session: Session;
   readonly #readSaved: ReadSaved;
-  /** Name on this device of the database that is open; empty for others. */
+  /** Name on this device, or of {@link #held}, of the database that is open; empty for others. */
   #name = "";
+  /** Databases of projects, by the names that the state has for them: they last as long as the page. */
+  readonly #held = new Map<string, Blob>();
   /** The last open database that is not saved under a name. */
   #unnamed: DatabaseSource = BUILT_IN;
   /** Number of requests for a database: only the last one counts. */
@@ -44,6 +46,54 @@ export class Databases {
     this.#toasts = toasts;
     this.#session = session;
     this.#readSaved = readSaved;
+  }
+
+  /** The databases that the page holds for projects, by their names. */
+  get held(): ReadonlyMap<string, Blob> {
+    return this.#held;
+  }
+
+  /** Holds a file by a name that the state has for it already. */
+  keep(name: string, file: Blob): void {
+    this.#held.set(name, file);
+  }
+
+  /** Holds a file, so that the state can name it; the name, its own unless another database has that. */
+  async hold(fileName: string, file: Blob): Promise<string> {
+    const base = fileName.replace(/\.strutdb$/i, "").trim() || "database";
+    for (let n = 1; ; n++) {
+      const name = n === 1 ? base : `${base} (${n})`;
+      if (this.#held.get(name) === file) return name;
+      if (this.#held.has(name) || (await this.#readSaved(name).catch(() => undefined))) continue;
+      this.#held.set(name, file);
+      return name;
+    }
+  }
+
+  /** Forgets a held file; what is open of it stays open. */
+  release(name: string): void {
+    this.#held.delete(name);
+  }
+
+  /** Gives the last open database without a name one: the state can come back to it from the built-in database. */
+  async nameUnnamed(): Promise<void> {
+    const source = this.#unnamed;
+    if (source.kind === "demo") return;
+    const name = await this.hold(source.name, source.file);
+    this.#unnamed = BUILT_IN;
+    if (this.#name !== "") return;
+    this.#name = name;
+    this.#store.adopt({ database: name });
+  }
+
+  /** The file of the last open database without a name; undefined where that is the built-in one. */
+  get unnamed(): { name: string; file: Blob } | undefined {
+    return this.#unnamed.kind === "demo" ? undefined : this.#unnamed;
+  }
+
+  /** Makes a file the last open database without a name, before anything is open. */
+  set unnamed(file: { name: string; file: Blob } | undefined) {
+    this.#unnamed = file ? { kind: "strutdb", ...file } : BUILT_IN;
   }
 
   /** Whether the state asks for another database than the one that is open. */
@@ -149,6 +199,8 @@ export class Databases {
   /** The database of a name on this device, empty for the last one without a name; `undefined` where it is not here. */
   async #wanted(name: string): Promise<DatabaseSource | undefined> {
     if (name === "") return this.#unnamed;
+    const held = this.#held.get(name);
+    if (held) return { kind: "strutdb", name, file: held };
     const file = await this.#readSaved(name).catch(() => undefined);
     if (file) return { kind: "strutdb", name, file };
     this.#toasts.note(strings.page.links.databaseMissing(name));

@@ -16,6 +16,7 @@ export interface FileListeners {
   takes: () => "motions" | "all" | undefined;
   onMotion: (file: File) => void;
   onDatabase: (name: string, file: File) => void;
+  onProject: (file: File) => void;
   /** A file that may hold a rigged character, motions, or both. */
   onModel: (file: File) => void;
   /** Several files, folders and archives: clips to build a database from. */
@@ -32,6 +33,12 @@ function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners):
   const [first, ...others] = files;
   if (!first) return;
   const { path, file } = first;
+  if (files.some((dropped) => /\.strut$/i.test(dropped.file.name))) {
+    // It says itself what is open, whatever view is shown.
+    if (others.length > 0) listeners.onRefused(strings.page.drop.projectAlone);
+    else listeners.onProject(file);
+    return;
+  }
   if (listeners.takes() === "all" || others.length > 0 || path.includes("/") || /\.zip$/i.test(path)) {
     listeners.onClips(files);
     return;
@@ -94,7 +101,8 @@ export class DropZone {
   readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
   readonly #picker = html("input", {
     type: "file",
-    accept: ".bvh,.strutdb,.glb,.vrm,.vrma,.fbx",
+    accept: ".bvh,.zip,.strut,.strutdb,.glb,.vrm,.vrma,.fbx",
+    multiple: true,
     hidden: true,
     "aria-label": strings.page.drop.file,
   });

@@ -7,6 +7,8 @@ const page = (singleKeys = true): PageKeys => ({
   undo: say("undo"),
   redo: say("redo"),
   help: say("help"),
+  open: say("open"),
+  save: say("save"),
   view: () => ({ " ": say("play"), l: say("loop"), ArrowLeft: say("back") }),
   singleKeys: () => singleKeys,
 });
@@ -50,6 +52,12 @@ describe("a key", () => {
       "redo",
     ]);
     expect(press("l", ctrl)).toBe("");
+  });
+
+  it("opens and saves, wherever the focus is", () => {
+    const focused = focus("input[type=text]");
+    expect([press("o", { ctrlKey: true }), press("S", { ctrlKey: true, focused })]).toEqual(["open", "save"]);
+    expect(press("s", { ctrlKey: true, shiftKey: true })).toBe("");
   });
 
   it("is left to what has the focus", () => {

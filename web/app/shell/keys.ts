@@ -5,6 +5,9 @@ export interface PageKeys {
   undo(): void;
   redo(): void;
   help(): void;
+  /** Opens a file, and saves the project. */
+  open(): void;
+  save(): void;
   /** The keys of the view that is shown. */
   view(): KeyTable | undefined;
   /** Whether single-character shortcuts are on; Space is not one of them. */
@@ -72,6 +75,9 @@ export function actionOf(pressed: Pressed, focused: Element | null, keys: PageKe
   const key = pressed.key.length === 1 ? pressed.key.toLowerCase() : pressed.key;
   if (pressed.altKey) return undefined;
   if (pressed.ctrlKey || pressed.metaKey) {
+    // The browser would open a file in the place of the page, or save the page.
+    if (key === "o" && !pressed.shiftKey) return keys.open;
+    if (key === "s" && !pressed.shiftKey) return keys.save;
     if (isTextField(focused)) return undefined;
     if (key === "z") return pressed.shiftKey ? keys.redo : keys.undo;
     return key === "y" ? keys.redo : undefined;

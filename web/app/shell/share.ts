@@ -7,8 +7,16 @@ import { strings } from "../strings/strings";
 import type { Toasts } from "../ui/toasts";
 import { linkTo } from "./links";
 
-/** Shares the state. It must be called in the event of the click: later the browser does not let the page copy. */
-export async function shareLink(state: AppState, library: InputLibrary, toasts: Toasts): Promise<void> {
+/**
+ * Shares the state. It must be called in the event of the click: later the browser does not let the page copy.
+ * @param saveProject saves what is too large for a link
+ */
+export async function shareLink(
+  state: AppState,
+  library: InputLibrary,
+  toasts: Toasts,
+  saveProject: () => void,
+): Promise<void> {
   const link = linkTo(state, library, location.href);
   try {
     await copy(link.then(({ href }) => href));
@@ -17,8 +25,9 @@ export async function shareLink(state: AppState, library: InputLibrary, toasts: 
     return;
   }
   const { carried } = await link;
-  const { copied, copiedWithMotion, copiedWithoutMotion } = strings.page.links;
-  toasts.note(carried === undefined ? copied : carried ? copiedWithMotion : copiedWithoutMotion);
+  const words = strings.page.links;
+  if (carried === false) toasts.offer(words.copiedWithoutMotion, words.saveProject, saveProject);
+  else toasts.note(carried ? words.copiedWithMotion : words.copied);
 }
 
 /** Safari only copies what is handed over in the event itself: a promise of the text, not the text later. */

@@ -36,6 +36,20 @@ export const page = {
     menu: "Menu",
     home: "Strut home",
     views: "Views",
+    project: "Project",
+  },
+
+  project: {
+    why: "Open, save or share all of your work as one file",
+    open: "Open…",
+    openWhat: "a project, motion, character or database",
+    save: "Save…",
+    saveWhat: "settings, dropped files and styles in one file",
+    menuSave: "Save project…",
+    forget: "Forget",
+    menuForget: (n: number) => (n === 1 ? "Forget the dropped file" : `Forget ${n} dropped files`),
+    kept: (n: number, megabytes: string) =>
+      `${n === 1 ? "1 dropped file" : `${n} dropped files`}, ${megabytes} MB: here after a reload, until this tab is closed.`,
   },
 
   outputs: {
@@ -58,12 +72,13 @@ export const page = {
   },
 
   drop: {
-    invitation: "Drop a BVH, a character, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
-    file: "Motion, character or database",
+    invitation: "Drop BVHs, a folder or zip of them, a character or a project. Any humanoid skeleton works.",
+    file: "Motion, character, database or project",
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
     unknown: (name: string) =>
-      `“${name}” is no motion (.bvh, .vrma), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
+      `“${name}” is no motion (.bvh, .vrma), project (.strut), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
+    projectAlone: "A project was dropped with other files. Drop it alone: it says itself what is open.",
     separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
@@ -75,7 +90,8 @@ export const page = {
   links: {
     copied: "Link copied.",
     copiedWithMotion: "Link copied, with the motion in it.",
-    copiedWithoutMotion: "Link copied. The dropped file is too large for it: send the file along.",
+    copiedWithoutMotion: "Link copied. The dropped file is too large for it: send a project file instead.",
+    saveProject: "Save project…",
     fileMissing: (name: string) =>
       `This link was made with “${name}”, a file that is not part of it. Drop the file here.`,
     databaseMissing: (name: string) => `This link was made with the database “${name}”, which is not on this device.`,

@@ -7,9 +7,10 @@ import { html, setAttributes } from "../../ui/dom";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { strings } from "../strings/strings";
 import { ExportMenu } from "./export_menu";
+import { type ProjectListeners, ProjectMenu } from "./project_menu";
 import { VIEWS } from "./view_table";
 
-export interface TopBarListeners {
+export interface TopBarListeners extends ProjectListeners {
   onView: (view: ViewName) => void;
   /** The tab of a view is pointed at, or has the focus. */
   onReach: (view: ViewName) => void;
@@ -29,6 +30,7 @@ export class TopBar {
   readonly #redo: HTMLButtonElement[];
   readonly #theme: HTMLButtonElement;
   readonly #export: ExportMenu;
+  readonly #project: ProjectMenu;
   readonly #embeds: HTMLButtonElement[];
   /** What holds them. */
   readonly #embedPlaces: HTMLElement[];
@@ -57,6 +59,7 @@ export class TopBar {
     this.#embeds = [embed, menuEmbed];
     const embedPlace = html("span", { class: "wide" }, embed);
     this.#embedPlaces = [embedPlace, menuEmbed];
+    this.#project = new ProjectMenu(listeners);
     this.#export = new ExportMenu(listeners.onExport);
     this.#theme = button(strings.page.bar.theme, listeners.onTheme, { icon: "sun" });
     const help = button(strings.page.bar.help, listeners.onHelp, { icon: "help", keys: "?" });
@@ -85,8 +88,11 @@ export class TopBar {
     });
     this.#views = [...tabs, ...menuViews];
     const menu = html("div", { id: "menu", class: "menu", popover: "auto" });
-    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, menuEmbed, menuTheme, menuHelp);
-    for (const item of [menuEmbed, menuTheme, menuHelp]) item.addEventListener("click", () => menu.hidePopover());
+    const { items } = this.#project;
+    menu.append(...menuViews.map(({ element }) => element), menuUndo, menuRedo, ...items);
+    menu.append(menuEmbed, menuTheme, menuHelp);
+    for (const item of [...items, menuEmbed, menuTheme, menuHelp])
+      item.addEventListener("click", () => menu.hidePopover());
     const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", class: "menu-button" });
     menuButton.setAttribute("popovertarget", "menu");
     this.#undo = [undo, menuUndo];
@@ -99,7 +105,7 @@ export class TopBar {
       html(
         "div",
         { class: "bar-actions" },
-        html("span", { class: "wide" }, undo, redo, divider()),
+        html("span", { class: "wide" }, undo, redo, divider(), ...this.#project.elements),
         share,
         embedPlace,
         ...this.#export.elements,
@@ -121,6 +127,11 @@ export class TopBar {
     this.#theme.title = name;
     this.#theme.setAttribute("aria-label", name);
     this.#theme.replaceChildren(icon(dark ? "sun" : "moon"));
+  }
+
+  /** How many dropped files there are, and their bytes. */
+  set kept(kept: { files: number; bytes: number }) {
+    this.#project.kept = kept;
   }
 
   /** Disabled until an input is open, and during an export. */

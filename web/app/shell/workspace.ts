@@ -83,7 +83,7 @@ export class Workspace {
     firstSteps?.then((steps) => session.startWith(steps, { neutral: 1 })).catch(() => {});
     const carried = await this.#carriedInput(hash, this.#store.state.reading);
     if (carried !== undefined) this.#store.adopt({ input: carried });
-    if (isPlain(hash)) {
+    if (isPlain(hash) && !this.databases.unnamed) {
       await this.databases.startWithFirst();
       void this.#counted(this.databases.complete);
     }
@@ -129,7 +129,7 @@ export class Workspace {
   /** Opens an input of the library and makes it the state's; whether it is open now. */
   async chooseInput(name: string): Promise<boolean> {
     const opened = (await this.session.openInput(name)) === "done";
-    if (opened) this.#store.edit({ input: this.#openInput, reading: this.session.reading });
+    if (opened) this.#store.edit({ input: this.#openInput, reading: this.session.reading, ...this.#beginning });
     return opened;
   }
 
@@ -166,7 +166,7 @@ export class Workspace {
       return;
     }
     if (reading) this.#rememberReading();
-    this.#store.edit({ input: name, reading: this.session.reading });
+    this.#store.edit({ input: name, reading: this.session.reading, ...this.#beginning });
     // The link is complete now: it shows its own instant.
     if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
     this.#awaited = undefined;
@@ -289,6 +289,11 @@ export class Workspace {
       this.#toasts.note(strings.page.links.fileMissing(wanted));
     }
     this.#store.adopt({ input: this.#openInput, reading: session.reading });
+  }
+
+  /** Another input begins at its beginning, where it stands still, too. */
+  get #beginning(): Partial<AppState> {
+    return this.#store.state.playing ? {} : { frame: 0 };
   }
 
   /** The input that is open, as the state names it. */

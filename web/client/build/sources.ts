@@ -13,7 +13,7 @@ const MAX_CLIPS = 100_000;
 export interface Source {
   path: string;
   /** @throws Error with a sentence */
-  read(): Promise<Uint8Array>;
+  read(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
 /** The clips and licences among files. */
@@ -104,7 +104,7 @@ async function addArchive(
 function budgetedReader(archive: Archive, budget: number) {
   const counted = new Set<ZipEntry>();
   let unpacked = 0;
-  return async (entry: ZipEntry, max: number): Promise<Uint8Array> => {
+  return async (entry: ZipEntry, max: number): Promise<Uint8Array<ArrayBuffer>> => {
     if (!counted.has(entry) && unpacked >= budget)
       throw new ZipError(`The archive unpacks to more than ${sizeOf(budget)}; this file is beyond that.`);
     const bytes = await readEntry(archive, entry, max);

@@ -172,7 +172,9 @@ class PlayView implements View {
   }
 
   refresh(): void {
+    const { session } = this.#host;
     this.#viewport.performing = this.#host.performing();
+    if (session.database) this.#input.list(session.library, session.chosen);
   }
 
   hide(): void {

@@ -1,0 +1,62 @@
+/** What is said of several motions that were dropped, and of a batch. It is loaded with the first of them. */
+import { grouped } from "../strings/numerals";
+
+const counted = (one: string) => (n: number) => `${grouped(n)} ${n === 1 ? one : `${one}s`}`;
+const [motions, files] = [counted("motion"), counted("file")];
+const quoted = (name: string) => `“${name}”`;
+const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`;
+
+export const batchWords = {
+  // --- what is to become of them ---
+  heading: motions,
+  looking: "Looking for motions.",
+  inputs: "Use as inputs",
+  inputsWhat: "The first one plays at once; choose the others as the input.",
+  restyle: "Restyle all…",
+  restyleWhat: "Each in one or several styles: a zip of BVH files on their own skeletons.",
+  database: "Make a database",
+  databaseWhat: "Your own styles: the files’ names say who does what in which style.",
+  cancel: "Cancel",
+  reading: (n: number) => `Reading ${motions(n)}.`,
+  tooMany: (n: number, most: number) =>
+    `${motions(n)} are too many for inputs: up to ${most} work, and 1 GB in all. Restyle them, or make a database.`,
+  notRead: (path: string, why: string) => `${quoted(path)} was left out. ${why}`,
+  added: (n: number) => `${motions(n)} are inputs now: choose among them beside “Input”.`,
+
+  // --- how they are restyled ---
+  setup: (n: number) => `Restyle ${motions(n)}`,
+  styles: "Styles",
+  present: (manner: string) => `As in Play: ${manner}`,
+  single: "Each of these styles alone",
+  style: (name: string) => name,
+  result: (made: number, folders: number) =>
+    `${files(made)}${folders > 1 ? ` in ${folders} folders` : ""}. Database, model and switches are those of Play; style keys are not used.`,
+  none: "Choose a style.",
+  start: "Restyle",
+  busy: "Another batch is not done. Save or close it first.",
+
+  // --- while it runs ---
+  name: "Batch",
+  preparing: "Preparing the styles.",
+  running: (n: number) => `Restyling ${motions(n)}`,
+  progress: (done: number, all: number) => `${grouped(done)} of ${files(all)}`,
+  leftOut: (n: number) => `${grouped(n)} left out`,
+  left: (seconds: number) =>
+    seconds < 90
+      ? `about ${Math.max(1, Math.round(seconds / 10) * 10)} s left`
+      : `about ${Math.round(seconds / 60)} min left`,
+  stop: "Cancel",
+
+  // --- when it has ended ---
+  done: (n: number) => `${files(n)} ${n === 1 ? "is" : "are"} done`,
+  stopped: (done: number, all: number) => `Stopped: ${grouped(done)} of ${files(all)}`,
+  why: (n: number) => `${motions(n)} left out`,
+  because: (path: string, why: string) => `${quoted(path)}: ${why}`,
+  save: (bytes: number) => `Save zip, ${megabytes(bytes)}`,
+  again: "Save again",
+  resume: "Go on",
+  close: "Close",
+  saved: (name: string, bytes: number) => `Saved ${name}, ${megabytes(bytes)}.`,
+  discarded: (n: number) => `${files(n)} that ${n === 1 ? "was" : "were"} not saved went with the batch.`,
+  undo: "Undo",
+} as const;

@@ -1,0 +1,46 @@
+/** Tries what a project holds in an engine of its own, so that what is on screen stays where something of it cannot be opened. */
+import { EngineClient } from "../../client/engine_client";
+import { type CallOptions, isCancellation, type RememberedReadings } from "../../client/protocol";
+import { errorText } from "../ui/words";
+import { type Project, ProjectError } from "./project_file";
+import { projectWords as words } from "./strings.en";
+
+/**
+ * Opens the database and every motion of a project, and closes them again.
+ * @throws ProjectError with what cannot be opened and why; `cancelled`
+ */
+export async function checkProject(
+  { inputs, database: own }: Project,
+  remembered: RememberedReadings,
+  { signal, onProgress }: CallOptions = {},
+): Promise<void> {
+  if (inputs.length === 0 && !own) return;
+  const call = signal ? { signal } : {};
+  const engine = new EngineClient(own ? {} : { preload: "first" });
+  try {
+    onProgress?.({ label: words.checking(own?.name ?? inputs[0]!.name), fraction: 0 });
+    // The first strides of the built-in database have the body of all of it.
+    const source = own ? ({ kind: "strutdb", ...own } as const) : ({ kind: "demo", set: "first" } as const);
+    const refused = own && ((why: string) => words.databaseRefused(own.name, why));
+    const database = await said(engine.openDatabase(source, call), refused);
+    for (const [i, { name, bytes, exact, reading }] of inputs.entries()) {
+      onProgress?.({ label: words.checking(name), fraction: (i + 1) / (inputs.length + 1) });
+      const read = { ...(exact && { exact }), reading: reading ?? {}, remembered };
+      const motion = await engine.openMotion({ kind: "bvh", name, bytes, ...read }, call);
+      await said(motion.on(database, call), (why) => words.motionRefused(name, why));
+      motion.dispose();
+    }
+  } finally {
+    engine.dispose();
+  }
+}
+
+/** Has a refusal say what it is about. */
+async function said<T>(work: Promise<T>, about: ((why: string) => string) | undefined): Promise<T> {
+  try {
+    return await work;
+  } catch (thrown) {
+    if (!about || isCancellation(thrown)) throw thrown;
+    throw new ProjectError(about(errorText(thrown)));
+  }
+}

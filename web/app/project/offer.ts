@@ -1,0 +1,22 @@
+/** Offers that hold until something else is done. */
+import { UNDOABLE } from "../state/state";
+import type { ProjectPlace } from "./place";
+
+/** Offers something until the person changes what undo takes back. */
+export function offerUntilEdit(
+  text: string,
+  label: string,
+  act: () => void,
+  { toasts, store }: Pick<ProjectPlace, "toasts" | "store">,
+): void {
+  const offered = new AbortController();
+  const withdraw = toasts.offer(text, label, () => {
+    offered.abort();
+    act();
+  });
+  store.subscribe((_, changed) => {
+    if (!UNDOABLE.some((name) => changed.has(name))) return;
+    offered.abort();
+    withdraw();
+  }, offered.signal);
+}

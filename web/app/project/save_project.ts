@@ -1,0 +1,154 @@
+/** Saves what is open as a project file. Loaded with the first one. */
+import "./project.css";
+import { isCancellation } from "../../client/protocol";
+import { button } from "../../ui/controls/buttons";
+import { html, saveFile } from "../../ui/dom";
+import { toHash } from "../state/state";
+import { askInDialog, dialogActions } from "../ui/dialog";
+import { exportName } from "../ui/words";
+import type { ProjectPlace } from "./place";
+import { type Project, type ProjectInput, sha256Of, writeProject } from "./project_file";
+import { projectWords as words } from "./strings.en";
+
+/** How a person wants a project to leave the page. */
+interface Wish {
+  name: string;
+  /** Whether the character's file is in it. */
+  inside: boolean;
+  by: "download" | "share";
+}
+
+/** Asks what a project is called and what is in it, and saves or shares it. */
+export async function saveProject(place: ProjectPlace): Promise<void> {
+  const { toasts, progress } = place;
+  const wish = await askHow(place);
+  if (!wish) return;
+  try {
+    const file = await progress.run(words.saving, async (call) => {
+      const blob = await writeProject(await projectOf(place, wish.inside), call);
+      return new File([blob], `${wish.name}.strut`, { type: blob.type });
+    });
+    if (wish.by === "share" && (await shared(file))) return;
+    saveFile(file.name, file);
+    const saved = words.saved(file.name, words.size(file.size));
+    toasts.note(wish.by === "share" ? `${words.notShared} ${saved}` : saved);
+  } catch (thrown) {
+    if (!isCancellation(thrown)) toasts.failure(thrown);
+  }
+}
+
+/** The motions that were dropped. */
+function inputsOf({ session: { library } }: ProjectPlace): ProjectInput[] {
+  return library.dropped.flatMap((name) => {
+    const source = library.source(name);
+    if (source?.kind !== "bvh") return [];
+    const { bytes, reading, exact } = source;
+    return [{ name, bytes, ...(reading && { reading }), ...(exact && { exact }) }];
+  });
+}
+
+/** What is open as a project. */
+async function projectOf(place: ProjectPlace, inside: boolean): Promise<Project> {
+  const { store, databases, characters, session } = place;
+  const { name, file } = databases.file;
+  const { file: character, roles } = characters;
+  return {
+    // How bright the page is has nothing to do with the work; where the motion plays, it begins at its beginning.
+    state: toHash({
+      ...store.state,
+      theme: "auto",
+      input: session.chosen === session.library.first ? "" : session.chosen,
+    }),
+    inputs: inputsOf(place),
+    ...(file && { database: { name: name.replace(/\.strutdb$/i, ""), file } }),
+    ...(character && {
+      character: {
+        name: character.name,
+        size: character.size,
+        sha256: await sha256Of(character),
+        ...(roles && { roles }),
+        ...(inside && { file: character }),
+      },
+    }),
+  };
+}
+
+/** Has another app take the file; whether that is settled, be it because the person thought better of it. */
+async function shared(file: File): Promise<boolean> {
+  try {
+    await navigator.share({ files: [file], title: file.name });
+    return true;
+  } catch (thrown) {
+    return isCancellation(thrown);
+  }
+}
+
+/** Whether the browser may share such files. */
+function canShare(): boolean {
+  try {
+    return navigator.canShare?.({ files: [new File([""], "project.strut")] }) ?? false;
+  } catch {
+    return false;
+  }
+}
+
+/** The dialog: name, what is in the file, and how it leaves the page. */
+function askHow(place: ProjectPlace): Promise<Wish | undefined> {
+  const { store, session, databases, characters } = place;
+  const inputs = inputsOf(place);
+  const { name: database, file } = databases.file;
+  const character = characters.file;
+  const guess = exportName(session.chosen, store.state.styles, "strut").replace(/\.strut$/, "");
+  const name = html("input", { type: "text", class: "text", maxlength: 100, value: guess, id: "project-name" });
+  const inside = html("input", { type: "checkbox", checked: characters.mayHandOn });
+  const asked = askInDialog<Wish>("project", words.heading, (choose, cancel) => {
+    const wish = (by: Wish["by"]) => choose({ name: fileName(name.value) || guess, inside: inside.checked, by });
+    const save = button(words.save, () => form.requestSubmit(), { label: true, class: "outlined primary" });
+    const share = button(words.share, () => wish("share"), { label: true, class: "outlined" });
+    const form = html(
+      "form",
+      { method: "dialog" },
+      html("label", { class: "caption", for: name.id }, words.name),
+      html("div", { class: "project-name" }, name, html("span", { class: "caption" }, ".strut")),
+      html("h3", {}, words.inside),
+      html(
+        "ul",
+        { class: "project-content" },
+        item(words.settings),
+        ...(inputs.length > 0 ? [item(words.motions(inputs.length), sizeOf(inputs))] : []),
+        file ? item(words.database(database.replace(/\.strutdb$/i, "")), file.size) : item(words.builtIn),
+        ...(character ? [item(words.character(character.name), character.size)] : []),
+      ),
+      ...(character
+        ? [
+            html("label", { class: "project-inside" }, inside, words.characterInside),
+            html("p", { class: "caption" }, characters.mayHandOn ? words.characterLeft : words.characterLicence),
+          ]
+        : []),
+      dialogActions(button(words.cancel, cancel, { label: true }), ...(canShare() ? [share] : []), save),
+    );
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      wish("download");
+    });
+    return [form];
+  });
+  name.select();
+  return asked;
+}
+
+function item(what: string, bytes?: number): HTMLElement {
+  const size = bytes === undefined ? [] : [html("span", { class: "caption" }, words.size(bytes))];
+  return html("li", {}, html("span", {}, what), ...size);
+}
+
+const sizeOf = (inputs: readonly ProjectInput[]): number =>
+  inputs.reduce((sum, { bytes, exact }) => sum + bytes.byteLength + (exact?.poses.byteLength ?? 0), 0);
+
+/** A name that every system takes for a file. */
+function fileName(text: string): string {
+  return text
+    .replace(/\.strut$/i, "")
+    .replace(/[\\/:*?"<>|\p{Cc}]+/gu, "-")
+    .replace(/^[.\s-]+|[.\s]+$/g, "");
+}
