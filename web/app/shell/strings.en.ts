@@ -67,7 +67,6 @@ export const page = {
     separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
-    chooseJoints: (name: string) => `“${name}” can be opened all the same if you say which joint is which.`,
     choose: "Choose joints…",
     oneUnreadable: "A file could not be read. Drop it again.",
   },
