@@ -5,7 +5,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { caseFile, casesAbsent } from "../cases";
 import { axeFaults } from "./axe";
-import { dropFile, eventually, inputName, openSite, screenshot, settledPose, visit } from "./browser";
+import { drag, dropFile, eventually, inputName, middleOf, openSite, screenshot, settledPose, visit } from "./browser";
 import { showTheme } from "./rest";
 
 declare const window: { strut: StrutHook };
@@ -42,9 +42,38 @@ async function openPanel(): Promise<void> {
   await eventually(() => panel().isVisible()).toBe(true);
 }
 
+/** Pulls the sheet down by its head. */
+async function pull(pixels: number): Promise<void> {
+  const head = (await panel().locator(".reading-head").boundingBox())!;
+  const from = { x: head.x + head.width / 2, y: head.y + 10 };
+  await drag(page, from, { x: from.x, y: from.y + pixels });
+}
+
+/** While the file is read, the sheet shows how far that is. */
+async function showsProgress(): Promise<void> {
+  const line = panel().locator(".progress");
+  const show = (shown: boolean) => line.evaluate((e, shown) => e.toggleAttribute("hidden", !shown), shown);
+  await show(true);
+  const place = await middleOf(line);
+  const onTop = await page.evaluate(
+    ({ x, y }) => document.elementFromPoint(x, y)?.closest(".reading-panel") !== null,
+    place,
+  );
+  expect(onTop).toBe(true);
+  await screenshot(page, "how-read-narrow-progress");
+  await show(false);
+}
+
 /** Height of the hips of the styled figure at rest. */
 async function hips(): Promise<number> {
   return (await settledPose(page))[1]!;
+}
+
+/** The first pose of the clean walk for four seconds: somebody who stands still. */
+function idle(): string {
+  const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
+  const frames = 240;
+  return head.replace(/Frames: \d+/, `Frames: ${frames}`) + `${rows.split("\n")[0]}\n`.repeat(frames);
 }
 
 describe.skipIf(casesAbsent)("a file of another program", () => {
@@ -165,9 +194,35 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
   it("has its other notes below the rows, and beside the input", async () => {
     await drop("T17_fewer");
     await openPanel();
+    // They take no room from the sections below.
+    const hidden = () => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
+    await eventually(() => page.locator(".input-note").isVisible()).toBe(true);
+    await eventually(hidden).toBe(0);
     await eventually(() => panel().getByRole("list", { name: "Notes" }).textContent()).toMatch(/frames/);
     await eventually(() => page.locator(".input-note").textContent()).toMatch(/frames/);
     await screenshot(page, "how-read-notes");
+  });
+
+  it("is unlike anything where it is: never the kick that begins as somebody stands", async () => {
+    await drop("00_clean", "a walk");
+    await openPanel();
+    await eventually(() => source("Likeness")).toBe("walk, neutral");
+    const readsAs = () => page.locator(".section.input .reading").textContent();
+    await dropFile(page, "idle.bvh", idle());
+    await eventually(() => inputName(page)).toBe("idle");
+    await eventually(() => source("Likeness")).toBe("unlike anything in the styles");
+    await eventually(readsAs).toBe("unlike any style");
+    await eventually(() => page.locator(".input-note").textContent()).toBe("The result is a guess.");
+    await control("Likeness").selectOption("kick");
+    await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("kick");
+    await eventually(() => source("Likeness")).toBe("as you said");
+    await panel().getByRole("button", { name: "Likeness: as it was found" }).click();
+    await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("");
+    // Read along another axis, it lies in the air.
+    await control("Up axis").selectOption("x");
+    await eventually(() => row("Likeness").locator(".row-why").textContent()).toMatch(/^Its poses are \d+ cm away/);
+    await panel().getByRole("button", { name: "Reset all" }).click();
+    await eventually(reading).toEqual({});
   });
 
   it("closes with the file, and a built-in motion has nothing to say", async () => {
@@ -209,7 +264,11 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       await screenshot(page, `how-read-narrow-${theme}`);
       await panel().evaluate((e) => e.scrollTo(0, e.scrollHeight));
       await screenshot(page, `how-read-narrow-end-${theme}`);
-      await panel().getByRole("button", { name: "Close" }).click();
+      await showsProgress();
+      await pull(30);
+      expect(await panel().isVisible()).toBe(true);
+      await pull(140);
+      await eventually(() => panel().isVisible()).toBe(false);
       await page.getByRole("button", { name: "Input", exact: true }).click();
       await screenshot(page, `how-read-narrow-input-${theme}`);
     });

@@ -2,7 +2,7 @@
 
 import "./play_view.css";
 import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
-import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
+import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame, Note } from "../../../client/protocol";
 import { isLive } from "../../../player/input_library";
 import type { LivePerformer } from "../../../player/session";
 import { html } from "../../../ui/dom";
@@ -18,6 +18,7 @@ import type { Driving } from "./drive/driving";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
+import { type Likeness, likenessOf } from "./likeness";
 import type { Performance } from "./live/performance";
 import { ModelPanel } from "./model_panel";
 import type { ReadingPanel } from "./reading/reading_panel";
@@ -64,6 +65,8 @@ class PlayView implements View {
   #performance: Performance | undefined;
   /** The panel that shows how the input's file was read, once it was asked for. */
   #reading: ReadingPanel | undefined;
+  /** What the input is like as a whole, once it was analysed. */
+  #likeness: Likeness | undefined;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -246,7 +249,8 @@ class PlayView implements View {
     this.#viewport.forgetTrail();
     this.#input.list(library, chosen);
     this.#input.input = input;
-    if (this.#reading) this.#reading.input = input;
+    this.#likeness = undefined;
+    this.#showReading(input, []);
     if (!input.reading) this.#closeReading();
     this.#transport.input = input;
     this.#timeline.input = input;
@@ -311,8 +315,35 @@ class PlayView implements View {
   #onAnalysis(analysis: Analysis): void {
     this.#timeline.analysis = analysis;
     this.#input.styledNotes = analysis.notes;
+    if (this.#reading) this.#reading.styledNotes = analysis.notes;
+    this.#takeLikeness(analysis);
     this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
     this.#viewport.path = analysis.poses;
+  }
+
+  /** Shows in the panel of the file how it was read. */
+  #showReading(input: InputInfo, ofStyled: readonly Note[]): void {
+    if (!this.#reading) return;
+    this.#reading.input = input;
+    this.#reading.styledNotes = ofStyled;
+    this.#showLikeness();
+  }
+
+  #takeLikeness(analysis: Analysis): void {
+    const { input, database, databaseSource, endless } = this.#host.session;
+    if (!input || !database || endless) return;
+    // In all built-in clips somebody moves.
+    this.#likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
+    this.#input.likeness = this.#likeness;
+    this.#showLikeness();
+  }
+
+  /** Shows in the panel of the file what it is like. */
+  #showLikeness(): void {
+    if (!this.#reading) return;
+    const { action, inputStyle } = this.#host.store.state;
+    const actions = this.#database?.actions ?? [];
+    this.#reading.likeness = { likeness: this.#likeness, actions, action, said: action !== "" || inputStyle !== "" };
   }
 
   #onExamples(examples: Examples | undefined): void {
@@ -354,6 +385,7 @@ class PlayView implements View {
       this.#host.session.curve = this.#timeline.subject;
     }
     this.#model.show(state);
+    if (changed && any(changed, "action", "inputStyle")) this.#showLikeness();
     this.#transport.show(state);
     if (!changed || changed.has("atlas") || changed.has("atlasWindows")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
@@ -440,7 +472,8 @@ class PlayView implements View {
       return;
     }
     if (!session.input?.reading || this.#host.signal.aborted) return;
-    this.#reading.input = session.input;
+    this.#showReading(session.input, session.analysis?.notes ?? []);
+    this.#reading.takeProgress(this.#host.progress.input.element);
     this.#reading.element.hidden = false;
     this.#input.reading = true;
     this.element.classList.add("with-reading");
@@ -451,6 +484,8 @@ class PlayView implements View {
     const { ReadingPanel } = await import("./reading/reading_panel");
     const panel = new ReadingPanel({
       onRead: (reading) => this.#host.readAs(reading),
+      onAction: (action) => this.#host.store.edit({ action }),
+      onAnything: () => this.#host.store.edit({ action: "", inputStyle: "" }),
       onClose: () => this.#closeReading(),
       onRefused: (sentence) => this.#host.toasts.error(sentence),
     });
@@ -463,6 +498,7 @@ class PlayView implements View {
     if (!panel || panel.hidden) return;
     const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
     panel.hidden = true;
+    this.#input.element.prepend(this.#host.progress.input.element);
     this.#input.reading = false;
     this.element.classList.remove("with-reading");
     if (hadFocus) this.#input.howRead.focus({ preventScroll: true });
