@@ -153,6 +153,31 @@ describe("a style track", () => {
     expect(turnBetween(depressed, await settledPose(page)), "depressed at the last").toBeLessThan(1.5);
   });
 
+  it("keeps every key as it was set: away from it, another style makes a key", async () => {
+    await visit(page, "play=0&frame=60&styles=proud:1,old:0,depressed:0");
+    await page.keyboard.press("k");
+    await eventually(() => keys().count()).toBe(1);
+    const box = await rows();
+    await page.mouse.click(box.x + 0.6 * box.width, box.y + 6);
+    await eventually(async () => (await state()).frame).toBeGreaterThan(300);
+    await page.locator('.vertex[data-style="old"] .vertex-dot').dblclick();
+    await eventually(() => keys().count()).toBe(2);
+    await page.keyboard.press("k");
+    const set = async () => (await state()).track.map(({ styles }) => styles.find((s) => s.weight === 1)?.name);
+    await eventually(set).toEqual(["proud", "old"]);
+    // The polygon shows what the track has reached, and at a key what that was set to.
+    await keys().first().click();
+    const heaviest = () => page.locator(".vertex.heaviest").getAttribute("data-style");
+    await eventually(heaviest).toBe("proud");
+    await eventually(async () => (await state()).frame).toBe(60);
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    await eventually(set).toEqual(["depressed", "old"]);
+    await page.keyboard.press("Home");
+    await page.keyboard.press("End");
+    await eventually(heaviest).toBe("old");
+    await screenshot(page, "track-of-two");
+  });
+
   it("moves a key with the pointer and with arrow keys, and removes it", async () => {
     await visit(page, `${PAUSED}&track=60~proud:1,old:0,depressed:0;300~proud:0,old:0,depressed:1`);
     const first = keys().first();

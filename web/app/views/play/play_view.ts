@@ -8,7 +8,7 @@ import type { LivePerformer } from "../../../player/session";
 import { html } from "../../../ui/dom";
 import { onSystemTheme } from "../../../ui/theme";
 import type { AppState } from "../../state/state";
-import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/style_settings";
+import { chooseKey, chosenKey, keyUnder, moveKey, partOf, removeKey } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
@@ -73,7 +73,8 @@ class PlayView implements View {
   constructor(host: ViewHost) {
     this.#host = host;
     const { store, session, playhead, progress, signal } = host;
-    this.#style = new StylePanel(store, progress.database.element);
+    const frame = () => (session.endless || !session.input ? undefined : playhead.at);
+    this.#style = new StylePanel(store, frame, progress.database.element);
     this.#keys = keysOf(store, session, playhead, this.#style);
     this.#viewport = new ViewportPanel({
       onCamera: (camera) => store.edit({ camera }),
@@ -104,10 +105,14 @@ class PlayView implements View {
     });
     this.#trackKeys = new TrackKeys({
       onChoose: (key) => {
-        store.edit(chooseKey(store.state, key));
+        // The polygon shows the styles of the key, and an edit is of the key, as long as the playhead is at it.
+        store.edit({ ...chooseKey(store.state, key), playing: false });
         playhead.goTo(store.state.track[key]?.frame ?? 0);
       },
-      onMove: (key, frame) => store.edit(moveKey(store.state, key, frame), `key ${key}`),
+      onMove: (key, frame) => {
+        store.edit(moveKey(store.state, key, frame), `key ${key}`);
+        playhead.goTo(store.state.track[key]?.frame ?? 0);
+      },
       ...store.gestureListeners,
       onRemove: (key) => store.edit(removeKey(store.state, key)),
     });
@@ -374,7 +379,8 @@ class PlayView implements View {
   #show(state: Readonly<AppState>, changed?: Changed): void {
     this.#takeDatabase();
     if (!changed || any(changed, "camera", "follow", "ghost", "trace", "part")) this.#viewport.show(state);
-    if (!changed || any(changed, ...STYLE_FIELDS)) {
+    const alongTrack = state.track.length > 0 && changed && any(changed, "frame", "playing");
+    if (!changed || any(changed, ...STYLE_FIELDS) || alongTrack) {
       this.#style.show(state, changed !== undefined);
       this.#showTrack(state);
       this.#heading.show();
@@ -442,7 +448,8 @@ class PlayView implements View {
 
   #showTrack(state: Readonly<AppState>): void {
     const neutral = this.#database?.neutral ?? "";
-    this.#trackKeys.show(state.track, chosenKey(state), (key) => manner(key.styles, state.intensity, neutral));
+    const chosen = state.playing ? chosenKey(state) : keyUnder(state, this.#host.playhead.at);
+    this.#trackKeys.show(state.track, chosen, (key) => manner(key.styles, state.intensity, neutral));
   }
 
   /** Plays while the view is shown and the playhead is not being dragged. */
