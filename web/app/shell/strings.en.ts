@@ -123,6 +123,9 @@ export const page = {
     registering: (name: string) => `Registering ${name}.`,
     noInput: (name: string) => `There is no input “${name}” here. Choose another or drop a BVH.`,
     stylesReady: (styles: number, frames: string) => `${styles} styles ready. ${frames} frames.`,
+    made: (style: string, action: string, styles: number) =>
+      `“${style}” is made of the action “${action}” and changes no other. ${styles} styles ready.`,
+    change: "Change…",
     notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
     cancelled: "It was cancelled.",
     silentFailure: "Something failed without saying what.",
