@@ -76,6 +76,12 @@ function idle(): string {
   return head.replace(/Frames: \d+/, `Frames: ${frames}`) + `${rows.split("\n")[0]}\n`.repeat(frames);
 }
 
+/** The clean walk ten metres aside. */
+function elsewhere(): string {
+  const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
+  return head + rows.replace(/^\s*-?[\d.]+/gm, (x) => String(Number(x) + 1000));
+}
+
 describe.skipIf(casesAbsent)("a file of another program", () => {
   it("says what was guessed, and is read again as a person says", async () => {
     await drop("A05_ydown_full");
@@ -223,6 +229,27 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(() => row("Likeness").locator(".row-why").textContent()).toMatch(/^Its poses are \d+ cm away/);
     await panel().getByRole("button", { name: "Reset all" }).click();
     await eventually(reading).toEqual({});
+  });
+
+  it("is looked at where it is, and its title says what it is", async () => {
+    const title = () => page.locator(".stage-title").first().textContent();
+    await page.getByLabel("Input motion").selectOption({ label: "neutral run" });
+    await eventually(title).toMatch(/^Run, /);
+    await visit(page, "play=0&frame=0&follow=0");
+    const seen = async () => {
+      await settledPose(page);
+      const { x, y } = await page.evaluate(() => window.strut.jointScreenPosition("hips"));
+      const stage = (await page.locator(".stage").boundingBox())!;
+      return x > stage.x && x < stage.x + stage.width && y > stage.y && y < stage.y + stage.height;
+    };
+    await dropFile(page, "elsewhere.bvh", elsewhere());
+    await eventually(() => inputName(page)).toBe("elsewhere");
+    await eventually(title).toMatch(/^Walk, /);
+    await eventually(seen).toBe(true);
+    await dropFile(page, "idle again.bvh", idle());
+    // Unlike anything: no action is named, least of all the one before.
+    await eventually(title).toMatch(/^Mostly |^Proud/);
+    await visit(page, "play=0&frame=0");
   });
 
   it("closes with the file, and a built-in motion has nothing to say", async () => {

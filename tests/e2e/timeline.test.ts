@@ -60,6 +60,23 @@ describe("the playhead", () => {
   });
 });
 
+describe("arrow keys", () => {
+  it("step through the frames also after a click on the picture", async () => {
+    await visit(page, PAUSED);
+    await settledPose(page);
+    const stage = (await page.locator(".stage").boundingBox())!;
+    const where = () => page.evaluate(() => window.strut.jointScreenPosition("hips"));
+    const before = await where();
+    await page.mouse.click(stage.x + 30, stage.y + stage.height / 3);
+    await page.keyboard.press("ArrowRight");
+    await eventually(async () => (await state()).frame).toBe(101);
+    await settledPose(page);
+    // The camera stays where it was: the hips move by what they do in a frame.
+    const after = await where();
+    expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(10);
+  });
+});
+
 describe("a range", () => {
   it("is selected in the ruler and looped", async () => {
     await visit(page, PAUSED);

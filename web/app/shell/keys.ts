@@ -31,10 +31,11 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
     // Key repeat would toggle playback again and again.
     if (event.key !== " " || !event.repeat) action();
   };
-  // A control that was clicked loses the focus, so that Space plays instead of clicking it again.
+  // A control that was clicked loses the focus, so that Space plays instead of clicking it again, as does the picture, so that
+  // arrows step through the frames. Who comes there by Tab turns the camera with them.
   const onClick = (event: MouseEvent): void => {
     const focused = document.activeElement;
-    if (event.detail === 0 || !focused?.matches("button, a, input[type=radio], [role=button]")) return;
+    if (event.detail === 0 || !focused?.matches("button, a, input[type=radio], [role=button], canvas")) return;
     if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   };
   addEventListener("keydown", onKeyDown, { signal });

@@ -3,6 +3,7 @@
 import "./play_view.css";
 import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
 import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame, Note } from "../../../client/protocol";
+import { createWorldPose, headingOf, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
 import { isLive } from "../../../player/input_library";
 import type { LivePerformer } from "../../../player/session";
 import { html } from "../../../ui/dom";
@@ -40,6 +41,14 @@ const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon",
 type Changed = ReadonlySet<keyof AppState>;
 const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.some((name) => changed.has(name));
 
+/** Where an input faces when it begins, radians about +Y. */
+function headingOfInput({ poses }: InputInfo, database: DatabaseInfo | undefined): number | undefined {
+  if (!database || poses.length < POSE_FLOATS) return undefined;
+  const world = createWorldPose();
+  worldFromLocal(database.proportions, poses.subarray(0, POSE_FLOATS), world);
+  return headingOf(world, 0);
+}
+
 class PlayView implements View {
   readonly element: HTMLElement;
   readonly #keys: ReturnType<typeof keysOf>;
@@ -67,6 +76,8 @@ class PlayView implements View {
   #reading: ReadingPanel | undefined;
   /** What the input is like as a whole, once it was analysed. */
   #likeness: Likeness | undefined;
+  /** Heading of an input that was opened, until its first frame is there: the camera is aimed at it then. */
+  #aim: number | undefined;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
@@ -253,6 +264,8 @@ class PlayView implements View {
     this.#viewport.path = undefined;
     this.#viewport.forgetTrail();
     this.#input.list(library, chosen);
+    this.#aim = headingOfInput(input, this.#database);
+    this.#heading.forget();
     this.#input.input = input;
     this.#likeness = undefined;
     this.#showReading(input, []);
@@ -340,6 +353,7 @@ class PlayView implements View {
     // In all built-in clips somebody moves.
     this.#likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
     this.#input.likeness = this.#likeness;
+    if (this.#likeness) this.#heading.takeWhole(this.#likeness);
     this.#showLikeness();
   }
 
@@ -359,6 +373,10 @@ class PlayView implements View {
     const { playhead } = this.#host;
     if (sought) this.#viewport.forgetTrail();
     this.#viewport.draw(frame);
+    if (this.#aim !== undefined) {
+      this.#viewport.aim(this.#aim);
+      this.#aim = undefined;
+    }
     if (this.#host.session.drive && "root" in frame) this.#driving?.show(frame);
     this.#input.read(frame.reads);
     if (!playhead.previewing) {

@@ -91,7 +91,6 @@ export class StylePanel {
     this.element = html(
       "section",
       { class: "section style", "aria-labelledby": "style-heading" },
-      top,
       html(
         "div",
         { class: "section-heading" },
@@ -101,7 +100,7 @@ export class StylePanel {
         this.#mode.element,
       ),
       this.polygon.element,
-      this.#caption,
+      html("div", { class: "polygon-foot" }, this.#caption, top),
       this.#intensity.element,
       html(
         "div",
