@@ -108,7 +108,10 @@ describe("keys", () => {
     await holding(["KeyW"], async () => {
       await eventually(async () => from.y - (await hips()).y, "away").toBeGreaterThan(40);
     });
-    expect(await page.locator(".drive-help").isVisible()).toBe(false);
+    // The line of keys stays until ? hides it.
+    expect(await page.locator(".drive-help").isVisible()).toBe(true);
+    await page.keyboard.press("?");
+    await eventually(() => page.locator(".drive-help").isVisible()).toBe(false);
     await stopped();
     const then = await hips();
     await holding(["ArrowRight"], async () => {

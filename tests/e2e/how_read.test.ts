@@ -5,7 +5,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { caseFile, casesAbsent } from "../cases";
 import { axeFaults } from "./axe";
-import { dropFile, eventually, inputName, openSite, screenshot, settledPose, visit } from "./browser";
+import { drag, dropFile, eventually, inputName, middleOf, openSite, screenshot, settledPose, visit } from "./browser";
 import { showTheme } from "./rest";
 
 declare const window: { strut: StrutHook };
@@ -42,9 +42,44 @@ async function openPanel(): Promise<void> {
   await eventually(() => panel().isVisible()).toBe(true);
 }
 
+/** Pulls the sheet down by its head. */
+async function pull(pixels: number): Promise<void> {
+  const head = (await panel().locator(".reading-head").boundingBox())!;
+  const from = { x: head.x + head.width / 2, y: head.y + 10 };
+  await drag(page, from, { x: from.x, y: from.y + pixels });
+}
+
+/** While the file is read, the sheet shows how far that is. */
+async function showsProgress(): Promise<void> {
+  const line = panel().locator(".progress");
+  const show = (shown: boolean) => line.evaluate((e, shown) => e.toggleAttribute("hidden", !shown), shown);
+  await show(true);
+  const place = await middleOf(line);
+  const onTop = await page.evaluate(
+    ({ x, y }) => document.elementFromPoint(x, y)?.closest(".reading-panel") !== null,
+    place,
+  );
+  expect(onTop).toBe(true);
+  await screenshot(page, "how-read-narrow-progress");
+  await show(false);
+}
+
 /** Height of the hips of the styled figure at rest. */
 async function hips(): Promise<number> {
   return (await settledPose(page))[1]!;
+}
+
+/** The first pose of the clean walk for four seconds: somebody who stands still. */
+function idle(): string {
+  const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
+  const frames = 240;
+  return head.replace(/Frames: \d+/, `Frames: ${frames}`) + `${rows.split("\n")[0]}\n`.repeat(frames);
+}
+
+/** The clean walk ten metres aside. */
+function elsewhere(): string {
+  const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
+  return head + rows.replace(/^\s*-?[\d.]+/gm, (x) => String(Number(x) + 1000));
 }
 
 describe.skipIf(casesAbsent)("a file of another program", () => {
@@ -165,9 +200,56 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
   it("has its other notes below the rows, and beside the input", async () => {
     await drop("T17_fewer");
     await openPanel();
+    // They take no room from the sections below.
+    const hidden = () => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
+    await eventually(() => page.locator(".input-note").isVisible()).toBe(true);
+    await eventually(hidden).toBe(0);
     await eventually(() => panel().getByRole("list", { name: "Notes" }).textContent()).toMatch(/frames/);
     await eventually(() => page.locator(".input-note").textContent()).toMatch(/frames/);
     await screenshot(page, "how-read-notes");
+  });
+
+  it("is unlike anything where it is: never the kick that begins as somebody stands", async () => {
+    await drop("00_clean", "a walk");
+    await openPanel();
+    await eventually(() => source("Likeness")).toBe("walk, neutral");
+    const readsAs = () => page.locator(".section.input .reading").textContent();
+    await dropFile(page, "idle.bvh", idle());
+    await eventually(() => inputName(page)).toBe("idle");
+    await eventually(() => source("Likeness")).toBe("unlike anything in the styles");
+    await eventually(readsAs).toBe("unlike any style");
+    await eventually(() => page.locator(".input-note").textContent()).toBe("The result is a guess.");
+    await control("Likeness").selectOption("kick");
+    await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("kick");
+    await eventually(() => source("Likeness")).toBe("as you said");
+    await panel().getByRole("button", { name: "Likeness: as it was found" }).click();
+    await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("");
+    // Read along another axis, it lies in the air.
+    await control("Up axis").selectOption("x");
+    await eventually(() => row("Likeness").locator(".row-why").textContent()).toMatch(/^Its poses are \d+ cm away/);
+    await panel().getByRole("button", { name: "Reset all" }).click();
+    await eventually(reading).toEqual({});
+  });
+
+  it("is looked at where it is, and its title says what it is", async () => {
+    const title = () => page.locator(".stage-title").first().textContent();
+    await page.getByLabel("Input motion").selectOption({ label: "neutral run" });
+    await eventually(title).toMatch(/^Run, /);
+    await visit(page, "play=0&frame=0&follow=0");
+    const seen = async () => {
+      await settledPose(page);
+      const { x, y } = await page.evaluate(() => window.strut.jointScreenPosition("hips"));
+      const stage = (await page.locator(".stage").boundingBox())!;
+      return x > stage.x && x < stage.x + stage.width && y > stage.y && y < stage.y + stage.height;
+    };
+    await dropFile(page, "elsewhere.bvh", elsewhere());
+    await eventually(() => inputName(page)).toBe("elsewhere");
+    await eventually(title).toMatch(/^Walk, /);
+    await eventually(seen).toBe(true);
+    await dropFile(page, "idle again.bvh", idle());
+    // Unlike anything: no action is named, least of all the one before.
+    await eventually(title).toMatch(/^Mostly |^Proud/);
+    await visit(page, "play=0&frame=0");
   });
 
   it("closes with the file, and a built-in motion has nothing to say", async () => {
@@ -209,7 +291,11 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       await screenshot(page, `how-read-narrow-${theme}`);
       await panel().evaluate((e) => e.scrollTo(0, e.scrollHeight));
       await screenshot(page, `how-read-narrow-end-${theme}`);
-      await panel().getByRole("button", { name: "Close" }).click();
+      await showsProgress();
+      await pull(30);
+      expect(await panel().isVisible()).toBe(true);
+      await pull(140);
+      await eventually(() => panel().isVisible()).toBe(false);
       await page.getByRole("button", { name: "Input", exact: true }).click();
       await screenshot(page, `how-read-narrow-input-${theme}`);
     });
@@ -218,8 +304,12 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await page.setViewportSize(WIDE);
     const before = await inputName(page);
     await dropFile(page, "dog.bvh", readFileSync(caseFile("S38_dog")));
-    const offer = page.getByRole("alert").getByText("“dog.bvh” can be opened all the same");
-    await eventually(() => offer.isVisible()).toBe(true);
+    // One message, with what can be done about it.
+    const toast = page.getByRole("alert").locator(".toast");
+    await eventually(() => toast.count()).toBe(1);
+    await eventually(() => toast.getByRole("button", { name: "Choose joints…" }).isVisible()).toBe(true);
+    expect(await toast.textContent()).toContain("stands on four legs");
+    expect(await page.locator(".toast").count()).toBe(1);
     expect(await inputName(page)).toBe(before);
     await screenshot(page, "how-read-refused");
     await page.getByRole("button", { name: "Choose joints…" }).click();

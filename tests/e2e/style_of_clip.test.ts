@@ -29,6 +29,8 @@ describe("a walk that falls on the polygon", () => {
     const input = await inputName(page);
     await dropFile(page, "walk_weary_01.bvh", walk, await polygon());
     await page.getByRole("dialog").waitFor();
+    // The file is called so.
+    await eventually(() => page.getByLabel("Action of the clip").inputValue()).toBe("walk");
     await screenshot(page, "style-of-clip-name");
     const begin = performance.now();
     await page.keyboard.press("Enter");
@@ -78,8 +80,39 @@ describe("a walk that falls on the polygon", () => {
     expect(await vertices()).toHaveLength(9);
   });
 
+  it("says which action was found in it, and lets that be changed", async () => {
+    await dropFile(page, "stooping_01.bvh", walk, await polygon());
+    const action = page.getByLabel("Action of the clip");
+    // Nothing in the file's name says what it shows.
+    await eventually(() => action.inputValue()).toBe("");
+    await page.getByRole("button", { name: "Make it a style" }).click();
+    const says = (text: string) => page.getByRole("status").getByText(text);
+    await eventually(() => says("“stooping” is made of the action “walk” and changes no other.").isVisible()).toBe(
+      true,
+    );
+    await screenshot(page, "style-of-clip-action");
+    const change = page.getByRole("button", { name: "Change…" }).last();
+    await change.click();
+    await eventually(() => action.inputValue()).toBe("walk");
+    await action.selectOption("jump");
+    await page.getByRole("button", { name: "Make it a style" }).click();
+    // A walk is no jump: what was made stays.
+    await eventually(alert).toContain("fits none of the database's actions");
+    expect(await vertices()).toContain("stooping");
+    await page.getByRole("button", { name: "Dismiss" }).first().click();
+    await change.click();
+    await page.getByLabel("Name of the style").fill("bent");
+    await action.selectOption("walk");
+    await page.getByRole("button", { name: "Make it a style" }).click();
+    await eventually(() => says("“bent” is made of the action “walk”").isVisible()).toBe(true);
+    await eventually(vertices).toContain("bent");
+    // It is in place of the one before, not beside it.
+    expect(await vertices()).not.toContain("stooping");
+  });
+
   it("is refused with a sentence where it is too short", async () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
+    await eventually(() => page.getByRole("dialog").textContent()).toContain("An action takes 1 s at least");
     await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(alert).toContain(
       "It lasts 0.7 s; an action from its beginning to its end, of at least 1.0 s, was expected",

@@ -60,6 +60,23 @@ describe("the playhead", () => {
   });
 });
 
+describe("arrow keys", () => {
+  it("step through the frames also after a click on the picture", async () => {
+    await visit(page, PAUSED);
+    await settledPose(page);
+    const stage = (await page.locator(".stage").boundingBox())!;
+    const where = () => page.evaluate(() => window.strut.jointScreenPosition("hips"));
+    const before = await where();
+    await page.mouse.click(stage.x + 30, stage.y + stage.height / 3);
+    await page.keyboard.press("ArrowRight");
+    await eventually(async () => (await state()).frame).toBe(101);
+    await settledPose(page);
+    // The camera stays where it was: the hips move by what they do in a frame.
+    const after = await where();
+    expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(10);
+  });
+});
+
 describe("a range", () => {
   it("is selected in the ruler and looped", async () => {
     await visit(page, PAUSED);
@@ -151,6 +168,31 @@ describe("a style track", () => {
     await visit(page, "play=0&frame=9999&styles=proud:0,old:0,depressed:1");
     await page.keyboard.press("End");
     expect(turnBetween(depressed, await settledPose(page)), "depressed at the last").toBeLessThan(1.5);
+  });
+
+  it("keeps every key as it was set: away from it, another style makes a key", async () => {
+    await visit(page, "play=0&frame=60&styles=proud:1,old:0,depressed:0");
+    await page.keyboard.press("k");
+    await eventually(() => keys().count()).toBe(1);
+    const box = await rows();
+    await page.mouse.click(box.x + 0.6 * box.width, box.y + 6);
+    await eventually(async () => (await state()).frame).toBeGreaterThan(300);
+    await page.locator('.vertex[data-style="old"] .vertex-dot').dblclick();
+    await eventually(() => keys().count()).toBe(2);
+    await page.keyboard.press("k");
+    const set = async () => (await state()).track.map(({ styles }) => styles.find((s) => s.weight === 1)?.name);
+    await eventually(set).toEqual(["proud", "old"]);
+    // The polygon shows what the track has reached, and at a key what that was set to.
+    await keys().first().click();
+    const heaviest = () => page.locator(".vertex.heaviest").getAttribute("data-style");
+    await eventually(heaviest).toBe("proud");
+    await eventually(async () => (await state()).frame).toBe(60);
+    await page.locator('.vertex[data-style="depressed"] .vertex-dot').dblclick();
+    await eventually(set).toEqual(["depressed", "old"]);
+    await page.keyboard.press("Home");
+    await page.keyboard.press("End");
+    await eventually(heaviest).toBe("old");
+    await screenshot(page, "track-of-two");
   });
 
   it("moves a key with the pointer and with arrow keys, and removes it", async () => {

@@ -274,16 +274,19 @@ export class Session {
     });
   }
 
-  /** Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. */
+  /**
+   * Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. `onRefused` is told why, in
+   * place of those who listen for errors.
+   */
   async openFile(
     fileName: string,
     bytes: ArrayBuffer,
-    exact?: ExactPoses,
-    reading?: FileReading,
+    { exact, reading }: { exact?: ExactPoses | undefined; reading?: FileReading | undefined } = {},
+    onRefused?: (error: unknown) => void,
   ): Promise<string | undefined> {
     const name = this.library.add(fileName, bytes, exact);
     if (reading) this.library.say(name, reading);
-    const outcome = await this.openInput(name);
+    const outcome = await this.#attempt(() => this.#open(name), onRefused);
     if (outcome === "failed") this.library.remove(name);
     return outcome === "done" ? name : undefined;
   }
@@ -525,14 +528,17 @@ export class Session {
     return made;
   }
 
-  /** Runs a task and reports its error; a cancellation is not reported. */
-  async #attempt(task: () => Promise<void>): Promise<Outcome> {
+  /** Runs a task and reports its error, to those who listen unless told otherwise; a cancellation is not reported. */
+  async #attempt(
+    task: () => Promise<void>,
+    report: (error: unknown) => void = (error) => this.#tell("onError", error),
+  ): Promise<Outcome> {
     try {
       await task();
       return "done";
     } catch (error) {
       if (isCancellation(error)) return "cancelled";
-      this.#tell("onError", error);
+      report(error);
       return "failed";
     }
   }

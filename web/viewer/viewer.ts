@@ -83,6 +83,8 @@ const BONES: readonly [Role, Role, Role][] = [
 ];
 /** A click this near to a bone is on it, however small the character is. */
 const MIN_REACH_PX = 10;
+/** A motion that begins with less of another heading is seen from the same place, radians. */
+const LEAST_TURN = MathUtils.degToRad(15);
 /** Room left and right of what the camera follows, metres. */
 const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 
@@ -111,6 +113,8 @@ export class Viewer {
   #lastTime: number | undefined;
   readonly #redraw = new Redraw();
   readonly #placement = new GhostPlacement();
+  /** The heading of the motion that the camera was aimed at, radians. */
+  #aimedAt = 0;
   readonly #input = restPose();
   readonly #performedInput = restPose();
   readonly #trail = new MotionTrail();
@@ -348,6 +352,20 @@ export class Viewer {
   /** Goes to a view, gliding; that from the side is from the left, or from the right. */
   camera(view: CameraView, fromRight = false): void {
     this.#stage.setView(view, headingOf(this.#world, 0) + (fromRight ? Math.PI : 0));
+  }
+
+  /**
+   * Looks at the character where it is now, whether it is followed or not, and from the side from which the one before was seen:
+   * another motion begins, which faces `heading`, radians about +Y.
+   */
+  aim(heading: number): void {
+    const turned = heading - this.#aimedAt;
+    if (Math.abs(Math.atan2(Math.sin(turned), Math.cos(turned))) > LEAST_TURN) {
+      this.#stage.view.turn(turned);
+      this.#aimedAt = heading;
+    }
+    this.#stage.view.settle();
+    this.#redraw.request();
   }
 
   /** Goes behind the character, gliding, from where the ground ahead is seen. */

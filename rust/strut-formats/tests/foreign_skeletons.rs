@@ -203,8 +203,17 @@ fn a_dog_is_refused_unless_a_person_says_which_joints_to_take() {
     let error = Binding::detect(&dog).unwrap_err();
     assert!(matches!(error, BindError::NotHuman(_)), "{error}");
     assert!(error.to_string().starts_with("This body stands on four legs"), "{error}");
-    let taken =
-        Binding::read(&dog, &ReadAs { joints: Some(Binding::likely_roles(&dog)), ..ReadAs::default() }).unwrap();
+    let likely = Binding::likely_roles(&dog);
+    for (role, joint) in Role::ALL.into_iter().zip(likely) {
+        let (Some(side), Some(joint)) =
+            (["Left", "Right"].into_iter().find(|s| role.name().starts_with(&s.to_lowercase())), joint)
+        else {
+            continue;
+        };
+        let name = &dog.skeleton.joints()[joint].name;
+        assert!(name.starts_with(side), "{} is {name}", role.name());
+    }
+    let taken = Binding::read(&dog, &ReadAs { joints: Some(likely), ..ReadAs::default() }).unwrap();
     assert!(taken.doubts.iter().any(|note| note.code == NoteCode::NotHuman), "{:?}", taken.doubts);
     // Human names make no human.
     let named = dog.skeleton.joints().iter().map(|j| {

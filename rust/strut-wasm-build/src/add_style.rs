@@ -9,17 +9,29 @@ use strut_formats::corpus::{Clip, Entry, Labels};
 use strut_wasm_common::{EngineError, read_database};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The database, a `.strutdb` or packed motions, with the BVH file as one more style.
+/// The database, a `.strutdb` or packed motions, with the BVH file as one more style. `action` is the one that a person says the
+/// file shows; without it the one that it fits best is taken.
 ///
 /// # Errors
-/// With why the file is no style of it.
+/// With why the file is no style of it, or if the database has no such action.
 #[wasm_bindgen(js_name = addStyle)]
-pub fn add_style(database: Uint8Array, path: &str, style: String, bvh: &[u8]) -> Result<Built, EngineError> {
+pub fn add_style(
+    database: Uint8Array,
+    path: &str,
+    style: String,
+    bvh: &[u8],
+    action: Option<String>,
+) -> Result<Built, EngineError> {
     let clip = Clip::parse(bvh).map_err(EngineError::unusable_file)?;
     let db = read_database(database)?;
+    let index_of = |name: String| match db.actions.iter().position(|known| *known == name) {
+        Some(index) => Ok(index as u16),
+        None => Err(EngineError::bad_input(format!("the database has no action '{name}'"))),
+    };
+    let action = action.map(index_of).transpose()?;
     let labels = Labels { action: String::new(), style, take: Some(1) };
     let clip = Entry { path: path.to_owned(), labels, licence: String::new() }.source_clip(&clip, &db.proportions);
-    let added = build::add_style(&db, &clip, &registration::Options::default(), &Sequential)
+    let added = build::add_style_of(&db, &clip, action, &registration::Options::default(), &Sequential)
         .map_err(EngineError::unusable_file)?;
     Ok(Built::new(added.database, Vec::new(), Vec::new()))
 }

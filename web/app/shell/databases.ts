@@ -9,6 +9,8 @@ import { grouped } from "../strings/numerals";
 import { strings } from "../strings/strings";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
+import { spoken } from "../ui/words";
+import type { ClipStyle, StyleBase } from "../views/data/style_of_clip";
 
 /** Reads a database that is kept on this device by its name; `undefined` where there is none. */
 export type ReadSaved = (name: string) => Promise<Blob | undefined>;
@@ -16,6 +18,12 @@ export type ReadSaved = (name: string) => Promise<Blob | undefined>;
 const BUILT_IN: DatabaseSource = { kind: "demo" };
 /** The part of the built-in database that is shown while all of it loads. */
 const FIRST: DatabaseSource = { kind: "demo", set: "first" };
+
+/** A style that a clip was made. */
+interface MadeStyle extends ClipStyle {
+  /** Name of its database on this device, where it is kept. */
+  kept?: string;
+}
 
 export class Databases {
   readonly #store: Store;
@@ -121,11 +129,16 @@ export class Databases {
    * is not kept here. Whether it is open now; otherwise what was open still is.
    */
   async open(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
+    const opened = await this.#show(source, kept, styles);
+    if (opened) this.#announce();
+    return opened;
+  }
+
+  async #show(source: DatabaseSource, kept: string, styles: Selection | undefined): Promise<boolean> {
     const opening = this.#choose(source, kept);
     this.#store.edit({ view: "play" });
     if (!(await opening)) return false;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
-    this.#announce();
     return true;
   }
 
@@ -171,22 +184,41 @@ export class Databases {
     this.complete = this.#session.exchangeDatabase(BUILT_IN, this.#completion.signal);
   }
 
-  /** Makes a clip a style of the database that is open, by the name that the person gives it, and shows it. */
+  /** Makes a clip a style of the database that is open, as the person says, and shows it. */
   async addStyle(clip: File, progress: ProgressLine): Promise<void> {
     const known = this.#session.database;
-    if (!known) return;
+    if (known) await this.#makeStyle(clip, { known, file: this.file.file }, progress);
+  }
+
+  /** Makes a clip a style of a database; `before` is what it was made before, whose place it takes. */
+  async #makeStyle(clip: File, base: StyleBase, progress: ProgressLine, before?: MadeStyle): Promise<void> {
+    const { known } = base;
     try {
-      const { styleName, styleOfClip } = await import("../views/data/style_of_clip");
-      const { askForStyleName } = await import("../views/data/name_dialog");
-      const style = await askForStyleName(styleName(clip.name, known.actions, known.styles), known.styles);
-      if (style === undefined) return;
+      const { actionIn, secondsOf, styleName, styleOfClip } = await import("../views/data/style_of_clip");
+      const { askForStyle } = await import("../views/data/name_dialog");
+      const { actions, styles: taken } = known;
+      const asked = await askForStyle({
+        suggested: before ?? { style: styleName(clip.name, actions, taken), action: actionIn(clip.name, actions) },
+        taken,
+        actions,
+        seconds: await secondsOf(clip),
+      });
+      if (!asked) return;
+      const { style } = asked;
+      const replaced = before?.style === style ? before.kept : undefined;
       const { database, lost } = await progress.run(strings.page.engine.registering(clip.name), (options) =>
-        styleOfClip(known, this.file.file, clip, style, options),
+        styleOfClip(base, clip, asked, replaced, options),
       );
       const source = { kind: "strutdb" as const, name: database.name, file: database.file };
+      const kept = lost ? "" : database.name;
       const styles = allOf(this.#store.state.styles, style);
-      const opened = await this.open(source, lost ? "" : database.name, styles);
-      if (opened && lost) this.#toasts.error(strings.page.engine.notKept(style, lost));
+      if (!(await this.#show(source, kept, styles))) return;
+      const { classes = [] } = this.#session.database ?? {};
+      const action = classes.find((known) => known.style === style)?.action ?? "";
+      const change = () => void this.#makeStyle(clip, base, progress, { style, action, ...(kept !== "" && { kept }) });
+      const { made, change: label, notKept } = strings.page.engine;
+      this.#toasts.offer(made(style, spoken(action), database.styles.length), label, change);
+      if (lost) this.#toasts.error(notKept(style, lost));
     } catch (error) {
       if (!isCancellation(error)) this.#toasts.failure(error);
     }

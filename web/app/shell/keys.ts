@@ -64,8 +64,15 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
   const onKeyUp = (event: KeyboardEvent): void => {
     if (event.key === " " && tookSpace) event.preventDefault();
   };
+  // The picture that was clicked loses the focus, so that arrows step through the frames. Who comes there by Tab turns the
+  // camera with them.
+  const onClick = (event: MouseEvent): void => {
+    const focused = document.activeElement;
+    if (event.detail > 0 && focused instanceof HTMLCanvasElement) focused.blur();
+  };
   addEventListener("keydown", onKeyDown, { signal });
   addEventListener("keyup", onKeyUp, { signal });
+  addEventListener("click", onClick, { signal });
 }
 
 type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;

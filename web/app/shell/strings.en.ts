@@ -82,7 +82,6 @@ export const page = {
     separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
-    chooseJoints: (name: string) => `“${name}” can be opened all the same if you say which joint is which.`,
     choose: "Choose joints…",
     oneUnreadable: "A file could not be read. Drop it again.",
   },
@@ -140,6 +139,9 @@ export const page = {
     registering: (name: string) => `Registering ${name}.`,
     noInput: (name: string) => `There is no input “${name}” here. Choose another or drop a BVH.`,
     stylesReady: (styles: number, frames: string) => `${styles} styles ready. ${frames} frames.`,
+    made: (style: string, action: string, styles: number) =>
+      `“${style}” is made of the action “${action}” and changes no other. ${styles} styles ready.`,
+    change: "Change…",
     notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
     cancelled: "It was cancelled.",
     silentFailure: "Something failed without saying what.",

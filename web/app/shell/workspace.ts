@@ -7,6 +7,7 @@ import {
   type FileReading,
   isCancellation,
   type StrutClient,
+  StrutError,
 } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
@@ -20,8 +21,8 @@ import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
 import { withKnownLabels, withKnownStyles, withRenamedStyles } from "../state/style_settings";
 import { strings } from "../strings/strings";
-import { RELOAD, type Toasts } from "../ui/toasts";
-import { cancelled } from "../ui/words";
+import { RELOAD, type ToastAction, type Toasts } from "../ui/toasts";
+import { cancelled, errorText } from "../ui/words";
 import { Databases } from "./databases";
 import { isPlain } from "./first_set";
 import { ReadingMemory } from "./reading_memory";
@@ -62,8 +63,7 @@ export class Workspace {
         this.#completeStyles(database);
         this.#configure();
       },
-      onError: (error) =>
-        error instanceof UnknownInput ? toasts.error(strings.page.engine.noInput(error.input)) : toasts.failure(error),
+      onError: (error) => this.#report(error),
       onStopped: () => store.edit({ playing: false }),
       onRestart: ({ why, lost, reason }) =>
         lost.length > 0
@@ -160,11 +160,12 @@ export class Workspace {
 
   /** Opens a motion, read as a person says. */
   async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses, reading?: FileReading): Promise<void> {
-    const name = await this.session.openFile(fileName, bytes, exact, reading);
-    if (name === undefined) {
-      if (!exact) await this.#offerJoints(fileName, bytes);
-      return;
-    }
+    const refused = (error: unknown) =>
+      isOfFile(error) && !exact
+        ? this.#toasts.error(errorText(error), { action: this.#offerOfJoints(fileName, bytes) })
+        : this.#report(error);
+    const name = await this.session.openFile(fileName, bytes, { exact, reading }, refused);
+    if (name === undefined) return;
     if (reading) this.#rememberReading();
     this.#store.edit({ input: name, reading: this.session.reading, ...this.#beginning });
     // The link is complete now: it shows its own instant.
@@ -172,16 +173,20 @@ export class Workspace {
     this.#awaited = undefined;
   }
 
-  /** Offers to say which joint is which, where a file could not be opened because of its skeleton. */
-  async #offerJoints(fileName: string, bytes: ArrayBuffer): Promise<void> {
+  #report(error: unknown): void {
+    if (error instanceof UnknownInput) this.#toasts.error(strings.page.engine.noInput(error.input));
+    else this.#toasts.failure(error);
+  }
+
+  /** What can be done where a file was refused because of its skeleton: to say which joint is which. */
+  async #offerOfJoints(fileName: string, bytes: ArrayBuffer): Promise<ToastAction | undefined> {
     const skeleton = await skeletonOf(fileName, bytes);
-    if (!skeleton?.fault) return;
-    const { chooseJoints, choose } = strings.page.drop;
+    if (!skeleton?.fault) return undefined;
     const act = async () => {
       const joints = await askForJoints(skeleton);
       if (joints) await this.takeMotion(fileName, bytes, undefined, { joints });
     };
-    this.#toasts.error(chooseJoints(fileName), { action: { label: choose, act: () => void act() } });
+    return { label: strings.page.drop.choose, act: () => void act() };
   }
 
   /** Opens the first of several dropped motions; the others can be chosen. */
@@ -312,6 +317,9 @@ export class Workspace {
     return name;
   }
 }
+
+/** Whether an error says that a file cannot be used. */
+const isOfFile = (error: unknown): boolean => error instanceof StrutError && error.code === "bad-file";
 
 /** Settles as `work` does, or rejects when the signal aborts: a file cannot be told that nobody waits for it. */
 function unlessAborted<T>(work: Promise<T>, signal: AbortSignal | undefined): Promise<T> {

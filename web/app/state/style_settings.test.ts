@@ -27,7 +27,7 @@ describe("a part of the body", () => {
   it("shows the whole body's styles until it has its own, and again when it gives them up", () => {
     const legs = state({ part: "legs" });
     expect(shownStyles(legs)).toBe(PROUD);
-    const own = patched(legs, withStyles(legs, OLD));
+    const own = patched(legs, withStyles(legs, OLD, 0));
     expect([shownStyles(own), own.styles]).toEqual([OLD, PROUD]);
     expect(engineOptions(own, "neutral")).toMatchObject({ styles: { proud: 1 }, parts: { legs: { old: 1 } } });
     expect(shownStyles(patched(own, withoutPart(own, "legs")))).toBe(PROUD);
@@ -89,10 +89,39 @@ describe("the style track", () => {
     expect(stylesAt(state(), 20)).toBe(PROUD);
   });
 
-  it("gives the chosen key the styles of the polygon", () => {
-    const edited = patched(two, withStyles(two, OLD));
+  it("gives the key under the playhead the styles of the polygon", () => {
+    const edited = patched(two, withStyles(two, OLD, 90));
     expect(edited.track.map((key) => key.styles)).toEqual([PROUD, OLD]);
     expect(chooseKey(edited, 0)).toMatchObject({ key: 0, styles: PROUD });
+    // The last one was chosen, but the playhead is at the first.
+    const first = patched(two, withStyles(two, OLD, 31.5));
+    expect([first.track.map((key) => key.styles), first.key]).toEqual([[OLD, PROUD], 0]);
+  });
+
+  it("makes a key where the polygon is moved between keys, and leaves the others as they are", () => {
+    const proud = patched(state(), addKey(state(), 60));
+    // Away from the key, old is chosen; K then finds its key there.
+    const old = patched(proud, withStyles(proud, OLD, 462));
+    expect(old.track).toEqual([
+      { frame: 60, styles: PROUD },
+      { frame: 462, styles: OLD },
+    ]);
+    expect([old.key, old.styles]).toEqual([1, OLD]);
+    expect(patched(old, addKey(old, 462)).track).toEqual(old.track);
+  });
+
+  it("gets keys in the styles that it has reached there", () => {
+    const proud = patched(state(), addKey(state(), 0));
+    const old = patched(proud, withStyles(proud, OLD, 100));
+    const between = patched(old, addKey(old, 25));
+    expect(between.track[1]!.styles).toEqual([
+      { name: "proud", weight: 0.75 },
+      { name: "old", weight: 0.25 },
+    ]);
+  });
+
+  it("is not edited where there is no time line", () => {
+    expect(withStyles(two, OLD, undefined)).toEqual({ styles: OLD });
   });
 
   it("moves a key only between its neighbours, and can be emptied", () => {

@@ -16,12 +16,28 @@ export function shownStyles({ part, parts, styles }: AppState): Selection {
   return (part && parts[part]) || styles;
 }
 
-/** Sets the styles of what the polygon shows: the chosen body part, or the whole body at the chosen key. */
-export function withStyles(state: AppState, styles: Selection): Patch {
+/** A key is under the playhead if it is at most so many frames away: a pixel of the timeline may be several frames. */
+const UNDER_PLAYHEAD = 3;
+
+/** Number of the key under the playhead at a frame, the nearest one; −1 where there is none. */
+export function keyUnder({ track }: Pick<AppState, "track">, frame: number): number {
+  const away = track.map((key) => Math.abs(key.frame - frame));
+  const least = Math.min(...away);
+  return least <= UNDER_PLAYHEAD ? away.indexOf(least) : -1;
+}
+
+/**
+ * Sets the styles of what the polygon shows: the chosen body part, or the whole body. Where there is a track, an edit is of the
+ * key under the playhead, and where there is none it makes one: what was set elsewhere stays. `frame` is the playhead's;
+ * `undefined` where there is no time line.
+ */
+export function withStyles(state: AppState, styles: Selection, frame: number | undefined): Patch {
   const { part, parts, track } = state;
   if (part) return { parts: { ...parts, [part]: styles } };
-  const at = chosenKey(state);
-  return { styles, track: track.map((key, i) => (i === at ? { ...key, styles } : key)) };
+  if (frame === undefined || track.length === 0) return { styles };
+  const under = keyUnder(state, frame);
+  if (under < 0) return keyMade(state, styles, frame);
+  return { styles, key: under, track: track.map((key, i) => (i === under ? { ...key, styles } : key)) };
 }
 
 /** Removes the styles of a body part: it follows the whole body again. */
@@ -55,15 +71,22 @@ export function stylesAt({ track, styles }: AppState, frame: number): Selection 
   }));
 }
 
-/** Adds a key with the current styles at a frame and chooses it; an existing key at that frame is chosen. */
-export function addKey(state: AppState, frame: number): Patch {
+/**
+ * Adds a key at a frame and chooses it: with `styles`, or those that the track has reached there. An existing key at that frame
+ * is chosen.
+ */
+export function addKey(state: AppState, frame: number, styles: Selection = stylesAt(state, frame)): Patch {
   const at = Math.max(0, Math.round(frame));
   const present = state.track.findIndex((key) => key.frame === at);
-  if (present >= 0) return chooseKey(state, present);
+  return present >= 0 ? chooseKey(state, present) : keyMade(state, styles, at);
+}
+
+/** A new key, which is chosen. */
+function keyMade(state: AppState, styles: Selection, frame: number): Patch {
   if (state.track.length >= MAX_TRACK_KEYS) return {};
-  const added: TrackKey = { frame: at, styles: state.styles };
+  const added: TrackKey = { frame: Math.max(0, Math.round(frame)), styles };
   const track = [...state.track, added].sort((a, b) => a.frame - b.frame);
-  return { track, key: track.indexOf(added), part: "" };
+  return { styles, track, key: track.indexOf(added), part: "" };
 }
 
 /** Removes a key and chooses the one before it. */

@@ -33,18 +33,24 @@ export class Toasts {
   /**
    * Something failed: a sentence that says what, and what to do.
    * @param lasts whether {@link clearErrors} leaves it, as nothing that works makes it untrue
+   * @param action may become known, or turn out not to exist, while the sentence is already shown
    * @returns takes it away
    */
-  error(text: string, { lasts = false, action }: { lasts?: boolean; action?: ToastAction } = {}): () => void {
+  error(
+    text: string,
+    { lasts = false, action }: { lasts?: boolean; action?: ToastAction | Promise<ToastAction | undefined> } = {},
+  ): () => void {
     if (says(this.#alerts, text)) return () => {};
     const toast = this.#add(this.#alerts, text, "error");
     if (lasts) this.#lasting.add(toast);
     const take = () => toast.remove();
-    if (action)
-      addButton(toast, action.label, () => {
+    const offer = ({ label, act }: ToastAction) =>
+      addButton(toast, label, () => {
         take();
-        action.act();
+        act();
       });
+    if (action instanceof Promise) action.then((known) => known && offer(known), console.error);
+    else if (action) offer(action);
     return take;
   }
 

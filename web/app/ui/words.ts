@@ -26,9 +26,15 @@ export function inputTitle(library: Pick<InputLibrary, "isDropped">, name: strin
 /** Text as it begins a sentence. */
 export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** The title of the stage: what the character does and how, “Walk, mostly proud”. */
-export function stageTitle(action: string, selection: Selection, intensity: number, neutral: string): string {
-  return strings.page.manner.title(capitalised(spoken(action)), manner(selection, intensity, neutral));
+/** The title of the stage: what the character does, where that is known, and how, “Walk, mostly proud”. */
+export function stageTitle(
+  action: string | undefined,
+  selection: Selection,
+  intensity: number,
+  neutral: string,
+): string {
+  const how = manner(selection, intensity, neutral);
+  return action === undefined ? capitalised(how) : strings.page.manner.title(capitalised(spoken(action)), how);
 }
 
 /** How something is done, “mostly proud”. */

@@ -110,9 +110,14 @@ class WorkerBuildClient implements BuildClient {
     if (!paused && this.worker === worker) this.stop(cancelled());
   }
 
-  async addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase> {
+  async addStyle(
+    database: Blob | undefined,
+    clip: File,
+    style: string,
+    { action, ...options }: CallOptions & { action?: string | undefined } = {},
+  ): Promise<BuiltDatabase> {
     try {
-      return await this.call({ method: "addStyle", database, clip, style }, options);
+      return await this.call({ method: "addStyle", database, clip, style, action }, options);
     } finally {
       this.stop(cancelled());
     }

@@ -24,7 +24,7 @@ export type BuildCall =
   | { method: "build"; files: ChosenFile[]; neutral: string | undefined }
   /** Stops the build under way where it can go on later. */
   | { method: "pause" }
-  | { method: "addStyle"; database: Blob | undefined; clip: File; style: string }
+  | { method: "addStyle"; database: Blob | undefined; clip: File; style: string; action: string | undefined }
   | { method: "trainWalk"; database: Blob | undefined }
   | { method: "trainKeyStyle"; database: Blob | undefined; files: DroppedFile[]; order: KeyStyleOrder };
 

@@ -76,8 +76,13 @@ export interface BuildClient {
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
   /** Builds a database; without `neutral` that style is found by its name. */
   build(files: ChosenFile[], neutral: string | undefined, options?: CallOptions): Promise<BuiltDatabase>;
-  /** A database, or the built-in one, with a clip as one more style. */
-  addStyle(database: Blob | undefined, clip: File, style: string, options?: CallOptions): Promise<BuiltDatabase>;
+  /** A database, or the built-in one, with a clip as one more style; without `action` the one that it fits best is taken. */
+  addStyle(
+    database: Blob | undefined,
+    clip: File,
+    style: string,
+    options?: CallOptions & { action?: string | undefined },
+  ): Promise<BuiltDatabase>;
   /** A walk model of a database, or of the built-in one. */
   trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk>;
   /** A key-style model of clips of the files, or where there are none of a database, or of the built-in one. */

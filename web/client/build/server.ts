@@ -111,7 +111,7 @@ class BuildServer {
         this.building = this.build(builder, call.files, call.neutral, caller);
         return this.building;
       case "addStyle":
-        return this.addStyle(builder, call.database, call.clip, call.style, caller);
+        return this.addStyle(builder, call, caller);
       case "trainWalk":
         return this.trainWalk(call.database, caller);
       case "trainKeyStyle":
@@ -165,14 +165,12 @@ class BuildServer {
 
   private async addStyle(
     builder: DatabaseBuilder,
-    database: Blob | undefined,
-    clip: File,
-    style: string,
+    { database, clip, style, action }: Extract<BuildCall, { method: "addStyle" }>,
     caller: Caller,
   ): Promise<BuiltDatabase> {
     const [known, bvh] = await Promise.all([bytesOf(database), clip.arrayBuffer()]);
     caller.report({ label: `Registering ${clip.name}.`, fraction: 0.2 });
-    return builder.addStyle(known, clip.name, style, new Uint8Array(bvh));
+    return builder.addStyle(known, clip.name, style, new Uint8Array(bvh), action);
   }
 
   private async trainWalk(database: Blob | undefined, caller: Caller): Promise<TrainedWalk> {

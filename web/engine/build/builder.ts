@@ -144,8 +144,8 @@ export class DatabaseBuilder {
    * @param database a `.strutdb` file or packed motions
    * @throws StrutError with why the clip is no style of it
    */
-  addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array): BuiltDatabase {
-    return databaseOf(buildPackage.guarded(() => this.glue.addStyle(database, path, style, bvh)));
+  addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array, action?: string): BuiltDatabase {
+    return databaseOf(buildPackage.guarded(() => this.glue.addStyle(database, path, style, bvh, action)));
   }
 
   /** Begins a build; without `neutral` that style is found by its name. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { circleVertices } from "./geometry";
-import { area, type Box, boxOf, type LabelledVertex, overlap, placeLabels } from "./labels";
+import { area, type Box, boxOf, coveringLabels, type LabelledVertex, overlap, placeLabels } from "./labels";
 
 const ROOM: Box = { left: -152, right: 152, top: -144, bottom: 120 };
 
@@ -24,6 +24,30 @@ function boxes(vertices: readonly LabelledVertex[]): Box[] {
   const places = placeLabels(vertices, ROOM);
   return vertices.flatMap((vertex, i) => (vertex.weight === undefined ? [] : [boxOf(vertex, places[i]!)]));
 }
+
+describe("idle labels", () => {
+  const covering = (count: number, selected: number[], name?: string) => {
+    const vertices = polygon(count, selected, name);
+    return coveringLabels(vertices, placeLabels(vertices, ROOM));
+  };
+
+  it("are all shown of nine and ten styles", () => {
+    for (const count of [8, 9, 10]) expect(covering(count, [0, 3, 6], "strutting"), `${count}`).not.toContain(true);
+  });
+
+  it("give way where there is no room, and none covers another", () => {
+    for (const [count, i] of all(40)) {
+      const vertices = polygon(count, [i], "childish A");
+      const places = placeLabels(vertices, ROOM);
+      const hidden = coveringLabels(vertices, places);
+      expect(hidden[i]).toBe(false);
+      const shown = vertices.flatMap((vertex, j) => (hidden[j] || j === i ? [] : [boxOf(vertex, places[j]!)]));
+      for (const [j, box] of shown.entries())
+        for (const other of shown.slice(j + 1)) expect(overlap(box, other)).toBe(0);
+    }
+    expect(covering(40, [0]).filter((hides) => !hides).length).toBeGreaterThan(12);
+  });
+});
 
 describe("labels", () => {
   it("stand above the bar at the top and beside it at the bottom, name and number on one line", () => {

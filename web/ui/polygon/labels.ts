@@ -160,6 +160,21 @@ function together(labels: readonly Choice[][]): Choice[] {
   return all.reduce((a, b) => (cost(b) < cost(a) ? b : a));
 }
 
+/**
+ * Which idle labels would cover others at these places: they are shown only where the vertex is pointed at or has the focus. Those
+ * of selected styles are always shown, and of idle ones as many as have room.
+ */
+export function coveringLabels(vertices: readonly LabelledVertex[], places: readonly LabelPlace[]): boolean[] {
+  const boxes = vertices.map((vertex, i) => boxOf(vertex, places[i]!));
+  const shown = boxes.filter((_, i) => vertices[i]!.weight !== undefined);
+  return vertices.map(({ weight }, i) => {
+    const box = boxes[i]!;
+    const covers = weight === undefined && shown.some((other) => overlap(box, other) > 0);
+    if (weight === undefined && !covers) shown.push(box);
+    return covers;
+  });
+}
+
 /** Places of the labels of vertices, in their order. Those of idle styles give way to those of selected ones. */
 export function placeLabels(vertices: readonly LabelledVertex[], room: Box): LabelPlace[] {
   const bars = vertices.map(({ weight, position }) => (weight === undefined ? [] : [barBox(position)]));

@@ -9,7 +9,7 @@ import { prefersReducedMotion, textZoom } from "../media";
 import { strings } from "../strings";
 import { hatching, isolines, label, path, weightBar } from "./drawing";
 import { circleVertices, isInside, nearestInside, type Point, pointOf, weightsAt } from "./geometry";
-import { placeBeyond, placeLabels } from "./labels";
+import { coveringLabels, placeBeyond, placeLabels } from "./labels";
 import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf, withWeight } from "./selection";
 import { Trail } from "./trail";
 import { WeightFields } from "./weight_fields";
@@ -38,8 +38,6 @@ const GLIDE_MS = 240;
 /** Arrow keys move the handle by these shares of the radius. */
 const KEY_STEP = 0.05;
 const FINE_KEY_STEP = 0.01;
-/** From so many styles on, idle labels appear on hover and focus only. */
-const CROWDED = 9;
 /** With Shift the handle may leave the polygon as far as this, in radii. */
 const MAX_BEYOND = 1.35;
 
@@ -214,7 +212,6 @@ export class Polygon {
   #layOut(): void {
     this.#positions = circleVertices(this.#model.vertices.length, this.#size.radius);
     this.#layers.outline.setAttribute("d", path(this.#positions));
-    this.#root.classList.toggle("crowded", this.#model.vertices.length >= CROWDED);
     this.#vertexElements = this.#model.vertices.map((name, i) => {
       const { x, y } = this.#positions[i]!;
       const vertex = svg(
@@ -285,8 +282,10 @@ export class Polygon {
     const heaviest = selection.reduce((a, s) => Math.max(a, s.weight), 0);
     const room = { left: -edge, right: edge, top: -above, bottom: below };
     const places = bars ? placeLabels(labelled, room) : labelled.map(({ position }) => placeBeyond(position));
+    const covering = bars ? coveringLabels(labelled, places) : [];
     for (const [i, vertex] of this.#vertexElements.entries()) {
       const { name, weight, position } = labelled[i]!;
+      vertex.classList.toggle("covering", covering[i] ?? false);
       if (bars && weight !== undefined) layers.bars.append(weightBar(position, weight));
       vertex.classList.toggle("selected", weight !== undefined);
       vertex.classList.toggle("heaviest", weight !== undefined && weight === heaviest);

@@ -137,6 +137,13 @@ export class OrbitCamera {
     this.setView("orbit", 0, animate);
   }
 
+  /** Turns about what is looked at by so many radians at once, as when something that faces elsewhere takes its place. */
+  turn(by: number): void {
+    this.#glide = undefined;
+    this.#state.azimuth = wrap(this.#state.azimuth + by);
+    this.#free = { ...this.#free, azimuth: wrap(this.#free.azimuth + by) };
+  }
+
   /** Goes to what is followed at once with the next update, as when the character jumps. */
   settle(): void {
     this.#settled = false;

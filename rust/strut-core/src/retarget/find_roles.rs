@@ -54,8 +54,12 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
     let mut incomplete =
         limbs.iter().zip(FIRST_REQUIRED).map(|(pair, first)| pair.iter().any(|l| !is_complete(l, first)));
     if incomplete.any(|i| i)
-        && let Some((tree_legs, tree_arms)) = limbs_by_shape(&tree, sample)
+        && let Some((mut tree_legs, mut tree_arms)) = limbs_by_shape(&tree, sample)
     {
+        if sides_exchanged(&hints, &[tree_legs, tree_arms]) {
+            tree_legs.swap(0, 1);
+            tree_arms.swap(0, 1);
+        }
         for ((pair, by_shape), first) in limbs.iter_mut().zip([tree_legs, tree_arms]).zip(FIRST_REQUIRED) {
             take_unnamed(pair, by_shape, first);
         }
@@ -311,6 +315,16 @@ fn take_unnamed(pair: &mut [LimbJoints; 2], by_shape: [LimbJoints; 2], first: us
             pair[side] = by_shape[side];
         }
     }
+}
+
+/// Whether the names of most joints of limbs (left, right) say the other side: what walks on four legs bears its arms in front of
+/// its legs, not above them, so that the shape exchanges the sides.
+fn sides_exchanged(hints: &[NameHint], pairs: &[[LimbJoints; 2]; 2]) -> bool {
+    let named = |limbs: usize, side: Side| {
+        let joints = pairs.iter().flat_map(|pair| pair[limbs].iter().flatten());
+        joints.filter(|&&joint| hints[joint].side == Some(side)).count()
+    };
+    named(0, Side::Right) + named(1, Side::Left) > named(0, Side::Left) + named(1, Side::Right)
 }
 
 /// Share of the required parts of a pair of limbs that names gave.

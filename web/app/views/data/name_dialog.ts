@@ -1,28 +1,59 @@
-/** Asks what a style shall be called, before it is made. */
+/** Asks what a style shall be called and what its clip shows, before it is made. */
 
 import { button } from "../../../ui/controls/buttons";
-import { html, setText } from "../../../ui/dom";
+import { icon } from "../../../ui/controls/icons";
+import { formatNumber, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { askInDialog, dialogActions } from "../../ui/dialog";
+import { spoken } from "../../ui/words";
+import type { ClipStyle } from "./style_of_clip";
 
 const words = strings.data.style;
 
 /** Longest name of a style, characters. */
 const LONGEST = 40;
+/** The engine refuses clips that are shorter than this, seconds. */
+const SHORTEST = 1;
+/** Clips that are shorter than this, seconds, are about one cycle of a walk, which part of another action can fit as well. */
+const BRIEF = 2;
 
-/**
- * Asks for the name of a style of a clip.
- * @param guess what the clip's file suggests
- * @param taken names that other styles have
- * @returns the name, or undefined where no style is wanted
- */
-export function askForStyleName(guess: string, taken: readonly string[]): Promise<string | undefined> {
+/** What is known before a person answers. */
+export interface StyleQuestion {
+  /** The name and the action that are suggested. */
+  suggested: ClipStyle;
+  /** Names that other styles have. */
+  taken: readonly string[];
+  /** Actions of the database. */
+  actions: readonly string[];
+  /** How long the clip lasts; `undefined` where that is not known. */
+  seconds: number | undefined;
+}
+
+/** What a style of a clip shall be; `undefined` where none is wanted. */
+export function askForStyle({ suggested, taken, actions, seconds }: StyleQuestion): Promise<ClipStyle | undefined> {
   const input = html("input", { type: "text", class: "text", "aria-label": words.name, maxlength: LONGEST });
+  const action = html(
+    "select",
+    { "aria-label": words.action },
+    html("option", { value: "" }, words.found),
+    ...actions.map((name) => html("option", { value: name }, spoken(name))),
+  );
+  action.value = suggested.action ?? "";
   const fault = html("p", { class: "caption", role: "status" });
-  const asked = askInDialog<string>("style-name", words.heading, (choose, cancel) => {
+  const length = html("p", { class: "caption", hidden: lengthText(seconds) === "" }, lengthText(seconds));
+  const field = (label: string, control: HTMLElement) =>
+    html("label", { class: "style-field" }, html("span", { class: "label", "aria-hidden": "true" }, label), control);
+  const asked = askInDialog<ClipStyle>("style-name", words.heading, (choose, cancel) => {
     const make = button(words.make, () => form.requestSubmit(), { label: true, class: "outlined" });
-    const actions = dialogActions(button(strings.data.cancel, cancel, { label: true }), make);
-    const form = html("form", { method: "dialog" }, input, fault, actions);
+    const form = html(
+      "form",
+      { method: "dialog" },
+      field(words.nameLabel, input),
+      field(words.actionLabel, html("span", { class: "select outlined" }, action, icon("chevron"))),
+      length,
+      fault,
+      dialogActions(button(strings.data.cancel, cancel, { label: true }), make),
+    );
     const check = () => {
       const name = input.value.trim();
       setText(fault, taken.includes(name) ? words.taken(name) : "");
@@ -30,13 +61,20 @@ export function askForStyleName(guess: string, taken: readonly string[]): Promis
     };
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      if (!make.disabled) choose(input.value.trim());
+      if (!make.disabled) choose({ style: input.value.trim(), action: action.value || undefined });
     });
     input.addEventListener("input", check);
-    input.value = guess;
+    input.value = suggested.style;
     check();
     return [form];
   });
   input.select();
   return asked;
+}
+
+/** What is said of a clip that is too short, or nearly. */
+function lengthText(seconds: number | undefined): string {
+  if (seconds === undefined || seconds >= BRIEF) return "";
+  const secs = formatNumber(seconds, 1);
+  return seconds < SHORTEST ? words.tooShort(secs) : words.brief(secs);
 }

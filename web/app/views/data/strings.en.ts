@@ -189,8 +189,14 @@ export const data = {
   },
 
   style: {
-    heading: "Name of the new style",
+    heading: "A new style",
     name: "Name of the style",
+    nameLabel: "Name",
+    action: "Action of the clip",
+    actionLabel: "Action",
+    found: "found in the clip",
+    tooShort: (secs: string) => `It lasts ${secs} s. An action takes 1 s at least; of a walk, two cycles are better.`,
+    brief: (secs: string) => `It lasts ${secs} s: its action may be found wrongly. Of a walk, two cycles are better.`,
     make: "Make it a style",
     taken: (name: string) => `There is a style ${quoted(name)} already.`,
     unnamed: "new style",

@@ -4,7 +4,7 @@ import type { CallOptions, DatabaseInfo } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
 import { errorText } from "../../ui/words";
 import { freeName } from "./free_name";
-import { addDatabase, type SavedDatabase } from "./saved_databases";
+import { addDatabase, replaceDatabase, type SavedDatabase } from "./saved_databases";
 
 /** The database that a clip was added to. */
 export interface StyleOfClip {
@@ -13,32 +13,76 @@ export interface StyleOfClip {
   lost: string;
 }
 
+/** A database that a clip is added to. */
+export interface StyleBase {
+  known: DatabaseInfo;
+  /** Its file; without one it is the built-in database. */
+  file: Blob | undefined;
+}
+
+/** What a clip is to be. */
+export interface ClipStyle {
+  style: string;
+  /** The action that it shows; `undefined`: the one that it fits best. */
+  action: string | undefined;
+}
+
 /**
  * Adds a clip to a database as a style.
- * @param known what is open
- * @param file its file; without one it is the built-in database
+ * @param replaced name of a database on this device whose place the new one takes
  * @throws StrutError with why the clip is no style
  */
 export async function styleOfClip(
-  known: DatabaseInfo,
-  file: Blob | undefined,
+  { known, file }: StyleBase,
   clip: File,
-  style: string,
+  { style, action }: ClipStyle,
+  replaced: string | undefined,
   options: CallOptions,
 ): Promise<StyleOfClip> {
   const client = createBuildClient();
   try {
-    const { refused: _, neutral: __, twoManners: ___, ...built } = await client.addStyle(file, clip, style, options);
+    const {
+      refused: _,
+      neutral: __,
+      twoManners: ___,
+      ...built
+    } = await client.addStyle(file, clip, style, { ...options, action });
     const base = file ? known.name.replace(/\.strutdb$/i, "") : strings.data.saved.builtIn;
     const database = { name: strings.data.style.database(base, style), ...built };
     try {
-      return { database: { ...database, name: await addDatabase(database) }, lost: "" };
+      if (replaced === undefined) return { database: { ...database, name: await addDatabase(database) }, lost: "" };
+      await replaceDatabase({ ...database, name: replaced });
+      return { database: { ...database, name: replaced }, lost: "" };
     } catch (error) {
       return { database, lost: errorText(error) };
     }
   } finally {
     client.dispose();
   }
+}
+
+/** So much of a file is read to know how long it lasts, bytes: the hierarchy comes first. */
+const HEAD_BYTES = 512 * 1024;
+
+/** How long a clip lasts by what its file says, seconds; `undefined` where it does not say. */
+export async function secondsOf(clip: Blob): Promise<number | undefined> {
+  const head = await clip.slice(0, HEAD_BYTES).text();
+  const [, frames] = /^\s*Frames:\s*(\d+)/im.exec(head) ?? [];
+  const [, secs] = /^\s*Frame Time:\s*([\d.eE+-]+)/im.exec(head) ?? [];
+  const length = Number(frames) * Number(secs);
+  return Number.isFinite(length) ? length : undefined;
+}
+
+/** The action of a database that a file's name has as a word. */
+export function actionIn(file: string, actions: readonly string[]): string | undefined {
+  const words = new Set(
+    file
+      .replace(/\.bvh$/i, "")
+      .toLowerCase()
+      .split(/[\s_.-]+/),
+  );
+  const named = actions.filter((action) => words.has(action.toLowerCase()));
+  return named.length === 1 ? named[0] : undefined;
 }
 
 /** Words of file names that do not name a style. */

@@ -6,6 +6,7 @@ import type { Store } from "../../state/store";
 import { ownParts, stylesAt } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
 import { inputTitle, stageCaption, stageTitle } from "../../ui/words";
+import type { Likeness } from "./likeness";
 import { ReadAction } from "./read_action";
 import type { ViewportPanel } from "./viewport_panel";
 
@@ -31,6 +32,17 @@ export class Heading {
   take(reads: readonly Reading[]): void {
     const passing = this.#store.state.track.length > 1 && performance.now() - this.#shownAt > FOLLOW_MS;
     if (this.#action.take(reads) || passing) this.show();
+  }
+
+  /** Another input is open. */
+  forget(): void {
+    this.#action.forget();
+    this.show();
+  }
+
+  /** Takes what the input is like as a whole. */
+  takeWhole(likeness: Likeness): void {
+    if (this.#action.takeWhole(likeness)) this.show();
   }
 
   /** Updates title and caption. */

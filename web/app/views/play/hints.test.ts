@@ -25,7 +25,7 @@ describe("the hints", () => {
   it("do not come again", () => {
     const kept = memory();
     new Hints(() => kept).follow("drag");
-    expect(new Hints(() => kept).text).toMatch(/^Click the head/);
+    expect(new Hints(() => kept).text).toMatch(/^Click a part/);
   });
 
   it("do without storage", () => {
@@ -33,6 +33,6 @@ describe("the hints", () => {
       throw new Error("refused");
     });
     hints.follow("drag");
-    expect(hints.text).toMatch(/^Click the head/);
+    expect(hints.text).toMatch(/^Click a part/);
   });
 });

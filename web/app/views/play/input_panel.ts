@@ -6,6 +6,7 @@ import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { inputTitle, spoken } from "../../ui/words";
+import { isFaint, isUnlike, type Likeness } from "./likeness";
 import { otherNotes } from "./reading/other_notes";
 
 /** Minimum time between updates of the recognised class, so that it can be read. */
@@ -23,13 +24,20 @@ export class InputPanel {
   readonly #select = html("select", { "aria-label": strings.play.input.motion });
   readonly #reading = html("span", { class: "reading" });
   readonly #bar = html("div", { class: "weight-bar-filled" });
+  readonly #barBox = html("div", { class: "weight-bar" }, this.#bar);
   // Not a live region: while a motion plays it changes all the time.
   readonly #weight = html("span", { class: "value" });
   readonly #note = html("p", { class: "caption input-note" });
   /** Opens the panel that shows how the input's file was read. */
   readonly howRead: HTMLButtonElement;
   #notes: readonly Note[] = [];
+  /** Those on the styled motion. */
+  #ofStyled: readonly Note[] = [];
+  /** What the input is like as a whole, once that is known. */
+  #likeness: Likeness | undefined;
   #readAt = 0;
+  /** The reading that is shown. */
+  #shown: Reading | undefined;
   /** The reading of the next update; `undefined` where none is scheduled. */
   #newest: Reading | undefined;
 
@@ -62,7 +70,7 @@ export class InputPanel {
         { class: "row", title: strings.play.input.readsAsWhy },
         html("span", { class: "label" }, strings.play.input.readsAs),
         this.#reading,
-        html("div", { class: "weight-bar" }, this.#bar),
+        this.#barBox,
         this.#weight,
       ),
       this.#note,
@@ -85,6 +93,8 @@ export class InputPanel {
 
   set input(input: InputInfo) {
     this.#notes = input.notes;
+    this.#ofStyled = [];
+    this.#likeness = undefined;
     this.#showNotes();
     this.#showGuesses(input);
     this.#readAt = 0;
@@ -92,12 +102,22 @@ export class InputPanel {
 
   /** What may be wrong with the styled motion, once it is there. */
   set styledNotes(notes: readonly Note[]) {
-    this.#showNotes(notes);
+    this.#ofStyled = notes;
+    this.#showNotes();
   }
 
-  #showNotes(ofStyled: readonly Note[] = []): void {
+  /** What the input is like as a whole; `undefined` while that is not known. */
+  set likeness(likeness: Likeness | undefined) {
+    this.#likeness = likeness;
+    if (this.#shown) this.#showRead(this.#shown);
+    this.#showNotes();
+  }
+
+  #showNotes(): void {
     // The panel behind the button says the rest.
-    const text = [...otherNotes(this.#notes), ...ofStyled].map((note) => note.text).join(" ");
+    const notes = otherNotes([...this.#notes, ...this.#ofStyled]);
+    const guess = this.#likeness && isUnlike(this.#likeness) ? [guessText(this.#likeness)] : [];
+    const text = [...guess, ...notes.map((note) => note.text)].join(" ");
     setText(this.#note, text);
     this.#note.title = text;
   }
@@ -133,10 +153,33 @@ export class InputPanel {
     if (!newest) return;
     this.#newest = undefined;
     this.#readAt = performance.now();
-    const reading = `${spoken(newest.action)}, ${spoken(newest.style)}`;
-    setText(this.#reading, reading);
-    setAttributes(this.#reading, { title: reading });
-    setText(this.#weight, formatNumber(newest.weight, 2));
-    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, newest.weight))})`;
+    this.#showRead(newest);
   }
+
+  #showRead(newest: Reading): void {
+    this.#shown = newest;
+    const { text, weight } = readText(newest, this.#likeness);
+    setText(this.#reading, text);
+    setAttributes(this.#reading, { title: text });
+    setText(this.#weight, weight === undefined ? "" : formatNumber(weight, 2));
+    this.#bar.style.transform = `scaleX(${Math.min(1, Math.max(0, weight ?? 0))})`;
+    this.#barBox.hidden = weight === undefined;
+  }
+}
+
+/** What is said of an input that is unlike anything. */
+function guessText({ centimetres }: Likeness): string {
+  const { guess, guessFar } = strings.play.input;
+  return centimetres === undefined ? guess : guessFar(centimetres);
+}
+
+/** What is said of a frame's heaviest class, and of the whole input; a weight only where it says how like it is. */
+export function readText(frame: Reading, whole: Likeness | undefined): { text: string; weight: number | undefined } {
+  const { unlike, anyStyle, readsAsClass } = strings.play.input;
+  // Weights compare classes with each other: of what is far from all of them, or like the beginning of one, they say nothing.
+  if (whole?.kind === "far" || whole?.kind === "still") return { text: unlike, weight: undefined };
+  if (whole && isUnlike(whole)) return { text: unlike, weight: whole.read.weight };
+  if (!isFaint(frame)) return { text: readsAsClass(spoken(frame.action), spoken(frame.style)), weight: frame.weight };
+  if (whole?.kind === "action") return { text: anyStyle(spoken(whole.read.action)), weight: whole.read.weight };
+  return { text: unlike, weight: frame.weight };
 }

@@ -2,13 +2,14 @@
 
 import "./play_view.css";
 import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
-import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
+import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame, Note } from "../../../client/protocol";
+import { createWorldPose, headingOf, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
 import { isLive } from "../../../player/input_library";
 import type { LivePerformer } from "../../../player/session";
 import { html } from "../../../ui/dom";
 import { onSystemTheme } from "../../../ui/theme";
 import type { AppState } from "../../state/state";
-import { chooseKey, chosenKey, moveKey, partOf, removeKey } from "../../state/style_settings";
+import { chooseKey, chosenKey, keyUnder, moveKey, partOf, removeKey } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
@@ -18,6 +19,7 @@ import type { Driving } from "./drive/driving";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
+import { type Likeness, likenessOf } from "./likeness";
 import type { Performance } from "./live/performance";
 import { ModelPanel } from "./model_panel";
 import type { ReadingPanel } from "./reading/reading_panel";
@@ -38,6 +40,14 @@ const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon",
 
 type Changed = ReadonlySet<keyof AppState>;
 const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.some((name) => changed.has(name));
+
+/** Where an input faces when it begins, radians about +Y. */
+function headingOfInput({ poses }: InputInfo, database: DatabaseInfo | undefined): number | undefined {
+  if (!database || poses.length < POSE_FLOATS) return undefined;
+  const world = createWorldPose();
+  worldFromLocal(database.proportions, poses.subarray(0, POSE_FLOATS), world);
+  return headingOf(world, 0);
+}
 
 class PlayView implements View {
   readonly element: HTMLElement;
@@ -64,13 +74,18 @@ class PlayView implements View {
   #performance: Performance | undefined;
   /** The panel that shows how the input's file was read, once it was asked for. */
   #reading: ReadingPanel | undefined;
+  /** What the input is like as a whole, once it was analysed. */
+  #likeness: Likeness | undefined;
+  /** Heading of an input that was opened, until its first frame is there: the camera is aimed at it then. */
+  #aim: number | undefined;
   /** The database that the panels show. */
   #database: DatabaseInfo | undefined;
 
   constructor(host: ViewHost) {
     this.#host = host;
     const { store, session, playhead, progress, signal } = host;
-    this.#style = new StylePanel(store, progress.database.element);
+    const frame = () => (session.endless || !session.input ? undefined : playhead.at);
+    this.#style = new StylePanel(store, frame, progress.database.element);
     this.#keys = keysOf(store, session, playhead, this.#style);
     this.#viewport = new ViewportPanel({
       onCamera: (camera) => store.edit({ camera }),
@@ -101,10 +116,14 @@ class PlayView implements View {
     });
     this.#trackKeys = new TrackKeys({
       onChoose: (key) => {
-        store.edit(chooseKey(store.state, key));
+        // The polygon shows the styles of the key, and an edit is of the key, as long as the playhead is at it.
+        store.edit({ ...chooseKey(store.state, key), playing: false });
         playhead.goTo(store.state.track[key]?.frame ?? 0);
       },
-      onMove: (key, frame) => store.edit(moveKey(store.state, key, frame), `key ${key}`),
+      onMove: (key, frame) => {
+        store.edit(moveKey(store.state, key, frame), `key ${key}`);
+        playhead.goTo(store.state.track[key]?.frame ?? 0);
+      },
       ...store.gestureListeners,
       onRemove: (key) => store.edit(removeKey(store.state, key)),
     });
@@ -247,8 +266,11 @@ class PlayView implements View {
     this.#viewport.path = undefined;
     this.#viewport.forgetTrail();
     this.#input.list(library, chosen);
+    this.#aim = headingOfInput(input, this.#database);
+    this.#heading.forget();
     this.#input.input = input;
-    if (this.#reading) this.#reading.input = input;
+    this.#likeness = undefined;
+    this.#showReading(input, []);
     if (!input.reading) this.#closeReading();
     this.#transport.input = input;
     this.#timeline.input = input;
@@ -313,8 +335,36 @@ class PlayView implements View {
   #onAnalysis(analysis: Analysis): void {
     this.#timeline.analysis = analysis;
     this.#input.styledNotes = analysis.notes;
+    if (this.#reading) this.#reading.styledNotes = analysis.notes;
+    this.#takeLikeness(analysis);
     this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
     this.#viewport.path = analysis.poses;
+  }
+
+  /** Shows in the panel of the file how it was read. */
+  #showReading(input: InputInfo, ofStyled: readonly Note[]): void {
+    if (!this.#reading) return;
+    this.#reading.input = input;
+    this.#reading.styledNotes = ofStyled;
+    this.#showLikeness();
+  }
+
+  #takeLikeness(analysis: Analysis): void {
+    const { input, database, databaseSource, endless } = this.#host.session;
+    if (!input || !database || endless) return;
+    // In all built-in clips somebody moves.
+    this.#likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
+    this.#input.likeness = this.#likeness;
+    if (this.#likeness) this.#heading.takeWhole(this.#likeness);
+    this.#showLikeness();
+  }
+
+  /** Shows in the panel of the file what it is like. */
+  #showLikeness(): void {
+    if (!this.#reading) return;
+    const { action, inputStyle } = this.#host.store.state;
+    const actions = this.#database?.actions ?? [];
+    this.#reading.likeness = { likeness: this.#likeness, actions, action, said: action !== "" || inputStyle !== "" };
   }
 
   #onExamples(examples: Examples | undefined): void {
@@ -325,6 +375,10 @@ class PlayView implements View {
     const { playhead } = this.#host;
     if (sought) this.#viewport.forgetTrail();
     this.#viewport.draw(frame);
+    if (this.#aim !== undefined) {
+      this.#viewport.aim(this.#aim);
+      this.#aim = undefined;
+    }
     if (this.#host.session.drive && "root" in frame) this.#driving?.show(frame);
     this.#input.read(frame.reads);
     if (!playhead.previewing) {
@@ -345,7 +399,8 @@ class PlayView implements View {
   #show(state: Readonly<AppState>, changed?: Changed): void {
     this.#takeDatabase();
     if (!changed || any(changed, "camera", "follow", "ghost", "trace", "part")) this.#viewport.show(state);
-    if (!changed || any(changed, ...STYLE_FIELDS)) {
+    const alongTrack = state.track.length > 0 && changed && any(changed, "frame", "playing");
+    if (!changed || any(changed, ...STYLE_FIELDS) || alongTrack) {
       this.#style.show(state, changed !== undefined);
       this.#showTrack(state);
       this.#heading.show();
@@ -356,6 +411,7 @@ class PlayView implements View {
       this.#host.session.curve = this.#timeline.subject;
     }
     this.#model.show(state);
+    if (changed && any(changed, "action", "inputStyle")) this.#showLikeness();
     this.#transport.show(state);
     if (!changed || changed.has("atlas") || changed.has("atlasWindows")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
@@ -412,7 +468,8 @@ class PlayView implements View {
 
   #showTrack(state: Readonly<AppState>): void {
     const neutral = this.#database?.neutral ?? "";
-    this.#trackKeys.show(state.track, chosenKey(state), (key) => manner(key.styles, state.intensity, neutral));
+    const chosen = state.playing ? chosenKey(state) : keyUnder(state, this.#host.playhead.at);
+    this.#trackKeys.show(state.track, chosen, (key) => manner(key.styles, state.intensity, neutral));
   }
 
   /** Plays while the view is shown and the playhead is not being dragged. */
@@ -442,7 +499,8 @@ class PlayView implements View {
       return;
     }
     if (!session.input?.reading || this.#host.signal.aborted) return;
-    this.#reading.input = session.input;
+    this.#showReading(session.input, session.analysis?.notes ?? []);
+    this.#reading.takeProgress(this.#host.progress.input.element);
     this.#reading.element.hidden = false;
     this.#input.reading = true;
     this.element.classList.add("with-reading");
@@ -453,6 +511,8 @@ class PlayView implements View {
     const { ReadingPanel } = await import("./reading/reading_panel");
     const panel = new ReadingPanel({
       onRead: (reading) => this.#host.readAs(reading),
+      onAction: (action) => this.#host.store.edit({ action }),
+      onAnything: () => this.#host.store.edit({ action: "", inputStyle: "" }),
       onClose: () => this.#closeReading(),
       onRefused: (sentence) => this.#host.toasts.error(sentence),
     });
@@ -465,6 +525,7 @@ class PlayView implements View {
     if (!panel || panel.hidden) return;
     const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
     panel.hidden = true;
+    this.#input.element.prepend(this.#host.progress.input.element);
     this.#input.reading = false;
     this.element.classList.remove("with-reading");
     if (hadFocus) this.#input.howRead.focus({ preventScroll: true });

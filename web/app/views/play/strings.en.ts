@@ -51,9 +51,9 @@ export const play = {
     },
   },
   hints: {
-    drag: "Drag the point. Arrow keys move it; double-click a corner for all of it.",
-    part: "Click the head, an arm or the legs to give that part a style of its own.",
-    key: "Press K for a style key on the timeline: styles change from key to key.",
+    drag: "Drag the point. Double-click a corner for all of it.",
+    part: "Click a part of the body to style it by itself.",
+    key: "Press K for a style key: styles then change in time.",
   },
 
   input: {
@@ -63,6 +63,11 @@ export const play = {
     dropWhy: "Drop a BVH anywhere on the page, or choose one here",
     readsAs: "Reads as",
     readsAsWhy: "What the engine takes the input for, and how sure it is",
+    readsAsClass: (action: string, style: string) => `${action}, ${style}`,
+    unlike: "unlike any style",
+    guess: "The result is a guess.",
+    guessFar: (centimetres: number) => `${centimetres} cm away on average: the result is a guess.`,
+    anyStyle: (action: string) => `${action}, any style`,
     drive: "Drive it yourself",
     live: "Live source…",
     howRead: "How this file was read",

@@ -11,11 +11,13 @@ import { isBeyondData, type Selection, toTriangle, vertexOrder } from "../../../
 import { type AppState, FIELDS } from "../../state/state";
 import type { Store } from "../../state/store";
 import {
+  keyUnder,
   otherSide,
   ownParts,
   plausibleIntensity,
   randomStyles,
   shownStyles,
+  stylesAt,
   withoutPart,
   withStyles,
 } from "../../state/style_settings";
@@ -37,15 +39,26 @@ export class StylePanel {
   #vertices: readonly string[] = [];
   #selection: Selection = [];
   readonly #hints = new Hints();
+  readonly #playhead: () => number | undefined;
+  /** Where a gesture under way began while the motion plays: all of it is an edit of one key. */
+  #gestureAt: number | undefined;
 
-  constructor(store: Store, top: HTMLElement) {
+  /** @param playhead the frame of the input on screen; `undefined` where there is no time line */
+  constructor(store: Store, playhead: () => number | undefined, top: HTMLElement) {
     this.#store = store;
+    this.#playhead = playhead;
+    const over = (act: () => void) => () => {
+      this.#gestureAt = undefined;
+      act();
+    };
+    const { onSettle, onCancel } = store.gestureListeners;
     this.polygon = new Polygon({
       onChange: (styles, gesture) => {
         this.#hints.follow("drag");
-        store.edit(withStyles(store.state, styles), gesture);
+        store.edit(withStyles(store.state, styles, this.#frameOf(gesture)), gesture);
       },
-      ...store.gestureListeners,
+      onSettle: over(onSettle),
+      onCancel: over(onCancel),
     });
     this.#mode = new Segment(
       strings.play.style.mixed,
@@ -54,8 +67,7 @@ export class StylePanel {
         { value: "whole", label: strings.play.style.all },
       ],
       (mode) => {
-        const styles = this.#stylesFor(mode, shownStyles(store.state));
-        store.edit({ wholePolygon: mode === "whole", ...withStyles(store.state, styles) });
+        store.edit({ wholePolygon: mode === "whole", ...this.#withMode(mode) });
       },
     );
     this.#side = new Segment<Side>(
@@ -79,7 +91,6 @@ export class StylePanel {
     this.element = html(
       "section",
       { class: "section style", "aria-labelledby": "style-heading" },
-      top,
       html(
         "div",
         { class: "section-heading" },
@@ -89,7 +100,7 @@ export class StylePanel {
         this.#mode.element,
       ),
       this.polygon.element,
-      this.#caption,
+      html("div", { class: "polygon-foot" }, this.#caption, top),
       this.#intensity.element,
       html(
         "div",
@@ -105,7 +116,7 @@ export class StylePanel {
   mixByChance(): void {
     if (!this.#database) return;
     const styles = randomStyles(this.#vertices);
-    this.#store.edit({ ...withStyles(this.#store.state, styles), wholePolygon: false });
+    this.#store.edit({ ...withStyles(this.#store.state, styles, this.#playhead()), wholePolygon: false });
   }
 
   /** Styles clockwise from the top, in the order of the number keys. */
@@ -141,7 +152,7 @@ export class StylePanel {
   /** Shows the state; with `glide` the handle is animated to its place. */
   show(state: Readonly<AppState>, glide: boolean): void {
     const { wholePolygon: whole, intensity, side } = state;
-    const selection = shownStyles(state);
+    const selection = this.#selectionOf(state);
     this.#selection = selection;
     const beyond = isBeyondData(selection, intensity);
     this.polygon.show({ vertices: this.#vertices, selection, whole, beyond }, glide);
@@ -175,7 +186,34 @@ export class StylePanel {
     if (state.part) this.#store.edit(withoutPart(state, state.part));
   }
 
-  #stylesFor(mode: "triangle" | "whole", styles: Selection): Selection {
-    return mode === "whole" ? styles : toTriangle(styles, this.#vertices);
+  /** What changes with another mode. Between keys that is the polygon alone. */
+  #withMode(mode: "triangle" | "whole"): Partial<AppState> {
+    const { state } = this.#store;
+    const frame = this.#playhead();
+    if (mode === "whole" || (frame !== undefined && this.#isBetweenKeys(state, frame))) return {};
+    return withStyles(state, toTriangle(shownStyles(state), this.#vertices), frame);
+  }
+
+  /** The frame that an edit is of. */
+  #frameOf(gesture: string | undefined): number | undefined {
+    const at = this.#playhead();
+    if (gesture === undefined || !this.#store.state.playing || at === undefined) return at;
+    this.#gestureAt ??= at;
+    return this.#gestureAt;
+  }
+
+  #isBetweenKeys(state: Readonly<AppState>, frame: number): boolean {
+    return state.part === "" && state.track.length > 0 && keyUnder(state, frame) < 0;
+  }
+
+  /** The styles that the polygon shows: at rest, those that the track has reached at the playhead. */
+  #selectionOf(state: Readonly<AppState>): Selection {
+    const frame = this.#playhead();
+    if (state.playing || frame === undefined || state.part !== "" || state.track.length === 0)
+      return shownStyles(state);
+    const under = state.track[keyUnder(state, frame)];
+    if (under) return under.styles;
+    const reached = stylesAt(state, frame);
+    return state.wholePolygon ? reached : toTriangle(reached, this.#vertices);
   }
 }

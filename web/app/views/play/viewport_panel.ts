@@ -202,6 +202,12 @@ export class ViewportPanel {
     this.#lease?.invalidate();
   }
 
+  /** Looks at a motion that has just been opened, and begins towards `heading`, as at the one before. */
+  aim(heading: number): void {
+    this.#lease?.viewer.aim(heading);
+    this.#lease?.invalidate();
+  }
+
   /** Clears trail and footprints after a jump of the motion. */
   forgetTrail(): void {
     this.#lease?.viewer.resetTrail();

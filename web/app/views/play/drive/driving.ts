@@ -291,7 +291,8 @@ export class Driving {
     if (device !== "arrow") this.#help.device = device;
     if (this.#used) return;
     this.#used = true;
-    this.#help.isShown = false;
+    // On a small screen it is over the ground that is walked on; elsewhere it stays until ? hides it.
+    if (device === "touch") this.#help.isShown = false;
   }
 
   /** Shows the line that says how to drive, or hides it. */

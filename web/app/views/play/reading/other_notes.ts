@@ -2,7 +2,15 @@
 import type { Note } from "../../../../client/protocol";
 
 /** Codes of notes that the rows say. */
-const IN_ROWS: ReadonlySet<string> = new Set(["up", "up-unsure", "mirrored", "floor", "no-floor", "joints-by-shape"]);
+const IN_ROWS: ReadonlySet<string> = new Set([
+  "up",
+  "up-unsure",
+  "mirrored",
+  "floor",
+  "no-floor",
+  "joints-by-shape",
+  "unfamiliar",
+]);
 
 /** The notes that no row says. */
 export const otherNotes = (notes: readonly Note[]): Note[] => notes.filter(({ code }) => !IN_ROWS.has(code));

@@ -1,6 +1,6 @@
 /** The panel that shows how a file was read: what was found, guessed or said, each to be corrected. */
 import "./reading_panel.css";
-import { type FileRead, type FileReading, type InputInfo, UP_AXES } from "../../../../client/protocol";
+import { type FileRead, type FileReading, type InputInfo, type Note, UP_AXES } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
 import { button } from "../../../../ui/controls/buttons";
 import { icon } from "../../../../ui/controls/icons";
@@ -8,17 +8,46 @@ import { formatNumber, html, saveFile, setText } from "../../../../ui/dom";
 import { grouped } from "../../../strings/numerals";
 import { announce } from "../../../ui/announce";
 import { askForRoles, jointNames } from "../../../ui/roles_dialog";
+import { spoken } from "../../../ui/words";
+import type { Likeness } from "../likeness";
 import { jointFile, readJointFile } from "./joint_file";
 import { otherNotes } from "./other_notes";
-import { ROW_NAMES, type RowName, rowTexts, saysOfSkeleton, saysRow, UNITS, withoutRow } from "./rows";
+import {
+  likenessText,
+  ROW_NAMES,
+  type RowName,
+  type RowText,
+  rowTexts,
+  saysOfSkeleton,
+  saysRow,
+  UNITS,
+  withoutRow,
+} from "./rows";
+import { pullToClose } from "./sheet";
 import { readingWords as words } from "./strings.en";
 
 export interface ReadingListeners {
   /** The file is to be read so. */
   onRead: (reading: FileReading) => Promise<boolean>;
+  /** The input is of an action; of any where it is empty. */
+  onAction: (action: string) => void;
+  /** Nothing is said of what the input is any more. */
+  onAnything: () => void;
   onClose: () => void;
   /** A file of joints is none: a sentence. */
   onRefused: (sentence: string) => void;
+}
+
+/** What the row of likeness shows. */
+export interface ShownLikeness {
+  /** What the input is like; `undefined` while that is not known. */
+  likeness: Likeness | undefined;
+  /** Actions of the database. */
+  actions: readonly string[];
+  /** The action that the input was said to be; empty where nobody said. */
+  action: string;
+  /** Whether a person said what the input is. */
+  said: boolean;
 }
 
 /** A row: its control, and what is said of it. */
@@ -32,6 +61,7 @@ interface Row {
 export class ReadingPanel {
   readonly element: HTMLElement;
   readonly #listeners: ReadingListeners;
+  readonly #head: HTMLElement;
   readonly #facts = html("p", { class: "caption" });
   readonly #up = select(UP_AXES.map((axis) => [axis, words.axes[axis]]));
   readonly #sides = select([
@@ -42,10 +72,13 @@ export class ReadingPanel {
   readonly #unit = html("select");
   readonly #count = html("span", { class: "joint-count" });
   readonly #rows: Record<RowName, Row>;
+  readonly #action = html("select");
+  readonly #likeness: Row;
   readonly #notes = html("ul", { class: "reading-notes", "aria-label": words.notes });
   readonly #memory = html("p", { class: "caption" });
   readonly #resetAll: HTMLButtonElement;
   #input: InputInfo | undefined;
+  #ofStyled: readonly Note[] = [];
 
   constructor(listeners: ReadingListeners) {
     this.#listeners = listeners;
@@ -56,29 +89,42 @@ export class ReadingPanel {
     this.#sides.addEventListener("change", () => this.#say("sides", { mirrored: this.#sides.value === "1" }));
     this.#floor.addEventListener("change", () => this.#sayFloor());
     this.#unit.addEventListener("change", () => this.#say("unit", { unit: Number(this.#unit.value) }));
+    const floor = html(
+      "span",
+      { class: "floor-field" },
+      this.#floor,
+      html("span", { class: "caption" }, words.floor.unit),
+    );
     this.#rows = {
       up: this.#row("up", selectBox(this.#up), this.#up),
       sides: this.#row("sides", selectBox(this.#sides), this.#sides),
-      floor: this.#row(
-        "floor",
-        html("span", { class: "floor-field" }, this.#floor, html("span", { class: "caption" }, words.floor.unit)),
-        this.#floor,
-      ),
+      floor: this.#row("floor", floor, this.#floor),
       unit: this.#row("unit", selectBox(this.#unit), this.#unit),
       joints: this.#jointsRow(),
     };
+    this.#action.addEventListener("change", () => listeners.onAction(this.#action.value));
+    this.#likeness = this.#rowOf("likeness", selectBox(this.#action), listeners.onAnything, this.#action);
+    this.#likeness.element.classList.add("likeness");
     this.#floor.setAttribute("aria-label", words.floor.name);
     this.#resetAll = button(words.resetAll, () => void this.#read({}), { label: true });
     const close = button(words.close, listeners.onClose, { icon: "close" });
+    this.#head = html("div", { class: "reading-head" }, html("h2", { id: "reading-heading" }, words.heading), close);
     this.element = html(
       "section",
       { class: "reading-panel", role: "dialog", "aria-labelledby": "reading-heading", tabindex: -1, hidden: true },
-      html("div", { class: "reading-head" }, html("h2", { id: "reading-heading" }, words.heading), close),
+      this.#head,
       this.#facts,
       ...ROW_NAMES.map((name) => this.#rows[name].element),
+      this.#likeness.element,
       this.#notes,
       html("div", { class: "reading-foot" }, this.#memory, this.#resetAll),
     );
+    pullToClose(this.element, this.#head, listeners.onClose);
+  }
+
+  /** Takes the line that shows how far the reading of a file is. */
+  takeProgress(line: HTMLElement): void {
+    this.#head.append(line);
   }
 
   /** The input whose file is shown. */
@@ -95,28 +141,53 @@ export class ReadingPanel {
     setText(this.#count, words.joints.count(found, ROLES.length));
     const texts = rowTexts(read, notes);
     for (const name of ROW_NAMES) {
-      const { source, why, reset } = this.#rows[name];
-      setText(source, texts[name].source);
-      source.classList.toggle("guessed", texts[name].guessed);
-      setText(why, texts[name].why);
-      reset.disabled = !saysRow(read.said, name);
+      showText(this.#rows[name], texts[name]);
+      this.#rows[name].reset.disabled = !saysRow(read.said, name);
     }
-    const others = otherNotes(notes);
-    this.#notes.replaceChildren(...others.map(({ text }) => html("li", {}, text)));
-    this.#notes.hidden = others.length === 0;
+    this.#showNotes();
     const { remembered, willRemember, asBefore } = words;
     setText(this.#memory, read.remembered ? asBefore : saysOfSkeleton(read.said) ? remembered : willRemember);
     this.#resetAll.disabled = !ROW_NAMES.some((name) => saysRow(read.said, name));
   }
 
+  /** What may be wrong with the styled motion, once it is there. */
+  set styledNotes(notes: readonly Note[]) {
+    this.#ofStyled = notes;
+    this.#showNotes();
+  }
+
+  #showNotes(): void {
+    const others = otherNotes([...(this.#input?.notes ?? []), ...this.#ofStyled]);
+    this.#notes.replaceChildren(...others.map(({ text }) => html("li", {}, text)));
+    this.#notes.hidden = others.length === 0;
+  }
+
+  /** How like the styles the input is, and what it was said to be. */
+  set likeness({ likeness, actions, action, said }: ShownLikeness) {
+    const names = ["", ...actions];
+    if (names.join() !== [...this.#action.options].map(({ value }) => value).join())
+      this.#action.replaceChildren(
+        ...names.map((name) => html("option", { value: name }, name ? spoken(name) : words.likeness.any)),
+      );
+    this.#action.value = action;
+    showText(this.#likeness, likenessText(likeness, said));
+    this.#likeness.reset.disabled = !said;
+  }
+
   #row(name: RowName, control: HTMLElement, labelled?: HTMLElement): Row {
+    return this.#rowOf(name, control, () => void this.#read(withoutRow(this.#said, name)), labelled);
+  }
+
+  #rowOf(
+    name: keyof typeof words.rows,
+    control: HTMLElement,
+    onReset: () => void,
+    labelled: HTMLElement | undefined,
+  ): Row {
     const id = `reading-${name}`;
     const source = html("span", { class: "row-source", id: `${id}-source` });
     const why = html("span", { class: "row-why", id: `${id}-why` });
-    const reset = button(words.reset(words.rows[name]), () => void this.#read(withoutRow(this.#said, name)), {
-      icon: "reset",
-      class: "row-reset",
-    });
+    const reset = button(words.reset(words.rows[name]), onReset, { icon: "reset", class: "row-reset" });
     labelled?.setAttribute("aria-label", words.rows[name]);
     labelled?.setAttribute("aria-describedby", `${source.id} ${why.id}`);
     control.classList.add("row-control");
@@ -203,6 +274,12 @@ export class ReadingPanel {
     );
     this.#unit.value = String(known?.metres ?? metresPerUnit);
   }
+}
+
+function showText({ source, why }: Row, text: RowText): void {
+  setText(source, text.source);
+  source.classList.toggle("guessed", text.guessed);
+  setText(why, text.why);
 }
 
 function select(options: readonly (readonly [value: string, name: string])[]): HTMLSelectElement {

@@ -3,6 +3,7 @@ import type { FileRead, FileReading, Note } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
 import { formatNumber } from "../../../../ui/dom";
 import { spoken } from "../../../ui/words";
+import type { Likeness } from "../likeness";
 import { readingWords as words } from "./strings.en";
 
 /** The parts of a reading that a person can change. */
@@ -56,6 +57,27 @@ export function rowTexts(read: FileRead, notes: readonly Note[]): Record<RowName
     ...(read.jointsFrom === "said" && { joints: { ...saidOf(read), why: without ?? words.joints.none } }),
   };
   return { ...found, ...said };
+}
+
+/** What is said of how like the styles a file is; `said` is whether a person said what it is. It is never a guess of the reading. */
+export function likenessText(likeness: Likeness | undefined, said: boolean): RowText {
+  const text = (source: string, why: string): RowText => ({ source, guessed: false, why });
+  const { likeness: say, sources } = words;
+  if (!likeness) return said ? text(sources.said, say.said) : text(say.unknown, say.waiting);
+  const { kind, read, centimetres } = likeness;
+  const weight = formatNumber(read.weight, 2);
+  const whys: Record<Likeness["kind"], string> = {
+    class: say.weight(weight),
+    action: say.share(weight),
+    far: centimetres === undefined ? say.farther : say.far(centimetres),
+    still: say.still,
+    alike: say.alike(weight),
+  };
+  const known = kind === "class" || kind === "action";
+  if (said) return text(sources.said, known ? say.said : whys[kind]);
+  if (!known) return text(say.unlike, whys[kind]);
+  const action = spoken(read.action);
+  return text(kind === "class" ? say.class(action, spoken(read.style)) : say.action(action), whys[kind]);
 }
 
 /** The names of the fields of a reading that a row is of. */

@@ -19,6 +19,7 @@ export const readingWords = {
     floor: "Floor",
     unit: "Unit",
     joints: "Joints",
+    likeness: "Likeness",
   },
   axes: { y: "Y", "-y": "−Y", z: "Z", "-z": "−Z", x: "X", "-x": "−X" },
   up: { guessed: "From feet to head in this clip", measured: "The body stands along it" },
@@ -61,6 +62,22 @@ export const readingWords = {
     noJoints: (name: string) => `“${name}” is no assignment of joints: {"joints": {"hips": "name", …}} was expected.`,
     noRole: (name: string, role: string) =>
       `“${name}” names the part “${role}”, which there is not. Parts have names such as left_hand.`,
+  },
+
+  likeness: {
+    any: "any action",
+    unlike: "unlike anything in the styles",
+    unknown: "not known yet",
+    waiting: "Once the clip is styled",
+    class: (action: string, style: string) => `${action}, ${style}`,
+    weight: (weight: string) => `With ${weight} of the weight on average`,
+    action: (action: string) => `${action}, any style`,
+    share: (share: string) => `${share} of the weight, and no style has most of it`,
+    far: (centimetres: number) => `Its poses are ${centimetres} cm away on average: the result is a guess`,
+    farther: "Its poses are far away: the result is a guess",
+    still: "Nobody moves in it: the result is a guess",
+    alike: (weight: string) => `No class has more than ${weight} of the weight: the result is a guess`,
+    said: "Only such examples are looked for",
   },
 
   remembered: "Remembered for every file with this skeleton.",
