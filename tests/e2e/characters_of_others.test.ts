@@ -1,6 +1,6 @@
 /** Characters of other people on the page: textured, of other formats, of other sizes, with joints that are not found. */
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, beforeAll, test } from "vitest";
 import { othersAbsent, rigOfOthers } from "../rigs/others";
 import { drawn, dropFile, eventually, openSite, screenshot } from "./browser";
 import { colouredPixels } from "./pixels";

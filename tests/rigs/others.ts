@@ -10,8 +10,7 @@ const FOLDERS = [
 const FOLDER = FOLDERS.find((folder) => existsSync(join(folder, "m2m-sophia.glb"))) ?? FOLDERS.at(-1)!;
 
 /** The bytes of a character of other people. */
-export const rigOfOthers = (name: string): Uint8Array<ArrayBuffer> =>
-  new Uint8Array(readFileSync(join(FOLDER, name)));
+export const rigOfOthers = (name: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(join(FOLDER, name)));
 
 /** Whether there are none on this machine; says so once. */
 export const othersAbsent = !existsSync(join(FOLDER, "m2m-sophia.glb"));

@@ -161,8 +161,8 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes["createPolicy"]> | undefined;
 
-/** The worker's URL as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
-function trusted(url: string): string | TrustedScriptURL {
+/** The address of a script as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
+export function trusted(url: string): string | TrustedScriptURL {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
   if (!trustedTypes) return url;
   policy ??= trustedTypes.createPolicy("strut-motion", { createScriptURL: (address) => address });
