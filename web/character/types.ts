@@ -143,6 +143,8 @@ export interface Origin {
   readonly vrm: VrmLike | undefined;
   /** The motions in the file. */
   readonly clips: readonly AnimationClip[];
+  /** Sentences for people on what of the file cannot be shown. */
+  readonly notes?: readonly string[];
   /** Node of three.js of a number of the file. */
   readonly nodeOf: (index: number) => Object3D | undefined;
   /** Number in the file of a node of three.js. */

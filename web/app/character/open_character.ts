@@ -1,5 +1,6 @@
 /** Opens files of characters, and asks what their files leave open. Loaded with the first character. */
 
+import { JointsError } from "../../character/joints_error";
 import type { Licence } from "../../character/licence";
 import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../character/load";
 import type { Character, CharacterMotion } from "../../character/types";
@@ -10,6 +11,7 @@ import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
 import { askInDialog, dialogActions } from "../ui/dialog";
 import { askForRoles } from "../ui/roles_dialog";
+import { spoken } from "../ui/words";
 
 const words = strings.page.characters;
 
@@ -40,7 +42,7 @@ export interface Content {
 export async function openModel(file: File, call: CallOptions): Promise<Content> {
   if (/\.vrma$/i.test(file.name)) return { character: undefined, motions: asBvh(file, await loadMotions(file, call)) };
   try {
-    const character = await openCharacter(file, call);
+    const character = await openCharacter(file, call).catch((thrown: unknown) => openAsChosen(file, call, thrown));
     return { character, motions: asBvh(file, character.motions) };
   } catch (thrown) {
     if ((thrown as { code?: unknown }).code !== "bad-file") throw thrown;
@@ -48,6 +50,28 @@ export async function openModel(file: File, call: CallOptions): Promise<Content>
     const motions = await loadMotions(file, call).catch(() => []);
     if (motions.length === 0) throw thrown;
     return { character: undefined, motions: asBvh(file, motions) };
+  }
+}
+
+/**
+ * Asks which joint is which where that cannot be told, until the character is bound by what a person says.
+ * @throws the reason where there is no such list, or nobody wants to choose
+ */
+async function openAsChosen(file: File, call: CallOptions, reason: unknown): Promise<Character> {
+  for (let fault = reason; ; ) {
+    // A thing without limbs is no body that was read wrongly.
+    if (!(fault instanceof JointsError) || Object.keys(fault.roles).length === 0) throw fault;
+    const chosen = await askForJoints({
+      joints: fault.joints,
+      roles: fault.roles,
+      notes: [fault.message, words.missing(fault.missing.map(spoken))],
+    });
+    if (!chosen) throw fault;
+    try {
+      return await openCharacter(file, call, chosen);
+    } catch (thrown) {
+      fault = thrown;
+    }
   }
 }
 
@@ -61,9 +85,13 @@ function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motion
 }
 
 /** Asks which joint is which; undefined where all stay as they are. */
-export async function askForJoints({ joints, roles, notes }: Character): Promise<ChosenRoles | undefined> {
+export async function askForJoints({
+  joints,
+  roles,
+  notes,
+}: Pick<Character, "joints" | "roles" | "notes">): Promise<ChosenRoles | undefined> {
   const given = ROLES.map((role) => joints.indexOf(roles[role] ?? ""));
-  const chosen = await askForRoles({ joints, roles: given, note: notes.join(" ") });
+  const chosen = await askForRoles({ joints, roles: given, note: notes.filter(Boolean).join(" ") });
   if (!chosen) return undefined;
   return Object.fromEntries(ROLES.flatMap((role, i) => (chosen[i]! >= 0 ? [[role, joints[chosen[i]!]!]] : [])));
 }

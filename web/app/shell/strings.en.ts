@@ -99,6 +99,7 @@ export const page = {
       others === 1
         ? "The file holds one more motion: choose it as the input."
         : `The file holds ${others} more motions: choose one as the input.`,
+    missing: (roles: readonly string[]) => (roles.length > 0 ? `Missing: ${roles.join(", ")}.` : ""),
     check: "Check joints",
     back: "Back to the mannequin",
     by: (authors: readonly string[]) => `by ${authors.join(", ")}`,
