@@ -38,6 +38,7 @@ export interface Bound {
   /** Units of the hips' parent per unit of the skeleton. */
   readonly hipsScale: number;
   readonly notes: readonly string[];
+  readonly warnings: readonly string[];
 }
 
 /** What a caller gave: an object of three.js, a glTF or a VRM. */
@@ -106,18 +107,19 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     const { roles } = rig;
     checkScales(joints, roles);
     const measured = soles(joints, roles, rig.worldFromFile);
-    const notes = [...rig.notes, ...(origin.notes ?? [])];
+    const warnings = [...(origin.notes ?? [])];
     if (options.soleHeight !== undefined) rig.setSole(options.soleHeight, measured?.points);
-    else if (!measured) notes.push("Nothing that is drawn follows the feet; the height of the soles was guessed.");
+    else if (!measured) warnings.push("Nothing that is drawn follows the feet; the height of the soles was guessed.");
     else if (!isPlausible(rig, measured)) {
       rig.setSole(undefined);
-      notes.push("What is drawn of the feet does not end where soles can be; their height was guessed.");
+      warnings.push("What is drawn of the feet does not end where soles can be; their height was guessed.");
     }
-    if (joints.dropped > 0) notes.push(`${joints.dropped} joints of hair, face or clothes were left out.`);
+    const left = joints.dropped > 0 ? [`${joints.dropped} joints of hair, face or clothes were left out.`] : [];
+    const notes = [...rig.notes, ...left, ...warnings];
     const hipsParent = joints.parents[roles[JOINT.hips]!]!;
     const hipsScale = hipsParent < 0 ? 1 : 1 / joints.scales[hipsParent]!;
     const driven = drivenJoints(joints, roles);
-    return { rig, joints, roles, driven, moved: new MovedJoints(joints, roles, driven), hipsScale, notes };
+    return { rig, joints, roles, driven, moved: new MovedJoints(joints, roles, driven), hipsScale, notes, warnings };
   } catch (thrown) {
     rig.dispose();
     throw thrown;

@@ -67,6 +67,7 @@ class BoundCharacter implements Character, Releasable {
   readonly roles: Readonly<Partial<Record<Role, string>>>;
   readonly confidence: number;
   readonly notes: readonly string[];
+  readonly warnings: readonly string[];
   readonly licence: Licence | undefined;
   readonly motions: readonly CharacterMotion[];
   readonly #origin: Origin;
@@ -83,6 +84,7 @@ class BoundCharacter implements Character, Releasable {
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
+    this.warnings = bound.warnings;
     this.motions = motionsOf(origin, bound.rig.proportions, (convert) => convert(bound));
     this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;

@@ -2,8 +2,9 @@
  * A worker as the client sees it: calls with cancellation and progress, and another worker in its place after a fault, in
  * which all that was open is opened again under the same numbers.
  */
-import { cancelled, disposed, type ErrorParts, fault, StrutError } from "../engine/errors";
+import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
+import { sendPlain } from "./plain";
 import type { CallOptions, OpenMemory, Progress } from "./protocol";
 
 /** As much of a `Worker` as the connection needs. */
@@ -194,7 +195,15 @@ export class Connection {
   private post(id: number, call: Pending, args: Arguments<Method>): void {
     this.pending.set(id, call);
     this.watch();
-    this.worker!.postMessage({ kind: "call", id, method: call.method, args } as Call);
+    try {
+      sendPlain({ kind: "call", id, method: call.method, args } as Call, (message) =>
+        this.worker!.postMessage(message),
+      );
+    } catch (thrown) {
+      this.pending.delete(id);
+      call.reject(toStrutError(thrown));
+      this.tellIdle();
+    }
   }
 
   private start(): Promise<void> {

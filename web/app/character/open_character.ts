@@ -3,7 +3,10 @@
 import { JointsError } from "../../character/joints_error";
 import type { Licence } from "../../character/licence";
 import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../character/load";
+import { mostWalking } from "../../character/most_walking";
+import { bytesOf } from "../../character/read";
 import type { Character, CharacterMotion } from "../../character/types";
+import type { DroppedFile } from "../../client/build/protocol";
 import type { CallOptions } from "../../client/protocol";
 import { ROLES, type Role } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
@@ -33,6 +36,13 @@ export interface Content {
   readonly character: Character | undefined;
   /** Its motions as BVH files. */
   readonly motions: readonly { name: string; bytes: ArrayBuffer }[];
+}
+
+/** A `.gltf` and the files that it names as one `.glb`; other files as they are. @throws StrutError `bad-file` */
+export async function asOneFile(file: File, beside: readonly DroppedFile[]): Promise<File> {
+  if (!/\.gltf$/i.test(file.name)) return file;
+  const glb = await bytesOf(beside.length > 0 ? beside.map((each) => each.file) : [file], undefined);
+  return new File([glb], file.name.replace(/\.gltf$/i, ".glb"));
 }
 
 /**
@@ -75,10 +85,12 @@ async function openAsChosen(file: File, call: CallOptions, reason: unknown): Pro
   }
 }
 
-/** Motions as files that the engine opens, named after theirs. */
+/** Motions as files that the engine opens, named after theirs; the one that walks most is the first. */
 function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motions"] {
   const title = file.name.replace(/\.[^.]*$/, "");
-  return motions.map((motion) => ({
+  const first = mostWalking(motions);
+  const sorted = [...motions.slice(first, first + 1), ...motions.filter((_, i) => i !== first)];
+  return sorted.map((motion) => ({
     name: motions.length > 1 ? `${title}, ${motion.name}` : title,
     bytes: new TextEncoder().encode(motion.toBVH()).buffer,
   }));

@@ -58,13 +58,13 @@ export const page = {
   },
 
   drop: {
-    invitation: "Drop a BVH, a character, or a folder or zip of clips in several styles. Any humanoid skeleton works.",
+    invitation:
+      "Drop a motion (BVH, VRMA, or a GLB or FBX with one), a character (GLB, glTF with its files, VRM, FBX), or a folder or zip of clips in several styles. Any humanoid skeleton works.",
     file: "Motion, character or database",
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
     unknown: (name: string) =>
-      `“${name}” is no motion (.bvh, .vrma), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
-    separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
+      `“${name}” is no motion (.bvh, .vrma), database (.strutdb) or character (.glb, .gltf, .vrm, .fbx). Drop one of those.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
     chooseJoints: (name: string) => `“${name}” can be opened all the same if you say which joint is which.`,
