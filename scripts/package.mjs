@@ -214,11 +214,12 @@ export async function writePackage() {
     outdir: OUT,
     format: "iife",
   });
-  for (const entry of ["node", "inline"])
+  for (const [entry, source] of Object.entries({ node: "node", inline: "inline", three_node: "three" }))
     await build({
       ...common,
-      ...(entry === "node" ? IN_NODE : {}),
-      entryPoints: [join(SOURCE, `${entry}.ts`)],
+      ...(entry === "inline" ? {} : IN_NODE),
+      ...(source === "three" ? { external: Object.keys(PEERS) } : {}),
+      entryPoints: [join(SOURCE, `${source}.ts`)],
       outfile: join(OUT, `${entry}.js`),
       format: "esm",
     });
@@ -265,7 +266,12 @@ function manifestOf({ name, version, description, license, engines }) {
     peerDependenciesMeta: Object.fromEntries(Object.keys(PEERS).map((peer) => [peer, { optional: true }])),
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
-      "./three": entry("three"),
+      // In Node files are read, not fetched.
+      "./three": {
+        types: "./types/package/three.d.ts",
+        node: "./three_node.js",
+        default: "./three.js",
+      },
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./element": entry("element"),

@@ -243,8 +243,11 @@ export class Screen {
     this.#synchronous = "waiting";
     await this.#queue.idle(IDLE_TIMEOUT_MS);
     this.#synchronous = "allowed";
-    then();
-    this.#synchronous = "none";
+    try {
+      then();
+    } finally {
+      this.#synchronous = "none";
+    }
   }
 
   /** Gives the canvas memory for a picture, in pixels. */
