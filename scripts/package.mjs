@@ -33,6 +33,8 @@ const BUDGET_KB = {
   "index.js": 14,
   "element.js": 50,
   "strut-player.js": 545,
+  // three.js with its loaders, three-vrm and the module of characters: what the chunks were before, in one piece.
+  "strut-character.js": 330,
   "assets/worker.js": 13.5,
   "assets/strut_wasm_bg.wasm": 326,
   "assets/strut_wasm_character_bg.wasm": 96,
@@ -205,19 +207,19 @@ export async function writePackage() {
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
   });
+  // A classic script in one piece: nothing beside it can be missing, and frames without an origin run it.
   await build({
     ...common,
-    entryPoints: { "strut-character": join(SOURCE, "three.ts") },
+    entryPoints: { "strut-character": join(SOURCE, "strut_character.ts") },
     outdir: OUT,
-    format: "esm",
-    splitting: true,
-    chunkNames: "chunks/[name]-[hash]",
+    format: "iife",
   });
-  for (const entry of ["node", "inline"])
+  for (const [entry, source] of Object.entries({ node: "node", inline: "inline", three_node: "three" }))
     await build({
       ...common,
-      ...(entry === "node" ? IN_NODE : {}),
-      entryPoints: [join(SOURCE, `${entry}.ts`)],
+      ...(entry === "inline" ? {} : IN_NODE),
+      ...(source === "three" ? { external: Object.keys(PEERS) } : {}),
+      entryPoints: [join(SOURCE, `${source}.ts`)],
       outfile: join(OUT, `${entry}.js`),
       format: "esm",
     });
@@ -264,7 +266,12 @@ function manifestOf({ name, version, description, license, engines }) {
     peerDependenciesMeta: Object.fromEntries(Object.keys(PEERS).map((peer) => [peer, { optional: true }])),
     exports: {
       ".": { types: "./types/package/index.d.ts", node: "./node.js", default: "./index.js" },
-      "./three": entry("three"),
+      // In Node files are read, not fetched.
+      "./three": {
+        types: "./types/package/three.d.ts",
+        node: "./three_node.js",
+        default: "./three.js",
+      },
       "./node": entry("node"),
       "./inline": entry("inline"),
       "./element": entry("element"),

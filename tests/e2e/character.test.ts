@@ -138,7 +138,11 @@ test("a file that is none gets a sentence, and who performs goes on", async () =
   const refused: [string, Uint8Array, string][] = [
     ["cut.glb", glb.subarray(0, glb.length / 2), "ends before its content does"],
     ["old.fbx", new TextEncoder().encode("; FBX 6.1.0 project file\nFBXVersion: 6100\n"), "FBX 6.1"],
-    ["parts.gltf", new TextEncoder().encode("{}"), "refers to other files"],
+    [
+      "parts.gltf",
+      new TextEncoder().encode('{"asset":{"version":"2.0"},"buffers":[{"uri":"parts.bin","byteLength":4}]}'),
+      "in another file: parts.bin",
+    ],
   ];
   for (const [name, bytes, sentence] of refused) {
     await drop(name, bytes);

@@ -200,8 +200,8 @@ describe("a character", () => {
     },
   });
   beforeAll(() => {
-    for (const part of ["strut-character.js", "chunks", "assets/strut_wasm_character_bg.wasm"])
-      cpSync(join(root, "dist", "package", part), join(folder, part), { recursive: true });
+    // All that characters need beside the player's script.
+    cpSync(join(root, "dist", "package", "strut-character.js"), join(folder, "strut-character.js"));
     writeFileSync(join(folder, "character.glb"), rig.glb);
     writeFileSync(join(folder, "restricted.glb"), restricted.glb);
   });
@@ -293,6 +293,57 @@ describe("many players", () => {
       return { contexts: window.contexts };
     });
     expect(moved).toEqual({ contexts: 1 });
+    await page.context().close();
+  });
+});
+
+describe("a player that is moved or taken away", () => {
+  test("goes on where it was, even if it is out of the page for a while", async () => {
+    const page = await openPlayer("");
+    const [before, after] = await page.evaluate(async () => {
+      const { player } = window;
+      player.currentTime = 2;
+      while (Math.abs(player.currentTime - 2) > 0.05) await new Promise(requestAnimationFrame);
+      const before = player.currentTime;
+      player.remove();
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      document.querySelector("h1")!.after(player);
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      await player.ready;
+      while (player.currentTime === 0) await new Promise(requestAnimationFrame);
+      return [before, player.currentTime];
+    });
+    expect(after).toBeCloseTo(before!, 1);
+    await page.context().close();
+  });
+
+  test("rejects what waits for it where it is taken away while it loads", async () => {
+    const page = await open(`${SCRIPT}<strut-player loading="eager"></strut-player>`);
+    const code = await page.evaluate(async () => {
+      const player = document.querySelector("strut-player") as StrutPlayer;
+      const waiting = player.ready.catch((error: { code: string }) => error.code);
+      player.remove();
+      return waiting;
+    });
+    expect(code).toBe("cancelled");
+    await page.context().close();
+  });
+
+  test("takes what a framework set before the element was defined", async () => {
+    const page = await open('<strut-player loading="eager"></strut-player>');
+    const said = await page.evaluate(async () => {
+      const player = document.querySelector("strut-player") as StrutPlayer;
+      const accept = () => true;
+      Object.assign(player, { accept, currentTime: 1.5, speed: 2 });
+      const script = Object.assign(document.createElement("script"), { src: "strut-player.js" });
+      document.head.append(script);
+      await customElements.whenDefined("strut-player");
+      await player.ready;
+      while (player.currentTime === 0) await new Promise(requestAnimationFrame);
+      return { accepts: player.accept === accept, time: player.currentTime, speed: player.speed };
+    });
+    expect(said).toMatchObject({ accepts: true, speed: 2 });
+    expect(said.time).toBeCloseTo(1.5, 1);
     await page.context().close();
   });
 });

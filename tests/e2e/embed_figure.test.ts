@@ -115,6 +115,25 @@ describe("a figure elsewhere", () => {
     await page.context().close();
   });
 
+  test("that could not be loaded is loaded by a click", async () => {
+    const page = await openElsewhere("");
+    let isDown = true;
+    await page.route(/scatter/, (route) => (isDown ? route.abort() : route.continue()));
+    await page.evaluate((address) => {
+      const script = Object.assign(document.createElement("script"), { type: "module", src: address });
+      document.body.append(script, Object.assign(document.createElement("strut-figure")));
+      document.querySelector("strut-figure")!.setAttribute("kind", "scatter");
+    }, `${site.site.url}strut-figure.js`);
+    const message = page.locator("strut-figure .message");
+    await eventually(() => message.textContent()).toContain("could not be made");
+    isDown = false;
+    await message.getByRole("button", { name: "Try again" }).click();
+    await eventually(() => page.locator("strut-figure").evaluate((figure) => (figure as StrutFigure).heading)).not.toBe(
+      "",
+    );
+    await page.context().close();
+  });
+
   test("says what it cannot be, and shows its poster until then", async () => {
     const page = await openElsewhere(
       `<script type="module" src="${site.site.url}strut-figure.js"></script>

@@ -2,10 +2,13 @@
 import { execFileSync, spawnSync } from "node:child_process";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { POSE_FLOATS } from "../../web/humanoid";
 import { COMMAND } from "../programs";
 import { root } from "../recordings";
+import { FAMILIES } from "../rigs/families";
+import { makeRig } from "../rigs/rig";
 import { type Consumer, FRAMES, installPackage } from "./consumer";
 
 const { version: VERSION } = JSON.parse(readFileSync(join(root, "package.json"), "utf8")) as { version: string };
@@ -68,6 +71,27 @@ describe("the contract", () => {
     expect(report.walk).toMatchObject({ actions: ["walk"], styles: expect.arrayContaining(["neutral", "proud"]) });
     const { styles, frames, out } = report.walk as { styles: string[]; frames: number; out: number };
     expect([styles.length, out]).toEqual([8, frames]);
+  });
+});
+
+describe("characters", () => {
+  const MODULE = "assets/strut_wasm_character_bg.wasm";
+  beforeAll(() => writeFileSync(join(consumer.folder, "character.glb"), makeRig(FAMILIES[0]!).glb));
+
+  test("are bound in Node by the package's own module", () => {
+    expect(JSON.parse(run("characters.mjs", "character.glb"))).toEqual({ roles: 21, motions: 0 });
+  });
+
+  test("are bound by the module where loadStrut says that it lies, and only there", () => {
+    const [inside, elsewhere] = [join(consumer.installed, MODULE), join(consumer.folder, "elsewhere")];
+    mkdirSync(elsewhere, { recursive: true });
+    const assets = `${pathToFileURL(elsewhere).href}/`;
+    expect(JSON.parse(run("characters.mjs", "character.glb", assets))).toMatchObject({
+      code: "load",
+      message: expect.stringContaining("elsewhere/strut_wasm_character_bg.wasm"),
+    });
+    copyFileSync(inside, join(elsewhere, "strut_wasm_character_bg.wasm"));
+    expect(JSON.parse(run("characters.mjs", "character.glb", assets))).toMatchObject({ roles: 21 });
   });
 });
 

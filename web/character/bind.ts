@@ -1,16 +1,29 @@
 /** A character of three.js bound to the engine: the roles of its joints, its unit and its soles. */
-import type { Object3D } from "three";
-import { CharacterRig } from "../engine/character/rig";
+import { Matrix4, type Object3D, Quaternion, Vector3 } from "three";
+import { CharacterRig, likelyRoles, looseFeet } from "../engine/character/rig";
 import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
 import { StrutError } from "../engine/errors";
 import { JOINT, JOINTS, ROLES, type Role } from "../humanoid";
-import { type Joints, jointsOf, nameInFile } from "./joints";
-import { soles } from "./sole";
+import { type JointChoice, type Joints, jointsOf, nameInFile } from "./joints";
+import { JointsError } from "./joints_error";
+import { MovedJoints } from "./moved";
+import { type SkinSoles, soles } from "./sole";
 import type { BindOptions, GltfLike, Origin, VrmLike } from "./types";
 import { type GltfJson, isRecord, vrmBone, vrmRoles } from "./vrm_humanoid";
 
 /** Metres between the soles' heights of a file and a guess beyond which a mesh's feet are not believed, as a share of the leg. */
 const FARTHEST_SOLE = 0.6;
+
+/** Joints that are at one height in a pose that is the same on both sides. */
+const LEVEL = [
+  [JOINT.left_upper_leg, JOINT.right_upper_leg],
+  [JOINT.left_foot, JOINT.right_foot],
+] as const;
+/** A body leans from the one angle, and lies from the other, radians. */
+const [LEAST_LEAN, MOST_LEAN] = [0.01, 0.7];
+
+/** Roles that a skeleton must have, as in `rust/strut-core/src/retarget/binding.rs`. */
+const REQUIRED = ROLES.filter((role) => !/shoulder|toes|chest|neck|head/.test(role));
 
 /** A bound character, without what its file allows and what can be made of it. */
 export interface Bound {
@@ -18,11 +31,14 @@ export interface Bound {
   readonly joints: Joints;
   /** Joint of each role; −1 where there is none. */
   readonly roles: Int32Array;
-  /** Joints that poses turn: those of roles, and those between spine and chest. */
+  /** Joints that poses turn: those of roles, and those between them. */
   readonly driven: Int32Array;
+  /** Those of them that are moved as well. */
+  readonly moved: MovedJoints;
   /** Units of the hips' parent per unit of the skeleton. */
   readonly hipsScale: number;
   readonly notes: readonly string[];
+  readonly warnings: readonly string[];
 }
 
 /** What a caller gave: an object of three.js, a glTF or a VRM. */
@@ -63,29 +79,99 @@ export async function bind(origin: Origin, options?: BindOptions): Promise<Bound
  */
 export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOptions = {}, needsSkin = true): Bound {
   const given = givenRoles(origin, options.roles ?? {});
-  const joints = jointsOf(origin.object, [...given.values()], needsSkin);
-  const known = Int32Array.from(ROLES, (role) => {
-    const node = given.get(role);
-    return node ? joints.nodes.indexOf(node) : -1;
-  });
+  const choice = { chosen: new Set(given.values()), needsSkin };
   const { metresPerUnit = 1 } = options;
-  const rig = new CharacterRig(glue, joints, known, metresPerUnit);
+  const take = (all: boolean): { joints: Joints; rig: CharacterRig } => {
+    const joints = hungRight(glue, origin.object, { ...choice, all });
+    const rig = rigOf(glue, joints, knownRoles(joints, given), metresPerUnit);
+    const turn = joints.isSure ? undefined : upright(joints, rig);
+    if (!turn) return { joints, rig };
+    rig.dispose();
+    const turned = hungRight(glue, origin.object, { ...choice, all, turn });
+    return { joints: turned, rig: rigOf(glue, turned, knownRoles(turned, given), metresPerUnit) };
+  };
+  let taken: ReturnType<typeof take>;
+  try {
+    taken = take(false);
+  } catch (thrown) {
+    // A skin that was left over, such as that of the hands, may name few joints of many.
+    if (!(thrown instanceof StrutError) || thrown.code !== "bad-file" || !needsSkin) throw thrown;
+    try {
+      taken = take(true);
+    } catch {
+      throw thrown;
+    }
+  }
+  const { joints, rig } = taken;
   try {
     const { roles } = rig;
     checkScales(joints, roles);
     const measured = soles(joints, roles, rig.worldFromFile);
-    const sole = options.soleHeight ?? measured?.height;
-    const notes = [...rig.notes];
-    if (sole !== undefined && (options.soleHeight !== undefined || isPlausible(rig, sole, metresPerUnit)))
-      rig.setSole(sole, measured?.points);
-    else notes.push("No skin follows the feet; the height of the soles was guessed.");
-    if (joints.dropped > 0) notes.push(`${joints.dropped} joints of hair, face or clothes were left out.`);
+    const warnings = [...(origin.notes ?? [])];
+    if (options.soleHeight !== undefined) rig.setSole(options.soleHeight, measured?.points);
+    else if (!measured) warnings.push("Nothing that is drawn follows the feet; the height of the soles was guessed.");
+    else if (!isPlausible(rig, measured)) {
+      rig.setSole(undefined);
+      warnings.push("What is drawn of the feet does not end where soles can be; their height was guessed.");
+    }
+    const left = joints.dropped > 0 ? [`${joints.dropped} joints of hair, face or clothes were left out.`] : [];
+    const notes = [...rig.notes, ...left, ...warnings];
     const hipsParent = joints.parents[roles[JOINT.hips]!]!;
     const hipsScale = hipsParent < 0 ? 1 : 1 / joints.scales[hipsParent]!;
-    return { rig, joints, roles, driven: drivenJoints(joints, roles), hipsScale, notes };
+    const driven = drivenJoints(joints, roles);
+    return { rig, joints, roles, driven, moved: new MovedJoints(joints, roles, driven), hipsScale, notes, warnings };
   } catch (thrown) {
     rig.dispose();
     throw thrown;
+  }
+}
+
+/** The joints of a character; feet that hang from the root are put on their legs. */
+function hungRight(glue: CharacterGlue, object: Object3D, choice: JointChoice): Joints {
+  const joints = jointsOf(object, choice);
+  const hung = new Map(looseFeet(glue, joints).map(({ foot, leg }) => [joints.nodes[foot]!, joints.nodes[leg]!]));
+  return hung.size > 0 ? jointsOf(object, { ...choice, hung }) : joints;
+}
+
+/**
+ * The turn that stops a body from leaning to one side, where its file was saved in the middle of a motion and says nowhere how the
+ * skin stood when it was modelled: its left and right are at one height then. `undefined` where it does not lean.
+ */
+function upright({ places }: Joints, { roles, worldFromFile }: CharacterRig): Matrix4 | undefined {
+  const toOurs = new Quaternion().fromArray(worldFromFile);
+  const across = new Vector3();
+  for (const [left, right] of LEVEL) across.add(places[roles[left]!]!).sub(places[roles[right]!]!);
+  across.applyQuaternion(toOurs);
+  const lean = Math.atan2(across.y, Math.hypot(across.x, across.z));
+  if (!(Math.abs(lean) > LEAST_LEAN && Math.abs(lean) < MOST_LEAN)) return undefined;
+  const level = new Vector3(across.x, 0, across.z).normalize();
+  const turn = new Quaternion().setFromUnitVectors(across.normalize(), level);
+  return new Matrix4().makeRotationFromQuaternion(toOurs.clone().invert().multiply(turn).multiply(toOurs));
+}
+
+/** Joint of each role that is known; −1 for the others. */
+function knownRoles({ nodes }: Joints, given: ReadonlyMap<Role, Object3D>): Int32Array {
+  return Int32Array.from(ROLES, (role) => {
+    const node = given.get(role);
+    return node ? nodes.indexOf(node) : -1;
+  });
+}
+
+/** Binds joints. @throws JointsError with the joints that there are, and all roles that have none */
+function rigOf(glue: CharacterGlue, joints: Joints, known: Int32Array, metresPerUnit: number): CharacterRig {
+  try {
+    return new CharacterRig(glue, joints, known, metresPerUnit);
+  } catch (thrown) {
+    if (!(thrown instanceof StrutError) || thrown.code !== "bad-file") throw thrown;
+    const likely = likelyRoles(glue, joints, known);
+    const missing = REQUIRED.filter((role) => likely[JOINT[role]]! < 0);
+    // Hips and spine are found between the limbs.
+    const limbs = missing.filter((role) => role !== "hips" && role !== "spine");
+    const names = joints.names.map((name, joint) => name || `(joint ${joint})`);
+    const found = ROLES.flatMap((role, i) => (likely[i]! >= 0 ? [[role, names[likely[i]!]!]] : []));
+    const { code, message, hint } = thrown;
+    const roles = Object.fromEntries(found) as JointsError["roles"];
+    throw new JointsError({ code, message, hint, missing: limbs.length > 0 ? limbs : missing, joints: names, roles });
   }
 }
 
@@ -134,26 +220,32 @@ function checkScales(joints: Joints, roles: Int32Array): void {
   for (const role of roles)
     for (let joint = role; joint >= 0; joint = joints.parents[joint]!) {
       if (joints.even[joint]) continue;
-      const message = `Joint '${joints.names[joint]}' is scaled differently along its axes.`;
+      const name = joints.names[joint] ? `Joint '${joints.names[joint]}'` : "A joint without a name";
+      const message = `${name} is scaled differently along its axes.`;
       const hint = "Apply the scale in the program that made the model, and export it again.";
       throw new StrutError({ code: "bad-file", message, hint });
     }
 }
 
-/** Whether feet that end so low can be the feet of this body: a robe's hem is no sole. */
-function isPlausible(rig: CharacterRig, sole: number, metresPerUnit: number): boolean {
+/** Takes soles that can be those of this body: a robe's hem is no sole. Gives whether they can; they are to be forgotten else. */
+function isPlausible(rig: CharacterRig, { height, points }: SkinSoles): boolean {
   const guessed = rig.proportions;
-  rig.setSole(sole);
-  const measured = rig.proportions;
+  rig.setSole(height, points);
   const leg = -(guessed[3 * JOINT.left_lower_leg + 1]! + guessed[3 * JOINT.left_foot + 1]!);
-  return Number.isFinite(metresPerUnit) && Math.abs(measured[1]! - guessed[1]!) < FARTHEST_SOLE * leg;
+  return Math.abs(rig.proportions[1]! - guessed[1]!) < FARTHEST_SOLE * leg;
 }
 
-/** The joints that poses turn, ascending. */
+/** The joints that poses turn, ascending: those of roles, and those between them. */
 function drivenJoints({ parents }: Joints, roles: Int32Array): Int32Array {
-  const driven = new Set(roles.filter((joint) => joint >= 0));
-  const [spine, chest] = [roles[JOINT.spine]!, roles[JOINT.chest]!];
-  for (let joint = chest; joint >= 0 && joint !== spine; joint = parents[joint]!) driven.add(joint);
+  const ofRoles = new Set(roles.filter((joint) => joint >= 0));
+  const driven = new Set(ofRoles);
+  for (const role of ofRoles) {
+    const between: number[] = [];
+    let joint = parents[role]!;
+    for (; joint >= 0 && !ofRoles.has(joint); joint = parents[joint]!) between.push(joint);
+    // What is above the hips is between nothing.
+    if (joint >= 0) for (const each of between) driven.add(each);
+  }
   return Int32Array.from(driven).sort();
 }
 

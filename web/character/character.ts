@@ -38,7 +38,11 @@ export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: Bin
 }
 
 /** Binds what was loaded. */
-export async function bindLoaded(origin: Origin, options?: BindOptions, loaded: Loaded = {}): Promise<Character> {
+export async function bindLoaded(
+  origin: Origin,
+  options?: BindOptions,
+  loaded: Loaded = {},
+): Promise<Character & Releasable> {
   const bound = await bind(origin, options);
   if (origin.vrm) origin.vrm.humanoid.autoUpdateHumanBones = false;
   return new BoundCharacter(origin, bound, loaded);
@@ -52,12 +56,18 @@ function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
   return licenceOf({ extensions: meta.metaVersion === "0" ? { VRM: { meta } } : { VRMC_vrm: { meta } } });
 }
 
-class BoundCharacter implements Character {
+/** What lets go of the engine, and leaves what was loaded. */
+interface Releasable {
+  release(): void;
+}
+
+class BoundCharacter implements Character, Releasable {
   readonly object: Object3D;
   readonly joints: readonly string[];
   readonly roles: Readonly<Partial<Record<Role, string>>>;
   readonly confidence: number;
   readonly notes: readonly string[];
+  readonly warnings: readonly string[];
   readonly licence: Licence | undefined;
   readonly motions: readonly CharacterMotion[];
   readonly #origin: Origin;
@@ -74,9 +84,12 @@ class BoundCharacter implements Character {
     this.roles = roleNames(bound);
     this.confidence = bound.rig.confidence;
     this.notes = bound.notes;
+    this.warnings = bound.warnings;
     this.motions = motionsOf(origin, bound.rig.proportions, (convert) => convert(bound));
     this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
+    // Skins leave the bounds of the pose in which they were made: three.js would not draw them any more.
+    for (const { mesh } of bound.joints.skins) mesh.frustumCulled = false;
     this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));
   }
 
@@ -89,11 +102,17 @@ class BoundCharacter implements Character {
   }
 
   apply(pose: ArrayLike<number>): void {
-    const { rig, hipsScale } = this.#bound;
+    const { rig, hipsScale, moved, joints } = this.#bound;
     rig.apply(pose);
     const { frame } = rig;
     this.#hips.position.set(frame[0]! * hipsScale, frame[1]! * hipsScale, frame[2]! * hipsScale);
     for (const { node, offset } of this.#driven) node.quaternion.fromArray(frame, offset);
+    moved.update(frame);
+    for (const [i, joint] of moved.joints.entries()) {
+      const node = joints.nodes[joint]!;
+      node.position.fromArray(moved.positions, 3 * i);
+      node.quaternion.fromArray(moved.rotations, 4 * i);
+    }
   }
 
   get pose(): Readonly<Float32Array> {
@@ -125,13 +144,14 @@ class BoundCharacter implements Character {
       throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter, without glb: false." });
     }
     const { joints, roles, driven } = this.#bound;
-    const { times, hips, rotations } = keysOf(this.#bound, motion, false);
+    const { times, hips, rotations, places } = keysOf(this.#bound, motion, false);
     const index = (joint: number) => this.#origin.indexOf(joints.nodes[joint]!) ?? -1;
     return withAnimation(file, {
       name: motion.name,
       times,
       channels: [
         { node: index(roles[JOINT.hips]!), path: "translation", values: hips },
+        ...Array.from(places, ([joint, values]) => ({ node: index(joint), path: "translation" as const, values })),
         ...Array.from(driven, (joint, i) => ({
           node: index(joint),
           path: "rotation" as const,
@@ -141,8 +161,12 @@ class BoundCharacter implements Character {
     });
   }
 
-  dispose(): void {
+  release(): void {
     this.#bound.rig.dispose();
+  }
+
+  dispose(): void {
+    this.release();
     this.#loaded.free?.();
   }
 }

@@ -13,6 +13,8 @@ export interface Keys {
   readonly hips: Float32Array;
   /** Of every driven joint its local rotations, xyzw, each the nearer of the two that mean the same. */
   readonly rotations: readonly Float32Array[];
+  /** Local translations of the joints that are moved besides, xyz, by joint. */
+  readonly places: ReadonlyMap<number, Float32Array>;
 }
 
 /** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion is one of finite poses */
@@ -20,10 +22,11 @@ export function keysOf(bound: Bound, motion: StyledPoses, inPlace: boolean): Key
   return bound.rig.onBody(motion.proportions, () => keysOnBody(bound, motion, inPlace));
 }
 
-function keysOnBody({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
+function keysOnBody({ rig, driven, moved, hipsScale }: Bound, motion: StyledPoses, inPlace: boolean): Keys {
   const frames = motion.timeOut.length;
   const hips = new Float32Array(3 * frames);
   const rotations = Array.from(driven, () => new Float32Array(4 * frames));
+  const places = new Map(moved.joints.map((joint) => [joint, new Float32Array(3 * frames)]));
   const pose = new Float32Array(POSE_FLOATS);
   const start = motion.timeOut[0] ?? 0;
   for (let f = 0; f < frames; f++) {
@@ -31,13 +34,18 @@ function keysOnBody({ rig, driven, hipsScale }: Bound, motion: StyledPoses, inPl
     if (inPlace) [pose[0], pose[2]] = [motion.poses[0]!, motion.poses[2]!];
     rig.apply(pose);
     for (let axis = 0; axis < 3; axis++) hips[3 * f + axis] = rig.frame[axis]! * hipsScale;
+    moved.update(rig.frame);
     for (const [i, joint] of driven.entries()) {
       const keys = rotations[i]!;
-      keys.set(rig.frame.subarray(3 + 4 * joint, 7 + 4 * joint), 4 * f);
+      const m = moved.joints.indexOf(joint);
+      places.get(joint)?.set(moved.positions.subarray(3 * m, 3 * m + 3), 3 * f);
+      const turned =
+        m < 0 ? rig.frame.subarray(3 + 4 * joint, 7 + 4 * joint) : moved.rotations.subarray(4 * m, 4 * m + 4);
+      keys.set(turned, 4 * f);
       if (f > 0) turnToward(keys, f);
     }
   }
-  return { times: motion.timeOut.map((time) => time - start), hips, rotations };
+  return { times: motion.timeOut.map((time) => time - start), hips, rotations, places };
 }
 
 /** Interpolation goes the short way only between quaternions of the same sign. */
@@ -78,6 +86,8 @@ export function characterClip(
       const positions = bone ? inWorld(bound, keys.hips) : keys.hips;
       tracks.push(new VectorKeyframeTrack(`${node}.position`, times(), positions));
     }
+    const places = keys.places.get(joint);
+    if (places && !bone) tracks.push(new VectorKeyframeTrack(`${node}.position`, times(), places));
     const [above, own] = [rest[joints.parents[joint]!]!, rest[joint]!];
     const rotations = bone ? fromRest(keys.rotations[i]!, above, own) : keys.rotations[i]!;
     tracks.push(new QuaternionKeyframeTrack(`${node}.quaternion`, times(), rotations));

@@ -37,7 +37,9 @@ const MAX_DEPTH = 1024;
 /** Largest side of an image, pixels. */
 const MAX_PIXELS = 8192;
 /** Compressions that three.js needs further files for. */
-const UNREADABLE = ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"];
+const UNREADABLE = ["KHR_draco_mesh_compression", "KHR_texture_basisu"];
+/** Compressions of arrays that three.js's own decoder reads. */
+const PACKED = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /**
  * Checks a document and what it says of its buffer.
@@ -74,6 +76,8 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
     const end = size(view.byteOffset ?? 0) + size(view.byteLength);
     if (!(end <= (bufferBytes[Number(view.buffer)] ?? -1)))
       throw broken("A part of this model lies outside of its data.");
+    for (const name of PACKED)
+      checkPacked(isRecord(view.extensions) ? view.extensions[name] : undefined, view, bufferBytes);
   }
   const accessors = records(json, "accessors");
   let zeros = 0;
@@ -84,6 +88,16 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
   if (zeros > MAX_ZEROS) throw broken("The arrays of this model are too long.");
   for (const animation of records(json, "animations")) checkAnimation(animation, accessors);
   checkNodes(records(json, "nodes"));
+}
+
+/** A packed array lies in its buffer, and unpacks to what it says. */
+function checkPacked(packed: unknown, view: Record<string, unknown>, bufferBytes: readonly number[]): void {
+  if (packed === undefined) return;
+  const { buffer, byteOffset, byteLength, byteStride, count } = isRecord(packed) ? packed : {};
+  const end = size(byteOffset ?? 0) + size(byteLength);
+  const isInside = end <= (bufferBytes[Number(buffer)] ?? -1);
+  if (!isInside || !(size(count) * size(byteStride) <= size(view.byteLength)))
+    throw broken("A packed part of this model does not fit its data.");
 }
 
 function checkAccessor(accessor: Record<string, unknown>, views: readonly Record<string, unknown>[]): void {

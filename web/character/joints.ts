@@ -14,8 +14,21 @@ const EVEN = 0.01;
 /** Share of a skin's size within which its joints agree where the skin lies. */
 const AGREEMENT = 1e-3;
 
+/** Share by which a bone may be longer or shorter than when it was modelled: files round. */
+const ELSEWHERE = 0.005;
+
 /** Most answers to where a skin lies that are counted: files of real programs have one. */
 const MAX_TRIED = 64;
+
+/** Distance of the joints, over that of the nearest answer, up to which the skin lies where the file says. */
+const MUCH_NEARER = 2;
+
+/** A bone of a skin: where it lies in the character's object, and from the skin's space to it in the pose of the skin. */
+interface BoundBone {
+  readonly bone: Object3D;
+  readonly matrix: Matrix4;
+  readonly inverse: Matrix4;
+}
 
 /** A skin, and where the space in which it was modelled lies in the character's object. */
 export interface Skin {
@@ -32,35 +45,53 @@ export interface Joints extends Skeleton {
   readonly scales: Float64Array;
   /** Whether the scale of each joint is the same along all axes, and mirrors nothing. */
   readonly even: readonly boolean[];
+  /** Where each joint lies in the bind pose, in the character's object. */
+  readonly places: readonly Vector3[];
+  /** Whether the joints agree where the skins lie. */
+  readonly isSure: boolean;
+  /** Joints whose node hangs elsewhere, or lies elsewhere below its parent, than the joint does: poses move them, too. */
+  readonly moved: readonly number[];
   /** Joints that were left out, as the engine binds at most 512. */
   readonly dropped: number;
 }
 
-/**
- * The joints of a character.
- * @param chosen nodes that are joints whether a skin follows them or not
- * @param needsSkin whether it must have a skin; without one all nodes that show nothing are joints, at rest as they lie
- * @throws StrutError `bad-file` if it has no skin and needs one
- */
-export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSkin: boolean): Joints {
+/** Which joints a character has. */
+export interface JointChoice {
+  /** Nodes that are joints whether a skin follows them or not. */
+  readonly chosen?: Iterable<Object3D>;
+  /** Whether it must have a skin; without one all nodes that show nothing are joints, at rest as they lie. */
+  readonly needsSkin?: boolean;
+  /** Whether all nodes that show nothing are joints although there are skins: one that was left over names few. */
+  readonly all?: boolean;
+  /** How skins are turned of which the joints do not agree where they lie. */
+  readonly turn?: Matrix4;
+  /** Nodes that hang on other ones than their parents. */
+  readonly hung?: ReadonlyMap<Object3D, Object3D>;
+}
+
+/** The joints of a character. @throws StrutError `bad-file` if it has no skin and needs one */
+export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
+  const { needsSkin = true, all: takesAll = false, hung = new Map<Object3D, Object3D>() } = choice;
+  const chosen = [...(choice.chosen ?? [])];
   const matrices = matricesIn(object);
-  const { skins, bindMatrices } = skinsOf(object, matrices);
+  const { skins, bindMatrices, isSure } = skinsOf(object, matrices, choice.turn);
   if (skins.length === 0 && needsSkin) {
     const message = "This model has no skin: nothing of it follows bones.";
     throw new StrutError({ code: "bad-file", message, hint: "Choose a rigged character." });
   }
   const kept = new Set<Object3D>();
-  const bones = skins.length > 0 ? bindMatrices.keys() : [...matrices.keys()].filter(showsNothing);
-  for (const node of [object, ...bones, ...chosen])
+  const bones = skins.length > 0 && !takesAll ? bindMatrices.keys() : [...matrices.keys()].filter(showsNothing);
+  for (const node of [object, ...bones, ...bindMatrices.keys(), ...chosen])
     for (let above: Object3D | null = node; above && matrices.has(above); above = above.parent) kept.add(above);
   const all = kept.size;
-  dropLeafChains(kept, matrices, new Set(chosen));
+  dropLeafChains(kept, matrices, new Set([...chosen, ...hung.keys(), ...hung.values()]));
   const nodes: Object3D[] = [];
   const parents: number[] = [];
   const collect = (node: Object3D, parent: number) => {
     const index = nodes.push(node) - 1;
     parents.push(parent);
-    for (const child of node.children) if (kept.has(child)) collect(child, index);
+    for (const child of node.children) if (kept.has(child) && !hung.has(child)) collect(child, index);
+    for (const [child, above] of hung) if (above === node) collect(child, index);
   };
   collect(object, -1);
 
@@ -73,11 +104,13 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSki
   const scales = new Float64Array(count);
   const even: boolean[] = [];
   const rotations: Quaternion[] = [];
+  const places: Vector3[] = [];
+  const moved: number[] = [];
   for (const [j, node] of nodes.entries()) {
     const above = parents[j]!;
     const own = sizeOf(matrices.get(node)!);
     scales[j] = own.mean;
-    const bound = bindMatrices.get(node);
+    const bound = bindMatrices.get(node) ?? (hung.has(node) ? matrices.get(node) : undefined);
     const size = bound ? sizeOf(bound) : own;
     even.push(own.even && size.even);
     const rotation = new Quaternion();
@@ -87,13 +120,27 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSki
     rotation.toArray(bind, 4 * j);
     if (above < 0) {
       local[3] = 1;
+      places.push(new Vector3());
       continue;
     }
-    node.quaternion.toArray(local, 4 * j);
-    node.position
+    // A mixer that plays has left the nodes in the middle of a motion: where a skin says how they were modelled, it is asked.
+    const place = new Vector3();
+    if (bound) {
+      place.setFromMatrixPosition(bound);
+      rotations[above]!.clone()
+        .invert()
+        .multiply(rotation)
+        .toArray(local, 4 * j);
+    } else {
+      place.copy(node.position).multiplyScalar(scales[above]!).applyQuaternion(rotations[above]!).add(places[above]!);
+      node.quaternion.toArray(local, 4 * j);
+    }
+    places.push(place);
+    if (hung.has(node) || (bound && liesElsewhere(node, scales[above]!, place.distanceTo(places[above]!))))
+      moved.push(j);
+    place
       .clone()
-      .multiplyScalar(scales[above]!)
-      .applyQuaternion(rotations[above]!)
+      .sub(places[above]!)
       .toArray(offsets, 3 * j);
   }
   for (const numbers of [offsets, bind, local])
@@ -111,6 +158,9 @@ export function jointsOf(object: Object3D, chosen: readonly Object3D[], needsSki
     skins,
     scales,
     even,
+    places,
+    isSure,
+    moved,
     dropped: all - count,
   };
 }
@@ -120,6 +170,11 @@ export function nameInFile({ name, userData }: Object3D): string {
   // The loaders of glTF and of FBX keep it in different places.
   const kept: unknown = userData.name ?? userData.originalName;
   return typeof kept === "string" ? kept : name;
+}
+
+/** Whether a node has another distance from its parent than when it was modelled. */
+function liesElsewhere({ position }: Object3D, scale: number, modelled: number): boolean {
+  return Math.abs(position.length() * scale - modelled) > ELSEWHERE * Math.max(modelled, position.length() * scale);
 }
 
 /** Whether a node is neither drawn nor a light nor a camera. */
@@ -140,8 +195,9 @@ function matricesIn(object: Object3D): Map<Object3D, Matrix4> {
 }
 
 /** The skins, and of every joint that they name where it lay when they were modelled. */
-function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>) {
+function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>, turn: Matrix4 | undefined) {
   const skins: Skin[] = [];
+  let isSure = true;
   const bindMatrices = new Map<Object3D, Matrix4>();
   object.traverse((node) => {
     const mesh = node as SkinnedMesh;
@@ -152,19 +208,30 @@ function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>) {
       return matrix && inverse && inverse.determinant() !== 0 ? [{ bone: bone!, matrix, inverse }] : [];
     });
     if (present.length === 0) return;
-    const objectFromSkin = agreed(present.map(({ matrix, inverse }) => matrix.clone().multiply(inverse)));
+    // The file's own space, that of the mesh, and that in which the skeleton hangs.
+    const own = new Set<Object3D>(bones);
+    const roots = new Set(bones.flatMap((bone) => (bone?.parent && !own.has(bone.parent) ? [bone.parent] : [])));
+    const places = [mesh, ...roots].slice(0, MAX_TRIED).flatMap((node) => matrices.get(node) ?? []);
+    const found = agreed(present, [new Matrix4(), ...places]);
+    isSure &&= found.isSure;
+    const objectFromSkin = turn && !found.isSure ? found.place.clone().premultiply(turn) : found.place;
     skins.push({ mesh, objectFromSkin });
     for (const { bone, inverse } of present)
       if (!bindMatrices.has(bone)) bindMatrices.set(bone, inverse.clone().invert().premultiply(objectFromSkin));
   });
-  return { skins, bindMatrices };
+  return { skins, bindMatrices, isSure };
 }
 
 /**
  * Every joint that lies as it was modelled says the same of where its skin lies: the matrix that most agree with. So a file
  * that was saved in another pose is still bound in the pose of its skin.
+ *
+ * Where fewer than half agree, as in a file that was saved in the middle of a motion, those that do may be the fingers of one
+ * hand. Then the matrix is taken that leaves the joints nearest to where they lie: one of those that files use (`ofFile`), unless
+ * another one is much nearer.
  */
-function agreed(matrices: readonly Matrix4[]): Matrix4 {
+function agreed(present: readonly BoundBone[], ofFile: readonly Matrix4[]): { place: Matrix4; isSure: boolean } {
+  const matrices = present.map(({ matrix, inverse }) => matrix.clone().multiply(inverse));
   let [best, most] = [matrices[0]!, 0];
   const tried: Matrix4[] = [];
   for (const matrix of matrices) {
@@ -174,7 +241,33 @@ function agreed(matrices: readonly Matrix4[]): Matrix4 {
     const votes = matrices.filter((other) => near(matrix, other)).length;
     if (votes > most) [best, most] = [matrix, votes];
   }
-  return best;
+  if (2 * most >= matrices.length) return { place: best, isSure: true };
+  const scale = sizeOf(best).mean;
+  const nearest = (places: readonly Matrix4[]) => {
+    const found = places.map((place) => ({ place, distance: distanceOf(present, place) }));
+    return found.reduce((a, b) => (b.distance < a.distance ? b : a));
+  };
+  const [own, any] = [nearest(ofFile.map((place) => resized(place, scale))), nearest(tried)];
+  return { place: own.distance <= MUCH_NEARER * any.distance ? own.place : any.place, isSure: false };
+}
+
+/** A matrix with another scale: that of the bones' own matrices tells the skin's unit. */
+function resized(matrix: Matrix4, scale: number): Matrix4 {
+  const position = new Vector3().setFromMatrixPosition(matrix);
+  return rigid(matrix)
+    .scale(new Vector3(scale, scale, scale))
+    .setPosition(position);
+}
+
+/** How far the joints lie from where they were modelled, together, if the skin lies so. */
+function distanceOf(present: readonly BoundBone[], objectFromSkin: Matrix4): number {
+  const [modelled, lies] = [new Vector3(), new Vector3()];
+  let sum = 0;
+  for (const { matrix, inverse } of present) {
+    modelled.setFromMatrixPosition(inverse.clone().invert()).applyMatrix4(objectFromSkin);
+    sum += modelled.distanceTo(lies.setFromMatrixPosition(matrix));
+  }
+  return sum;
 }
 
 function near(a: Matrix4, b: Matrix4): boolean {

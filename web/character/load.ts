@@ -1,7 +1,9 @@
 /** Loads characters and motions of files: GLB, VRM 0 and 1, FBX, and for motions VRM Animation. */
+import { Group, type Object3D } from "three";
 import { characterPackage } from "../engine/character/wasm";
 import { cancelled, StrutError } from "../engine/errors";
 import type { CallOptions } from "../engine/types";
+import { DEFAULT_PROPORTIONS, JOINT } from "../humanoid";
 import { type Bound, boundWith } from "./bind";
 import { bindLoaded } from "./character";
 import { type Licence, licenceOf } from "./licence";
@@ -16,8 +18,14 @@ import {
   reading,
   readModel,
 } from "./read";
-import type { BindOptions, Character, CharacterMotion } from "./types";
+import type { BindOptions, Character, CharacterMotion, Origin } from "./types";
 import { vrmaOf } from "./vrm_humanoid";
+
+/** Height of the mannequin and of its hips, metres. */
+const MANNEQUIN_METRES = 1.75;
+const HIPS_METRES = DEFAULT_PROPORTIONS[3 * JOINT.hips + 1]!;
+/** Heights of bodies as shares of the mannequin's between which they keep their size: children, toys and giants of tales. */
+const [SHORTEST, TALLEST] = [0.2, 6];
 
 /** Options of {@link loadCharacter}. */
 export interface LoadCharacterOptions extends CallOptions, BindOptions {
@@ -46,9 +54,18 @@ export async function loadCharacter(
   const model = await loaded(source, "character", options, { inspect, wantsGlb: glb, importVrm });
   const { object } = model.origin;
   try {
-    const character = await reading(() =>
-      bindLoaded(model.origin, unitOf(model, options), { file: model.glb, free: () => free(object) }),
-    );
+    const loaded = { file: model.glb, free: () => free(object) };
+    const bind = (origin: Origin, given: BindOptions) => reading(() => bindLoaded(origin, given, loaded));
+    const unit = unitOf(model, options);
+    let character = await bind(model.origin, unit);
+    const height = character.proportions[3 * JOINT.hips + 1]! / HIPS_METRES;
+    if (options.metresPerUnit === undefined && !(height > SHORTEST && height < TALLEST)) {
+      character.release();
+      const scale = 1 / height;
+      const notes = [...(model.origin.notes ?? []), sizeNote(height)];
+      const resized = { ...model.origin, object: scaledBy(object, scale), notes };
+      character = await bind(resized, { ...unit, metresPerUnit: (unit.metresPerUnit ?? 1) * scale });
+    }
     options.onProgress?.({ label: "Reading the character", fraction: 1 });
     return character;
   } catch (thrown) {
@@ -93,6 +110,23 @@ export async function loadMotions(source: CharacterSource, call: CallOptions = {
   } finally {
     free(origin.object);
   }
+}
+
+/** An object in another one that has metres, as those of people. */
+function scaledBy(object: Object3D, scale: number): Object3D {
+  const group = new Group();
+  group.add(object);
+  group.scale.setScalar(scale);
+  group.scale.multiply(object.scale);
+  object.scale.setScalar(1);
+  group.animations = object.animations;
+  return group;
+}
+
+function sizeNote(height: number): string {
+  const metres = MANNEQUIN_METRES * height;
+  const tall = metres >= 1 ? `${metres.toFixed(0)} m` : `${(100 * metres).toPrecision(2)} cm`;
+  return `This body is about ${tall} tall in its file; it has the size of a person here.`;
 }
 
 /** Loads and reads a file. */

@@ -1,5 +1,5 @@
 /** The motions in a file as poses, through the binding that performs poses (`shared/spec/embedding.md` 5.6). */
-import { type AnimationClip, AnimationMixer, type Object3D } from "three";
+import { type AnimationClip, AnimationMixer, Matrix4, type Object3D, Quaternion, Vector3 } from "three";
 import { StrutError } from "../engine/errors";
 import { bvhText } from "../formats/bvh";
 import { POSE_FLOATS } from "../humanoid";
@@ -39,6 +39,7 @@ export function motionsOf(
 /** The poses of a clip; its bones are left as they were. */
 function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, frames: number): Float32Array {
   const { nodes, parents, scales } = joints;
+  const hung = nodes.flatMap((node, joint) => (joint > 0 && node.parent !== nodes[parents[joint]!] ? [joint] : []));
   const before = nodes.map(({ position, quaternion, scale }) => ({
     position: position.clone(),
     quaternion: quaternion.clone(),
@@ -66,6 +67,14 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
             node.quaternion.toArray(locals, at + 3);
           }
         }
+        for (const joint of hung) {
+          const local = matrixIn(object, nodes[parents[joint]!]!).invert().multiply(matrixIn(object, nodes[joint]!));
+          const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
+          local.decompose(place, turn, size);
+          const at = 7 * (frame * nodes.length + joint);
+          place.multiplyScalar(scales[parents[joint]!]!).toArray(locals, at);
+          turn.toArray(locals, at + 3);
+        }
       }
       if (!locals.every(Number.isFinite)) throw unreadable(clip.name);
       poses.set(rig.toPoses(locals), POSE_FLOATS * start);
@@ -82,6 +91,14 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
     }
   }
   return poses;
+}
+
+/** Where a node is in an object. */
+function matrixIn(object: Object3D, node: Object3D): Matrix4 {
+  const matrix = new Matrix4();
+  for (let at: Object3D | null = node; at && at !== object; at = at.parent)
+    matrix.premultiply(new Matrix4().compose(at.position, at.quaternion, at.scale));
+  return matrix;
 }
 
 function unreadable(name: string, cause?: unknown): StrutError {

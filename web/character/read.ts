@@ -2,7 +2,15 @@
  * Reads models: GLB, VRM 0 and 1, VRM Animation, FBX. A file is checked before three.js reads it, and loads nothing from
  * elsewhere (`shared/spec/embedding.md` section 6).
  */
-import { Group, LoadingManager, type Material, type Mesh, type Object3D, type Texture } from "three";
+import {
+  Group,
+  LoadingManager,
+  type Material,
+  type Mesh,
+  type MeshPhongMaterial,
+  type Object3D,
+  type Texture,
+} from "three";
 import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
 import { originOf } from "./bind";
 import { converted } from "./convert";
@@ -16,11 +24,18 @@ import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 const MAX_BYTES = 128 * 1024 * 1024;
 /** Most triangles of a model. */
 const MAX_TRIANGLES = 2_000_000;
+/** Sum of the channels of a colour below which it is black, and the grey that takes its place. */
+const [DARK, GREY] = [0.1, 0.6];
+/** Extensions of materials that many files have and three.js does not show. */
+const UNSHOWN_MATERIALS = ["KHR_materials_pbrSpecularGlossiness", "KHR_techniques_webgl", "KHR_materials_common"];
 /** Oldest FBX that three.js reads. */
 const MIN_FBX = 7000;
 
-/** Where a character comes from: an address, or the file. */
-export type CharacterSource = string | URL | ArrayBuffer | Blob;
+/**
+ * Where a character comes from: an address, the file as a `Blob` or its bytes, or several files of which one is a `.gltf` and
+ * the others those that it names.
+ */
+export type CharacterSource = string | URL | ArrayBuffer | ArrayBufferView | Blob | readonly File[];
 
 /** Imports `@pixiv/three-vrm`; gives nothing, or rejects, where the page does not have it. */
 export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: never) => unknown } | undefined>;
@@ -58,29 +73,88 @@ export interface ReadModel {
   readonly metresPerUnit: number | undefined;
 }
 
-/** The bytes of a source. @throws StrutError `bad-file` where it is too large, `load`, `cancelled` */
+/**
+ * The bytes of a source.
+ * @throws StrutError `bad-file` where it is too large or no source, `load` where it cannot be had, `cancelled`
+ */
 export async function bytesOf(
   source: CharacterSource,
   signal: AbortSignal | undefined,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  if (source instanceof ArrayBuffer) return checkedSize(source.byteLength, async () => source);
-  if (source instanceof Blob) return checkedSize(source.size, () => source.arrayBuffer());
-  let response: Response;
   try {
-    response = await fetch(source, signal ? { signal } : {});
+    return await packedIfSplit(await sourceBytes(source, signal), source, signal);
   } catch (cause) {
     if (signal?.aborted) throw cancelled(signal.reason);
+    if (cause instanceof StrutError) throw cause;
     const message = "The file could not be loaded.";
-    throw new StrutError(
-      { code: "load", message, hint: "Check its address, and that its host allows other pages." },
-      cause,
-    );
+    const hint = "Check its address, and that its host allows other pages.";
+    throw new StrutError({ code: "load", message, hint }, cause);
   }
+}
+
+async function sourceBytes(source: CharacterSource, signal: AbortSignal | undefined): Promise<Uint8Array<ArrayBuffer>> {
+  if (typeof source === "string" || source instanceof URL) return fetched(source, signal);
+  // By what they are, not by their class: a frame has classes of its own.
+  if (ArrayBuffer.isView(source)) {
+    const { buffer, byteOffset, byteLength } = source;
+    return checkedSize(byteLength, async () => new Uint8Array(buffer, byteOffset, byteLength).slice().buffer);
+  }
+  if (Array.isArray(source)) return sourceBytes(documentOf(source), signal);
+  const { byteLength, size, arrayBuffer } = source as Partial<ArrayBuffer & Blob>;
+  if (typeof byteLength === "number") return checkedSize(byteLength, async () => source as ArrayBuffer);
+  if (typeof size === "number" && typeof arrayBuffer === "function")
+    return checkedSize(size, () => (source as Blob).arrayBuffer());
+  const message = "A character is given by its address, its file or the bytes of it.";
+  throw new StrutError({ code: "bad-input", message, hint: "" });
+}
+
+async function fetched(address: string | URL, signal: AbortSignal | undefined): Promise<Uint8Array<ArrayBuffer>> {
+  const response = await fetch(address, signal ? { signal } : {});
   if (!response.ok) {
     const message = `The file could not be loaded: the server answered ${response.status}.`;
     throw new StrutError({ code: "load", message, hint: "Check its address." });
   }
   return checkedSize(Number(response.headers.get("Content-Length") ?? 0), () => response.arrayBuffer());
+}
+
+/** The one of several files that says how they belong together. @throws StrutError `bad-file` where there is none */
+function documentOf(files: readonly File[]): File {
+  const document = files.find(({ name }) => /\.gltf$/i.test(name)) ?? (files.length === 1 ? files[0] : undefined);
+  if (document) return document;
+  throw badFile("None of these files is a .gltf.", "Give one file, or a .gltf with the files that it names.");
+}
+
+/** A `.gltf` with what it names as one binary file; other files as they are. */
+async function packedIfSplit(
+  bytes: Uint8Array<ArrayBuffer>,
+  source: CharacterSource,
+  signal: AbortSignal | undefined,
+): Promise<Uint8Array<ArrayBuffer>> {
+  // A document begins as JSON does; everything else has a mark of its own.
+  if (!/^\uFEFF?\s*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return bytes;
+  const { packedGltf, packedWith } = await import("./pack_gltf");
+  if (Array.isArray(source)) {
+    const files = (source as readonly File[]).map((file) => ({
+      path: file.webkitRelativePath || file.name,
+      bytes: async () => checkedSize(file.size, () => file.arrayBuffer()),
+    }));
+    const document = files[source.indexOf(documentOf(source))]!;
+    return packedWith(document, files);
+  }
+  const base = typeof source === "string" || source instanceof URL ? addressOf(source) : undefined;
+  return packedGltf(bytes, async (uri) => {
+    // Only what lies beside the document or below it.
+    const address = base && /^(?![/\\]|[a-z][a-z0-9+.-]*:)/i.test(uri) ? new URL(encodeURI(uri), base) : undefined;
+    if (!address?.href.startsWith(new URL(".", base).href)) return undefined;
+    return fetched(address, signal).catch((thrown: unknown) => {
+      if (signal?.aborted || (thrown instanceof StrutError && thrown.code === "bad-file")) throw thrown;
+      return undefined;
+    });
+  });
+}
+
+function addressOf(source: string | URL): URL {
+  return new URL(source, typeof document === "object" ? document.baseURI : undefined);
 }
 
 /** @throws StrutError `bad-file` where a file is larger than it may be, before it is read where its size is known */
@@ -132,8 +206,7 @@ async function readFbx(file: Uint8Array<ArrayBuffer>, { wantsGlb }: ReadOptions)
   object.add(inner);
   object.scale.setScalar(metresPerUnit);
   object.animations = inner.animations;
-  dropEmptyTextures(object);
-  const origin = originOf(object);
+  const origin = { ...originOf(object), notes: textureNotes(dropEmptyTextures(object)) };
   // Without it the character performs all the same.
   const glb = wantsGlb ? await converted(object).catch(() => undefined) : undefined;
   return { origin: glb ? { ...origin, indexOf: glb.indexOf } : origin, glb: glb?.file, metresPerUnit };
@@ -153,11 +226,37 @@ function ended(manager: LoadingManager): () => Promise<void> {
   };
 }
 
-/** Takes away textures that could not be loaded, such as those in other files: they would be black, and in no file. */
-function dropEmptyTextures(object: Object3D): void {
+/**
+ * Takes away textures that could not be loaded, such as those in other files: they would be black, and in no file. What is black
+ * without them is grey. Gives how many there were.
+ */
+function dropEmptyTextures(object: Object3D): number {
+  const lost = new Set<Texture>();
   for (const material of materialsOf(object))
-    for (const [key, value] of Object.entries(material) as [string, unknown][])
-      if (isTexture(value) && !value.image) (material as unknown as Record<string, unknown>)[key] = null;
+    for (const [key, value] of Object.entries(material) as [string, unknown][]) {
+      if (!isTexture(value) || value.image) continue;
+      lost.add(value);
+      (material as unknown as Record<string, unknown>)[key] = null;
+      const { color } = material as Partial<MeshPhongMaterial>;
+      if (key === "map" && color && color.r + color.g + color.b < DARK) color.setScalar(GREY);
+    }
+  return lost.size;
+}
+
+/** Sentences on textures that are not there. */
+function textureNotes(lost: number): string[] {
+  if (lost === 0) return [];
+  const some = lost === 1 ? "One texture" : `${lost} textures`;
+  return [
+    `${some} could not be loaded: they are in other files, or the page's policy forbids them (connect-src blob:).`,
+  ];
+}
+
+/** Sentences on what three.js cannot show of a document's materials. */
+function materialNotes({ extensionsUsed }: GltfJson): string[] {
+  const used = Array.isArray(extensionsUsed) ? (extensionsUsed as unknown[]).map(String) : [];
+  const unknown = used.filter((name) => UNSHOWN_MATERIALS.includes(name));
+  return unknown.map((name) => `Materials of this model use ${name}, which cannot be shown.`);
 }
 
 async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: ReadOptions): Promise<ReadModel> {
@@ -166,13 +265,23 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
   const document = json as GltfJson;
   await inspect?.(document);
   const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
-  const loader = new GLTFLoader(closedManager());
+  const manager = closedManager();
+  let lost = 0;
+  manager.onError = () => {
+    lost++;
+  };
+  const loader = new GLTFLoader(manager);
+  const used = Array.isArray(document.extensionsUsed) ? (document.extensionsUsed as unknown[]) : [];
+  // Three.js's own decoder, which few need.
+  if (used.some((name) => /meshopt_compression$/.test(String(name))))
+    loader.setMeshoptDecoder((await import("three/addons/libs/meshopt_decoder.module.js")).MeshoptDecoder);
   const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
   if (plugin) loader.register(plugin as never);
   const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
   if (!gltf.scene) throw badFile("There is no scene in this model.", "Export it again.");
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
-  const origin = originOf(gltf);
+  const notes = [...textureNotes(lost), ...materialNotes(document)];
+  const origin = { ...originOf(gltf), notes };
   return { origin: vrm ? { ...origin, vrm } : origin, glb: file, metresPerUnit: undefined };
 }
 
@@ -205,7 +314,7 @@ export async function reading<T>(read: () => Promise<T>): Promise<T> {
 const DAMAGED: ErrorParts = {
   code: "bad-file",
   message: "This model is damaged, or has parts that cannot be read.",
-  hint: "Export it again as GLB, without compression of meshes.",
+  hint: "Export it again as GLB.",
 };
 
 function badFile(message: string, hint: string): StrutError {

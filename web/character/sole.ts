@@ -1,5 +1,13 @@
-/** Where the soles of a character lie, read from the skin of its feet (`shared/spec/embedding.md` 5.4). */
-import { Matrix4, Quaternion, Vector3 } from "three";
+/** Where the soles of a character lie, read from what is drawn of its feet (`shared/spec/embedding.md` 5.4). */
+import {
+  type BufferAttribute,
+  type InterleavedBufferAttribute,
+  Matrix4,
+  type Object3D,
+  Quaternion,
+  type SkinnedMesh,
+  Vector3,
+} from "three";
 import { JOINT } from "../humanoid";
 import type { Joints } from "./joints";
 
@@ -32,7 +40,6 @@ export interface SkinSoles {
 export function soles(joints: Joints, roles: Int32Array, worldFromFile: ArrayLike<number>): SkinSoles | undefined {
   const toOurs = new Quaternion().fromArray(worldFromFile);
   const up = new Vector3(0, 1, 0).applyQuaternion(toOurs.clone().invert());
-  const zero = zeroPositions(joints);
   let height = Infinity;
   const points: number[] = [];
   for (const [side, feet] of [
@@ -49,7 +56,7 @@ export function soles(joints: Joints, roles: Int32Array, worldFromFile: ArrayLik
       if (joint < 0) continue;
       const found = outermost(joints, joint, members, DIRECTIONS);
       for (const { x, y, z } of found) points.push(side, part, x, y, z);
-      for (const point of found) height = Math.min(height, up.dot(zero[joint]!) + up.dot(point));
+      for (const point of found) height = Math.min(height, up.dot(joints.places[joint]!) + up.dot(point));
     }
   }
   return Number.isFinite(height) ? { height, points: Float32Array.from(points) } : undefined;
@@ -71,38 +78,51 @@ function outermost(
 ): Vector3[] {
   const nodes = new Set([...members].map((member) => joints.nodes[member]!));
   const farthest = directions.map(() => ({ distance: -Infinity, point: new Vector3() }));
+  const origin = joints.places[joint]!;
+  const take = (point: Vector3) => {
+    for (const [i, direction] of directions.entries()) {
+      const distance = direction.dot(point);
+      if (distance <= farthest[i]!.distance) continue;
+      farthest[i]!.distance = distance;
+      farthest[i]!.point.copy(point);
+    }
+  };
   const point = new Vector3();
   for (const { mesh, objectFromSkin } of joints.skins) {
     const { position, skinIndex, skinWeight } = mesh.geometry.attributes;
-    const { bones, boneInverses } = mesh.skeleton;
-    const own = bones.indexOf(joints.nodes[joint]! as (typeof bones)[number]);
-    if (!position || !skinIndex || !skinWeight || own < 0) continue;
-    const isMember = bones.map((bone) => bone !== undefined && nodes.has(bone));
+    const isMember = mesh.skeleton.bones.map((bone) => bone !== undefined && nodes.has(bone));
+    if (!position || !skinIndex || !skinWeight || !isMember.includes(true)) continue;
     const matrix = new Matrix4().multiplyMatrices(objectFromSkin, mesh.bindMatrix);
-    const origin = new Vector3().setFromMatrixPosition(boneInverses[own]!.clone().invert().premultiply(objectFromSkin));
     for (let v = 0; v < position.count; v++) {
       let weight = 0;
       for (let k = 0; k < 4; k++) if (isMember[skinIndex.getComponent(v, k)]) weight += skinWeight.getComponent(v, k);
-      if (weight < OWN) continue;
-      point.fromBufferAttribute(position, v).applyMatrix4(matrix).sub(origin);
-      for (const [i, direction] of directions.entries()) {
-        const distance = direction.dot(point);
-        if (distance <= farthest[i]!.distance) continue;
-        farthest[i]!.distance = distance;
-        farthest[i]!.point.copy(point);
-      }
+      if (weight >= OWN) take(point.fromBufferAttribute(position, v).applyMatrix4(matrix).sub(origin));
     }
   }
+  for (const member of members)
+    for (const { position, matrix } of hardParts(joints, member))
+      for (let v = 0; v < position.count; v++)
+        take(point.fromBufferAttribute(position, v).applyMatrix4(matrix).sub(origin));
   const found = farthest.filter(({ distance }) => distance > -Infinity).map((each) => each.point);
   return found.filter((a, i) => found.findIndex((b) => a.equals(b)) === i);
 }
 
-/** Where the joints lie in the bind pose, by their offsets. */
-function zeroPositions({ parents, offsets }: Joints): Vector3[] {
-  const positions: Vector3[] = [];
-  for (const [joint, parent] of parents.entries()) {
-    const offset = new Vector3().fromArray(offsets, 3 * joint);
-    positions.push(parent < 0 ? offset : offset.add(positions[parent]!));
-  }
-  return positions;
+/** Meshes without a skin that hang on a joint, such as the feet of a robot, and where their vertices lie in the bind pose. */
+function hardParts(joints: Joints, joint: number) {
+  const parts: { position: BufferAttribute | InterleavedBufferAttribute; matrix: Matrix4 }[] = [];
+  const isJoint = new Set<Object3D>(joints.nodes);
+  const scale = joints.scales[joint]!;
+  const rotation = new Quaternion().fromArray(joints.bind, 4 * joint);
+  const walk = (node: Object3D, above: Matrix4) => {
+    for (const child of node.children) {
+      if (isJoint.has(child)) continue;
+      const matrix = new Matrix4().compose(child.position, child.quaternion, child.scale).premultiply(above);
+      const { isMesh, isSkinnedMesh, geometry } = child as Partial<SkinnedMesh>;
+      const position = isMesh && !isSkinnedMesh ? geometry?.attributes.position : undefined;
+      if (position) parts.push({ position, matrix });
+      walk(child, matrix);
+    }
+  };
+  walk(joints.nodes[joint]!, new Matrix4().compose(joints.places[joint]!, rotation, new Vector3(scale, scale, scale)));
+  return parts;
 }

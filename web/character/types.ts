@@ -102,6 +102,8 @@ export interface Character {
   readonly confidence: number;
   /** Sentences for people on what was matched and assumed. */
   readonly notes: readonly string[];
+  /** Those of the notes that say what is missing or was changed: textures, materials, soles, size. */
+  readonly warnings: readonly string[];
   /** What the model's author allows; `undefined` where the file does not say. */
   readonly licence: Licence | undefined;
   /** The motions in the character's file; they can be styled as any poses can. */
@@ -143,6 +145,8 @@ export interface Origin {
   readonly vrm: VrmLike | undefined;
   /** The motions in the file. */
   readonly clips: readonly AnimationClip[];
+  /** Sentences for people on what of the file cannot be shown. */
+  readonly notes?: readonly string[];
   /** Node of three.js of a number of the file. */
   readonly nodeOf: (index: number) => Object3D | undefined;
   /** Number in the file of a node of three.js. */

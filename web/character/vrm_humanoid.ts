@@ -7,6 +7,7 @@ export const vrmBone = (role: Role): string => role.replace(/_(.)/g, (_, letter:
 
 /** What is read of a glTF document; everything in it may be wrong. */
 export interface GltfJson {
+  readonly extensionsUsed?: unknown;
   readonly extensions?: Readonly<Record<string, unknown>>;
   readonly asset?: { readonly copyright?: unknown };
 }

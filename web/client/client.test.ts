@@ -286,6 +286,15 @@ describe("after a fault", () => {
     expect((await client.step(0)).inputFrame).toBeCloseTo(before.inputFrame, 5);
   });
 
+  test("one that says nothing while it reads a file is waited for longer, but not for ever", async () => {
+    const { client } = await openDemo({ patience: { silenceMs: 50, pingMs: 50, readingMs: 200 } });
+    await client.step(0);
+    worker().deaf = true;
+    const restart = restarted(client);
+    await expect(client.openInput({ kind: "built-in", name: "neutral walk" })).rejects.toMatchObject({ code: "fault" });
+    expect((await restart).why).toContain("does not answer");
+  });
+
   test("what fails again at once is not opened a third time", async () => {
     const { client } = await openDemo();
     await client.step(0);

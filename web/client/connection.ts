@@ -2,8 +2,9 @@
  * A worker as the client sees it: calls with cancellation and progress, and another worker in its place after a fault, in
  * which all that was open is opened again under the same numbers.
  */
-import { cancelled, disposed, type ErrorParts, fault, StrutError } from "../engine/errors";
+import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
+import { sendPlain } from "./plain";
 import type { CallOptions, OpenMemory, Progress } from "./protocol";
 
 /** As much of a `Worker` as the connection needs. */
@@ -20,7 +21,12 @@ export interface Patience {
   silenceMs: number;
   /** A worker that does not answer a ping for so long is replaced; milliseconds. */
   pingMs: number;
+  /** A worker that reads a file in one piece may be silent for so long; milliseconds, ten minutes unless given. */
+  readingMs?: number;
 }
+
+/** {@link Patience.readingMs} unless given: a database of gigabytes on a slow machine takes minutes. */
+const READING_MS = 600_000;
 
 export const DEFAULT_PATIENCE: Patience = { silenceMs: 20_000, pingMs: 5000 };
 
@@ -194,7 +200,15 @@ export class Connection {
   private post(id: number, call: Pending, args: Arguments<Method>): void {
     this.pending.set(id, call);
     this.watch();
-    this.worker!.postMessage({ kind: "call", id, method: call.method, args } as Call);
+    try {
+      sendPlain({ kind: "call", id, method: call.method, args } as Call, (message) =>
+        this.worker!.postMessage(message),
+      );
+    } catch (thrown) {
+      this.pending.delete(id);
+      call.reject(toStrutError(thrown));
+      this.tellIdle();
+    }
   }
 
   private start(): Promise<void> {
@@ -264,14 +278,16 @@ export class Connection {
    * Watches for a worker that was ended from outside, which says nothing. Its silence alone does not tell: after the machine
    * was asleep, or the page in the browser's history, the timer fires before the messages that have arrived are handled.
    */
-  private watch(): void {
+  private watch(silentMs = 0): void {
     clearTimeout(this.silence);
     const { worker } = this;
     const isWaiting = () => this.worker === worker && this.pending.size > 0;
     this.silence = setTimeout(() => {
       if (!isWaiting()) return;
-      if ([...this.pending.values()].some(({ method }) => SILENT.has(method))) {
-        this.watch();
+      const silent = silentMs + this.patience.silenceMs;
+      const reads = [...this.pending.values()].some(({ method }) => SILENT.has(method));
+      if (reads && silent < (this.patience.readingMs ?? READING_MS)) {
+        this.watch(silent);
         return;
       }
       worker?.postMessage({ kind: "ping" });

@@ -55,6 +55,37 @@ beforeAll(async () => {
   proudWalk = new TextEncoder().encode(proud).buffer as ArrayBuffer;
 });
 
+/** An object as the reactive state of Vue, Svelte and MobX is: each object in it is a proxy, which no port sends. */
+function reactive<T extends object>(value: T): T {
+  return new Proxy(value, {
+    get: (target, name) => {
+      const found: unknown = Reflect.get(target, name);
+      const isPlain = Array.isArray(found) || Object.prototype.toString.call(found) === "[object Object]";
+      return isPlain ? reactive(found as object) : found;
+    },
+  });
+}
+
+describe("what frameworks give", () => {
+  test("styles and readings that are proxies are taken as what they hold", async () => {
+    const { client, database, motion } = await openDemo();
+    const given = reactive({ ...DEFAULT_OPTIONS, styles: { proud: 0.7 } });
+    const styled = await motion.stylize(database, given);
+    const plainly = await motion.stylize(database, { ...DEFAULT_OPTIONS, styles: { proud: 0.7 } });
+    expect(styled.poses).toEqual(plainly.poses);
+    const session = await client.createSession(database, motion, reactive({ styles: { old: 1 } }));
+    expect((await played(session, 1))[0]).toHaveLength(POSE_FLOATS);
+    await client.openMotion(reactive({ kind: "bvh", name: "mine", bytes: proudWalk } as const));
+  });
+
+  test("what no worker takes is refused, and the engine is idle again", async () => {
+    const { client, database, motion } = await openDemo();
+    const function_ = { ...DEFAULT_OPTIONS, inputStyle: (() => "") as unknown as string };
+    await expect(motion.stylize(database, function_)).rejects.toMatchObject({ code: "bad-input" });
+    await client.retire();
+  });
+});
+
 describe("handles", () => {
   test("a whole motion is styled while another session plays", async () => {
     const { client, database, motion } = await openDemo();

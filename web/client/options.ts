@@ -1,5 +1,6 @@
 /** Options of the engine: their ranges, and checks against a database. */
 import { StrutError } from "../engine/errors";
+import { plain } from "./plain";
 import {
   BODY_PARTS,
   type DatabaseInfo,
@@ -31,7 +32,8 @@ export function changedOptions(
 ): StylizeOptions {
   const unknown = Object.keys(change).find((name) => !Object.hasOwn(DEFAULT_OPTIONS, name));
   if (unknown !== undefined) throw refusal(`There is no option '${unknown}'`, Object.keys(DEFAULT_OPTIONS));
-  const options = { ...present, ...change };
+  // A copy: what a framework or a page changes in its own object later says nothing.
+  const options = plain({ ...present, ...change });
   for (const [name, [min, max]] of Object.entries(OPTION_RANGES)) {
     const value = options[name as keyof typeof OPTION_RANGES];
     if (!(value >= min && value <= max)) throw refusal(`${name} is ${value}; ${min} to ${max} was expected`, []);

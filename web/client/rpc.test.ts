@@ -66,3 +66,18 @@ test("nothing waits for an engine that is disposed of", async () => {
   await expect(waiting).rejects.toMatchObject({ code: "disposed" });
   await expect(calls.add(1, 1)).rejects.toMatchObject({ code: "disposed" });
 });
+
+test("what cannot be sent is refused, and nothing is waited for", async () => {
+  const sent: unknown[] = [];
+  const worker = () => ({
+    postMessage: (message: unknown) => sent.push(structuredClone(message)),
+    terminate: () => {},
+    onmessage: null,
+    onerror: null,
+  });
+  const rpc = new RpcClient(worker, "engine of the lessons");
+  await expect(rpc.call("add", [() => 1])).rejects.toMatchObject({ code: "bad-input" });
+  void rpc.call("add", [new Proxy({ a: [1] }, {})]).catch(() => {});
+  expect(sent).toMatchObject([{ method: "add", args: [{ a: [1] }] }]);
+  rpc.dispose();
+});

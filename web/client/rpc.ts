@@ -1,6 +1,8 @@
 /** Calls into a worker by name: the client is made from the interface, the server from a table of functions. */
 import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 
+import { sendPlain } from "./plain";
+
 /** Methods that answer with promises. */
 export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
 
@@ -59,7 +61,12 @@ export class RpcClient {
     const id = ++this.#lastId;
     const answer = new Promise<unknown>((resolve, reject) => {
       this.#pending.set(id, { resolve, reject });
-      this.#started().postMessage({ id, method, args }, transfer);
+      try {
+        sendPlain({ id, method, args }, (message) => this.#started().postMessage(message, transfer));
+      } catch (thrown) {
+        this.#pending.delete(id);
+        reject(toStrutError(thrown));
+      }
     });
     const cancel = () => {
       this.#pending.get(id)?.reject(cancelled(signal?.reason));

@@ -44,14 +44,16 @@ export async function openFigure(
   // The figure before it is seen until this one takes its place.
   const container = html("div", { class: "picture" });
   picture.append(container);
+  let figure: Figure | undefined;
   try {
     const screen = joinScreen();
     const parts = { strut: await engine.strut(), database: database.value, motion: motion.value, screen, container };
-    const figure = await Figure.open(parts, settings, listeners);
+    figure = await Figure.open(parts, settings, listeners);
     const fault = await casting;
     await figure.perform(cast.character);
     return { database, motion, figure, container, fault };
   } catch (thrown) {
+    figure?.dispose();
     leaveScreen();
     container.remove();
     for (const lease of leases) lease.release();

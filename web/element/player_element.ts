@@ -6,6 +6,7 @@ import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
 import { bvhBytes } from "../client/bvh_bytes";
 import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
+import { cancelled } from "../engine/errors";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
@@ -90,6 +91,8 @@ export class StrutPlayer extends ElementBase {
   #isCastFreed = false;
   #unseen: ReturnType<typeof setTimeout> | undefined;
   #clockAt = 0;
+  /** Where it goes on once it is loaded, seconds: where it was, or was sent before. */
+  #startSecs: number | undefined;
 
   constructor() {
     super();
@@ -136,7 +139,7 @@ export class StrutPlayer extends ElementBase {
   /** The time that is shown, seconds of the input. */
   get currentTime(): number {
     const { figure } = this.#opened ?? {};
-    return figure ? figure.inputFrame / figure.rateHz : 0;
+    return figure ? figure.inputFrame / figure.rateHz : (this.#startSecs ?? 0);
   }
 
   set currentTime(secs: number) {
@@ -236,7 +239,8 @@ export class StrutPlayer extends ElementBase {
   /** Goes to a time of the input, seconds. */
   seek(secs: number): void {
     const { figure } = this.#opened ?? {};
-    figure?.seek(secs * figure.rateHz);
+    if (figure) figure.seek(secs * figure.rateHz);
+    else this.#startSecs = secs;
   }
 
   /** The picture as a file. @throws TypeError if the browser cannot write that type */
@@ -286,6 +290,9 @@ export class StrutPlayer extends ElementBase {
       if (this.isConnected) return;
       this.#connected = false;
       for (const observer of this.#observers.splice(0)) observer.disconnect();
+      if (this.#opened) this.#startSecs = this.currentTime;
+      // Nobody waits for ever for what is not on the page.
+      if (this.#opening && !this.#ready.isSettled) this.#ready.reject(cancelled());
       this.#close();
       this.#failed = false;
       this.#poster.hidden = false;
@@ -381,6 +388,8 @@ export class StrutPlayer extends ElementBase {
     const settings = settingsOf(this);
     this.#selection = completed(settings.styles, database.value.info.neutral);
     this.#bar.setDuration(figure.frames, figure.rateHz);
+    if (this.#startSecs !== undefined) figure.seek(this.#startSecs * figure.rateHz);
+    this.#startSecs = undefined;
     this.#bar.frame = figure.inputFrame;
     this.#showAttributes();
     this.#recolour();
@@ -452,7 +461,7 @@ export class StrutPlayer extends ElementBase {
 
   /** Takes properties that were set before the element was defined. */
   #takeEarlyProperties(): void {
-    for (const name of ATTRIBUTE_NAMES.filter((known) => Object.hasOwn(this, known))) {
+    for (const name of [...ATTRIBUTE_NAMES, "accept", "currentTime"].filter((known) => Object.hasOwn(this, known))) {
       const value: unknown = Reflect.get(this, name);
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);

@@ -15,6 +15,8 @@ type Opened = { dispose(): void };
 
 interface Shared<T> {
   opening: Promise<T>;
+  /** Who is told how far the opening is: every player that waits. */
+  waiting: Set<NonNullable<CallOptions["onProgress"]>>;
   users: number;
   /** Runs out when nobody has used it for a while. */
   lingering?: ReturnType<typeof setTimeout>;
@@ -30,11 +32,15 @@ class SharedSources<T extends Opened> {
     let shared = this.#shared.get(source);
     if (!shared) {
       // One player that is taken away must not end what others wait for.
-      const { onProgress } = call;
-      shared = { opening: this.open(source, onProgress ? { onProgress } : {}), users: 0 };
+      const waiting: Shared<T>["waiting"] = new Set();
+      const onProgress: CallOptions["onProgress"] = (progress) => {
+        for (const tell of waiting) tell(progress);
+      };
+      shared = { opening: this.open(source, { onProgress }), waiting, users: 0 };
       this.#shared.set(source, shared);
     }
     const taken = shared;
+    if (call.onProgress) taken.waiting.add(call.onProgress);
     taken.users += 1;
     let released = false;
     const release = () => {
@@ -47,8 +53,11 @@ class SharedSources<T extends Opened> {
     try {
       return { value: await taken.opening, release };
     } catch (thrown) {
-      this.#shared.delete(source);
+      // Another one may be opened by now.
+      if (this.#shared.get(source) === taken) this.#shared.delete(source);
       throw thrown;
+    } finally {
+      if (call.onProgress) taken.waiting.delete(call.onProgress);
     }
   }
 

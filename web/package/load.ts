@@ -14,14 +14,20 @@ export async function loadEngine(boot: Boot, { thread, ...spawners }: Started, s
   // Walk and key-style models are on this thread.
   placeBooted(boot);
   const client = new EngineClient(spawners);
+  let stop = () => {};
   const aborted = new Promise<never>((_, reject) => {
-    signal?.addEventListener("abort", () => reject(cancelled(signal.reason)), { once: true });
+    stop = () => reject(cancelled(signal?.reason));
+    signal?.addEventListener("abort", stop, { once: true });
   });
   try {
+    // It may have been aborted before anybody listened.
+    if (signal?.aborted) throw cancelled(signal.reason);
     await Promise.race([client.ready(), aborted]);
   } catch (thrown) {
     client.dispose();
     throw thrown;
+  } finally {
+    signal?.removeEventListener("abort", stop);
   }
   return new StrutEngine(client, thread);
 }

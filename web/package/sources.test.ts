@@ -3,7 +3,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { runInNewContext } from "node:vm";
-import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { afterAll, beforeAll, describe, expect, test, vi } from "vitest";
 import { builtInName, readSource } from "./sources";
 import type { Source } from "./types";
 
@@ -73,4 +73,10 @@ describe("a source", () => {
     expect(builtInName("https://x/strut:walk")).toBeUndefined();
     expect(builtInName(new URL("https://x/"))).toBeUndefined();
   });
+});
+
+test("a percent sign in an address stands for itself where it begins no code", async () => {
+  vi.stubGlobal("fetch", async () => new Response("HIERARCHY"));
+  expect(await readSource("https://example.org/50%.bvh", "motion")).toMatchObject({ name: "50%" });
+  vi.unstubAllGlobals();
 });

@@ -33,8 +33,17 @@ export async function readSource(source: Source, what: string, signal?: AbortSig
   if (typeof source === "string" && isText(source)) return { name: "", bytes: bytesOf(source) };
   if (!isAddress(source)) throw noSource(what, tagOf(source));
   const url = urlOf(source, what);
-  const path = url.protocol === "data:" ? "" : decodeURIComponent(url.pathname);
+  const path = url.protocol === "data:" ? "" : decoded(url.pathname);
   return { name: nameOf(path), bytes: await fetched(url, what, signal) };
+}
+
+/** A path as people write it; as it is where it has a percent sign that stands for itself. */
+function decoded(path: string): string {
+  try {
+    return decodeURIComponent(path);
+  } catch {
+    return path;
+  }
 }
 
 /** The name of a value's kind, the same for all pages and frames. */

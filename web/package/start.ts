@@ -44,7 +44,7 @@ export async function startEngine(entry: Entry, worker: boolean, signal?: AbortS
     const url = await address()
       .then(trusted)
       .catch(() => undefined);
-    const first = url === undefined ? undefined : await tryWorker(url, boot);
+    const first = url === undefined ? undefined : await tryWorker(url, boot, signal);
     if (!first || url === undefined) continue;
     const buildUrl = trusted(
       thread === "worker" ? buildWorkerUrl : blobOf(`importScripts(${JSON.stringify(buildWorkerUrl)})`),
@@ -84,8 +84,13 @@ function workersOf({ workerUrl, workerText }: Entry): { thread: Thread; address:
   ];
 }
 
-/** The address of a script with this text. */
-const blobOf = (text: string): string => URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+/** The address of a script with this text: one for each, as it is needed as long as workers may be started again. */
+function blobOf(text: string): string {
+  const known = blobs.get(text) ?? URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  blobs.set(text, known);
+  return known;
+}
+const blobs = new Map<string, string>();
 
 function spawnBooted(url: string | TrustedScriptURL, boot: Boot): Worker {
   const worker = new Worker(url as string, { name: "strut-motion" });
@@ -119,29 +124,44 @@ function onceThen(first: WorkerPort, next: () => WorkerPort): () => WorkerPort {
   };
 }
 
-/** A worker whose script has begun to run; `undefined` where the browser refuses it or the script cannot be had. */
-function tryWorker(url: string | TrustedScriptURL, boot: Boot): Promise<WorkerPort | undefined> {
+/**
+ * A worker whose script has begun to run; `undefined` where the browser refuses it or the script cannot be had.
+ * @throws StrutError `cancelled`
+ */
+function tryWorker(
+  url: string | TrustedScriptURL,
+  boot: Boot,
+  signal: AbortSignal | undefined,
+): Promise<WorkerPort | undefined> {
   let worker: Worker;
   try {
     worker = new Worker(url as string, { name: "strut-motion" });
   } catch {
     return Promise.resolve(undefined);
   }
-  return new Promise((resolve) => {
+  return new Promise((resolve, reject) => {
     const settle = (port: WorkerPort | undefined) => {
       [worker.onmessage, worker.onerror] = [null, null];
+      signal?.removeEventListener("abort", cancel);
       if (!port) worker.terminate();
-      resolve(port);
     };
+    const cancel = () => {
+      settle(undefined);
+      reject(cancelled(signal?.reason));
+    };
+    // A script that never answers must not keep who has given up.
+    signal?.addEventListener("abort", cancel, { once: true });
     worker.onmessage = ({ data }) => {
       if (data !== STARTED) return;
       settle(worker as WorkerPort);
       sendBoot(worker, boot);
+      resolve(worker as WorkerPort);
     };
     worker.onerror = (event) => {
       // The page's console need not hear of what is then tried in another way.
       event.preventDefault();
       settle(undefined);
+      resolve(undefined);
     };
   });
 }
@@ -161,8 +181,8 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes["createPolicy"]> | undefined;
 
-/** The worker's URL as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
-function trusted(url: string): string | TrustedScriptURL {
+/** The address of a script as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
+export function trusted(url: string): string | TrustedScriptURL {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
   if (!trustedTypes) return url;
   policy ??= trustedTypes.createPolicy("strut-motion", { createScriptURL: (address) => address });

@@ -1,38 +1,39 @@
 /**
  * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
- * and, for frames that may not fetch, as the script `walk.bin.js`. What few need is in the folder `assets`.
+ * and, for frames that may not fetch, as the script `walk.bin.js`. What loads characters is the script `strut-character.js`, and
+ * what few need is in the folder `assets`.
  */
 import "../engine/whole";
 import { serve } from "../client/server/serve";
 import { hostPlayers, StrutPlayer } from "../element";
 import { StrutError } from "../engine/errors";
 import { loadInlined } from "./load_inlined";
+import { received } from "./script";
 import { SITE } from "./site";
 import type { Servers } from "./start";
 
-type Characters = typeof import("./three");
+type Characters = Pick<typeof import("./three"), "loadCharacter">;
 
-const { src } = document.currentScript as HTMLScriptElement;
-const folder = new URL(".", src).href;
+const folder = folderOf(document.currentScript);
 
-/** Frames with `sandbox="allow-scripts"` have no origin that a server could allow to fetch. */
-const mayFetch = location.origin !== "null";
+/** Frames with `sandbox="allow-scripts"` have no origin that a server could allow to fetch; their address still has one. */
+const mayFetch = self.origin !== "null";
 
-/** Runs a script that calls {@link receive}, and resolves with what it gave. */
-function received(file: string): Promise<Uint8Array<ArrayBuffer>> {
-  return new Promise((resolve, reject) => {
-    const script = document.createElement("script");
-    const name = "strutReceive";
-    Object.assign(globalThis, {
-      [name]: (text: string) => resolve(Uint8Array.from(atob(text), (c) => c.charCodeAt(0))),
-    });
-    script.onload = () => script.remove();
-    const message = `The built-in motions could not be loaded: there is no ${file} beside strut-player.js.`;
-    const hint = "Reload the page; if that does not help, the site was not deployed completely.";
-    script.onerror = () => reject(new StrutError({ code: "load", message, hint }));
-    script.src = new URL(file, folder).href;
-    document.head.append(script);
-  });
+/** The folder of this script. @throws StrutError where it is not one of the page's classic scripts */
+function folderOf(script: HTMLOrSVGScriptElement | null): string {
+  if (script instanceof HTMLScriptElement && script.src) return new URL(".", script.src).href;
+  const message = "strut-player.js does not know where it lies: it is no module, and nothing to import.";
+  const hint = 'Load it with <script src="strut-player.js">, or import "strut-motion/element".';
+  throw new StrutError({ code: "load", message, hint });
+}
+
+/** The walks, from the script that has them as text. @throws StrutError `load` */
+async function walkFromScript(): Promise<Uint8Array<ArrayBuffer>> {
+  const file = "walk.bin.js";
+  const message = `The built-in motions could not be loaded: there is no ${file} beside strut-player.js.`;
+  const hint = "Reload the page; if that does not help, the site was not deployed completely.";
+  const text = await received<string>(new URL(file, folder), message, hint);
+  return Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 }
 
 /** Databases are built in a worker alone: what builds them is as large as all else here but three.js and the engine. */
@@ -45,19 +46,21 @@ const SERVERS: Servers = {
 };
 
 async function load() {
-  const walk = mayFetch ? {} : { "walk.bin": await received("walk.bin.js") };
+  const walk = mayFetch ? {} : { "walk.bin": await walkFromScript() };
   return loadInlined((file) => `${folder}${file === "walk.bin" ? file : `assets/${file}`}`, {}, SERVERS, walk);
 }
 
+let characters: Promise<Characters> | undefined;
+
 /** With three.js of its own: few need it, and a script cannot share what is inside it. @throws StrutError */
 async function loadCharacter(...given: Parameters<Characters["loadCharacter"]>) {
-  const module: Promise<Characters> = import(`${folder}strut-character.js`);
-  const { loadCharacter: load } = await module.catch((cause: unknown) => {
-    const message = "Characters cannot perform here: strut-character.js could not be loaded.";
-    const hint = "It belongs beside strut-player.js; a frame without an origin may not load it.";
-    throw new StrutError({ code: "load", message, hint }, cause);
+  const address = new URL("strut-character.js", folder);
+  const message = `Characters cannot perform here: ${address.href} could not be loaded.`;
+  characters ??= received<Characters>(address, message, "It belongs beside strut-player.js.");
+  characters.catch(() => {
+    characters = undefined;
   });
-  return load(...given);
+  return (await characters).loadCharacter(...given);
 }
 
 hostPlayers({ load, loadCharacter, site: SITE });

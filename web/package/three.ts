@@ -7,7 +7,9 @@ import type { BindOptions, Character, CharacterMotion, GltfLike, VrmLike } from 
 import { placeAssets } from "../engine/assets";
 import { StrutError } from "../engine/errors";
 import type { CallOptions } from "../engine/types";
+import { placedCharacterModule } from "./character_module";
 
+export { JointsError } from "../character/joints_error";
 export type { Licence } from "../character/licence";
 export type { LoadCharacterOptions } from "../character/load";
 export type { CharacterSource } from "../character/read";
@@ -60,12 +62,12 @@ export function loadMotions(source: CharacterSource, call?: CallOptions): Promis
   return readMotions(source, call);
 }
 
-/** Says where the module lies, in the form that bundlers look for. @throws StrutError `load` where this file has no address */
+/** Says where the module lies: where `loadStrut({ assets })` said, else beside this file, in the form that bundlers look for. @throws StrutError `load` where this file has no address */
 function place(): void {
   try {
-    placeAssets({
-      "strut_wasm_character_bg.wasm": new URL("./assets/strut_wasm_character_bg.wasm", import.meta.url),
-    });
+    const beside = new URL("./assets/strut_wasm_character_bg.wasm", import.meta.url);
+    const placed = placedCharacterModule();
+    placeAssets({ "strut_wasm_character_bg.wasm": placed === undefined ? beside : new URL(placed) });
   } catch (cause) {
     const message = "The module of characters has no address: this one was loaded from a blob or as data.";
     throw new StrutError({ code: "load", message, hint: "Load it from a file." }, cause);

@@ -3,7 +3,7 @@
 use js_sys::Float32Array;
 use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
-use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint, ToHumanoid};
+use strut_core::retarget::{Binding, CharacterFacts, FromHumanoid, SolePoint, ToHumanoid, loose_feet};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_wasm_common::{EngineError, floats_of, offsets_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -82,9 +82,36 @@ impl Character {
         })
     }
 
+    /// Joint of each of the 21 roles as far as it can be found, −1 for the others: what is proposed to a person where binding
+    /// fails. Arguments as for the constructor.
+    ///
+    /// # Errors
+    /// If the numbers are no skeleton.
+    #[wasm_bindgen(js_name = likelyRoles)]
+    pub fn likely_roles(
+        names: Vec<String>,
+        parents: &[i32],
+        offsets: &[f32],
+        roles: &[i32],
+    ) -> Result<Vec<i32>, EngineError> {
+        let skeleton = skeleton_of(names, parents, offsets)?;
+        let known = roles_of(roles, skeleton.len())?;
+        Ok(numbers_of(&Binding::likely_roles_of_character(&skeleton, &known)))
+    }
+
+    /// Feet that hang from the root instead of on their legs: pairs of the foot's joint and of the lower leg on which it belongs.
+    ///
+    /// # Errors
+    /// If the numbers are no skeleton.
+    #[wasm_bindgen(js_name = looseFeet)]
+    pub fn loose_feet(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<Vec<i32>, EngineError> {
+        let skeleton = skeleton_of(names, parents, offsets)?;
+        Ok(loose_feet(&skeleton).iter().flat_map(|foot| [foot.joint as i32, foot.lower_leg as i32]).collect())
+    }
+
     /// Joint of each of the 21 roles; −1 for a role that the skeleton lacks.
     pub fn roles(&self) -> Vec<i32> {
-        self.binding.joint_of_role.iter().map(|joint| joint.map_or(-1, |j| j as i32)).collect()
+        numbers_of(&self.binding.joint_of_role)
     }
 
     /// Confidence in the roles, 0–1: 1 where every role is given or found by its name.
@@ -113,15 +140,17 @@ impl Character {
     /// `points`: what of the feet can touch the ground, five numbers each: side (0 left, 1 right), part (0 foot, 1 toes), and
     /// from the joint of that part in the bind pose, xyz along the axes of the file.
     ///
+    /// Without a height it is guessed from the ankles, as before the first call.
+    ///
     /// # Errors
     /// If a number is none, or there is no such side or part; the former soles then stay.
     #[wasm_bindgen(js_name = setSole)]
-    pub fn set_sole(&mut self, height: f32, points: &[f32]) -> Result<(), EngineError> {
-        if !height.is_finite() {
+    pub fn set_sole(&mut self, height: Option<f32>, points: &[f32]) -> Result<(), EngineError> {
+        if height.is_some_and(|height| !height.is_finite()) {
             return Err(EngineError::bad_input("the height of the soles must be a number"));
         }
         let sole_points = sole_points_of(points)?;
-        let facts = CharacterFacts { sole_height: Some(height), ..self.facts.clone() };
+        let facts = CharacterFacts { sole_height: height, ..self.facts.clone() };
         let binding = Binding::of_character(&self.skeleton, &facts).map_err(|e| EngineError::bad_file(e, ""))?;
         (self.facts, self.binding, self.sole_points) = (facts, binding, sole_points);
         self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
@@ -273,6 +302,11 @@ fn sole_points_of(floats: &[f32]) -> Result<Vec<SolePoint>, EngineError> {
     let found: Option<Vec<SolePoint>> = points.iter().map(point).collect();
     let found = found.filter(|_| rest.is_empty());
     found.ok_or_else(|| EngineError::bad_input("a point of a sole needs a side, a part and three finite numbers"))
+}
+
+/// Joints of roles as numbers, −1 where there is none.
+fn numbers_of(roles: &[Option<usize>; JOINTS]) -> Vec<i32> {
+    roles.iter().map(|joint| joint.map_or(-1, |j| j as i32)).collect()
 }
 
 /// Given joints of roles.

@@ -1,5 +1,6 @@
 /** Who performs in Play: the mannequin, or a character that a person dropped. */
 import type { Character, StyledPoses } from "../../character/types";
+import type { DroppedFile } from "../../client/build/protocol";
 import { type CallOptions, isCancellation } from "../../client/protocol";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
@@ -67,11 +68,17 @@ export class Characters {
   /**
    * Opens a file, and has the character in it perform; who performs stays where there is none. The motions in it are given,
    * as BVH files.
+   * @param beside files that the file may name
    */
-  async open(file: File): Promise<Content["motions"]> {
-    const content = await this.#run(file, async (call) => (await import("./open_character")).openModel(file, call));
+  async open(file: File, beside: readonly DroppedFile[] = []): Promise<Content["motions"]> {
+    let whole = file;
+    const content = await this.#run(file, async (call) => {
+      const { asOneFile, openModel } = await import("./open_character");
+      whole = await asOneFile(file, beside);
+      return openModel(whole, call);
+    });
     if (content?.character) {
-      this.#take(content.character, file);
+      this.#take(content.character, whole);
       this.#announce();
     }
     return content?.motions ?? [];
@@ -80,8 +87,10 @@ export class Characters {
   #announce(): void {
     const performing = this.#performing!;
     const { performs, unsure } = strings.page.characters;
+    const { warnings } = this.#character!;
     if (performing.unsure) this.#toasts.note(unsure(performing.name));
     else announce(performs(performing.name));
+    if (warnings.length > 0) this.#toasts.note(warnings.join(" "));
   }
 
   /** Asks which joint of the character is which, and has it perform so. */

@@ -1,8 +1,12 @@
 /** Opens files of characters, and asks what their files leave open. Loaded with the first character. */
 
+import { JointsError } from "../../character/joints_error";
 import type { Licence } from "../../character/licence";
 import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../character/load";
+import { mostWalking } from "../../character/most_walking";
+import { bytesOf } from "../../character/read";
 import type { Character, CharacterMotion } from "../../character/types";
+import type { DroppedFile } from "../../client/build/protocol";
 import type { CallOptions } from "../../client/protocol";
 import { ROLES, type Role } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
@@ -10,6 +14,7 @@ import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
 import { askInDialog, dialogActions } from "../ui/dialog";
 import { askForRoles } from "../ui/roles_dialog";
+import { spoken } from "../ui/words";
 
 const words = strings.page.characters;
 
@@ -39,6 +44,13 @@ export interface Content {
   readonly motions: readonly { name: string; bytes: ArrayBuffer }[];
 }
 
+/** A `.gltf` and the files that it names as one `.glb`; other files as they are. @throws StrutError `bad-file` */
+export async function asOneFile(file: File, beside: readonly DroppedFile[]): Promise<File> {
+  if (!/\.gltf$/i.test(file.name)) return file;
+  const glb = await bytesOf(beside.length > 0 ? beside.map((each) => each.file) : [file], undefined);
+  return new File([glb], file.name.replace(/\.gltf$/i, ".glb"));
+}
+
 /**
  * Opens a file that may hold a character, motions, or both.
  * @throws StrutError as `loadCharacter`, where there is neither
@@ -46,7 +58,7 @@ export interface Content {
 export async function openModel(file: File, call: CallOptions): Promise<Content> {
   if (/\.vrma$/i.test(file.name)) return { character: undefined, motions: asBvh(file, await loadMotions(file, call)) };
   try {
-    const character = await openCharacter(file, call);
+    const character = await openCharacter(file, call).catch((thrown: unknown) => openAsChosen(file, call, thrown));
     return { character, motions: asBvh(file, character.motions) };
   } catch (thrown) {
     if ((thrown as { code?: unknown }).code !== "bad-file") throw thrown;
@@ -57,19 +69,47 @@ export async function openModel(file: File, call: CallOptions): Promise<Content>
   }
 }
 
-/** Motions as files that the engine opens, named after theirs. */
+/**
+ * Asks which joint is which where that cannot be told, until the character is bound by what a person says.
+ * @throws the reason where there is no such list, or nobody wants to choose
+ */
+async function openAsChosen(file: File, call: CallOptions, reason: unknown): Promise<Character> {
+  for (let fault = reason; ; ) {
+    // A thing without limbs is no body that was read wrongly.
+    if (!(fault instanceof JointsError) || Object.keys(fault.roles).length === 0) throw fault;
+    const chosen = await askForJoints({
+      joints: fault.joints,
+      roles: fault.roles,
+      notes: [fault.message, words.missing(fault.missing.map(spoken))],
+    });
+    if (!chosen) throw fault;
+    try {
+      return await openCharacter(file, call, chosen);
+    } catch (thrown) {
+      fault = thrown;
+    }
+  }
+}
+
+/** Motions as files that the engine opens, named after theirs; the one that walks most is the first. */
 function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motions"] {
   const title = file.name.replace(/\.[^.]*$/, "");
-  return motions.map((motion) => ({
+  const first = mostWalking(motions);
+  const sorted = [...motions.slice(first, first + 1), ...motions.filter((_, i) => i !== first)];
+  return sorted.map((motion) => ({
     name: motions.length > 1 ? `${title}, ${motion.name}` : title,
     bytes: new TextEncoder().encode(motion.toBVH()).buffer,
   }));
 }
 
 /** Asks which joint is which; undefined where all stay as they are. */
-export async function askForJoints({ joints, roles, notes }: Character): Promise<ChosenRoles | undefined> {
+export async function askForJoints({
+  joints,
+  roles,
+  notes,
+}: Pick<Character, "joints" | "roles" | "notes">): Promise<ChosenRoles | undefined> {
   const given = ROLES.map((role) => joints.indexOf(roles[role] ?? ""));
-  const chosen = await askForRoles({ joints, roles: given, note: notes.join(" ") });
+  const chosen = await askForRoles({ joints, roles: given, note: notes.filter(Boolean).join(" ") });
   if (!chosen) return undefined;
   return Object.fromEntries(ROLES.flatMap((role, i) => (chosen[i]! >= 0 ? [[role, joints[chosen[i]!]!]] : [])));
 }

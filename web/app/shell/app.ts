@@ -103,7 +103,7 @@ export class App {
       {
         takes: () => viewEntry(store.state.view).takes,
         onMotion: (file) => void this.#workspace.takeFile(file),
-        onModel: (file) => void this.#takeModel(file),
+        onModel: (file, beside) => void this.#takeModel(file, beside),
         onDatabase: (name, file) => void this.#openDatabase({ kind: "strutdb", name, file }, ""),
         onProject: (file) => void this.#project((projects) => projects.open(file)),
         onStyle: (file) => void this.#workspace.databases.addStyle(file, this.#progress.database),
@@ -342,6 +342,12 @@ export class App {
 
   /** Clips go to the view if it takes them; elsewhere a person says what they are for. */
   async #takeClips(files: DroppedFile[]): Promise<void> {
+    const [only, ...others] = files;
+    if (only && others.length === 0 && /\.zip$/i.test(only.path)) {
+      const { modelIn } = await import("../character/models_of_archive");
+      const found = await modelIn(only.file);
+      if (found) return this.#takeModel(found.model, found.beside);
+    }
     // A table of labels or a database among them says it already.
     const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
     if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
@@ -379,9 +385,9 @@ export class App {
   }
 
   /** A character performs in Play, or the motions of its file do. */
-  async #takeModel(file: File): Promise<void> {
+  async #takeModel(file: File, beside: readonly DroppedFile[]): Promise<void> {
     this.#store.edit({ view: "play" });
-    const motions = await this.#characters.open(file);
+    const motions = await this.#characters.open(file, beside);
     await this.#workspace.takeMotions(motions);
     const others = motions.length - 1;
     if (others > 0) this.#toasts.note(strings.page.characters.otherMotions(others));

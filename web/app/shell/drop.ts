@@ -17,8 +17,8 @@ export interface FileListeners {
   onMotion: (file: File) => void;
   onDatabase: (name: string, file: File) => void;
   onProject: (file: File) => void;
-  /** A file that may hold a rigged character, motions, or both. */
-  onModel: (file: File) => void;
+  /** A file that may hold a rigged character, motions, or both; with those beside it that it may name. */
+  onModel: (file: File, beside: readonly DroppedFile[]) => void;
   /** Several files, folders and archives: clips to build a database from. */
   onClips: (files: DroppedFile[]) => void;
   /** One motion that was dropped on {@link styleTarget}. */
@@ -39,6 +39,11 @@ function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners):
     else listeners.onProject(file);
     return;
   }
+  const split = files.filter((each) => /\.gltf$/i.test(each.path));
+  if (split.length === 1 && listeners.takes() !== "all") {
+    listeners.onModel(split[0]!.file, files);
+    return;
+  }
   if (listeners.takes() === "all" || others.length > 0 || path.includes("/") || /\.zip$/i.test(path)) {
     listeners.onClips(files);
     return;
@@ -51,11 +56,7 @@ function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners):
     return;
   }
   if (/\.(glb|vrm|vrma|fbx)$/i.test(file.name)) {
-    listeners.onModel(file);
-    return;
-  }
-  if (/\.gltf$/i.test(file.name)) {
-    listeners.onRefused(strings.page.drop.separate(file.name));
+    listeners.onModel(file, []);
     return;
   }
   if (!isDatabase && !/\.bvh$/i.test(file.name)) {
@@ -101,7 +102,7 @@ export class DropZone {
   readonly #target = html("p", { class: "drop-style", hidden: true }, strings.page.drop.style);
   readonly #picker = html("input", {
     type: "file",
-    accept: ".bvh,.zip,.strut,.strutdb,.glb,.vrm,.vrma,.fbx",
+    accept: ".bvh,.zip,.strut,.strutdb,.glb,.gltf,.bin,.png,.jpg,.vrm,.vrma,.fbx",
     multiple: true,
     hidden: true,
     "aria-label": strings.page.drop.file,

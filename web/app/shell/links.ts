@@ -28,8 +28,7 @@ interface Entry {
 /** What has a history entry of its own: a view, or a lesson. */
 type Place = Pick<AppState, "view" | "lesson">;
 
-const isSamePlace = (a: Place, b: Place): boolean =>
-  a.view === b.view && (a.view !== "learn" || a.lesson === b.lesson);
+const isSamePlace = (a: Place, b: Place): boolean => a.view === b.view && (a.view !== "learn" || a.lesson === b.lesson);
 
 /**
  * Keeps the address bar in step with the state. A change of view or lesson adds a history entry, so that Back returns to the

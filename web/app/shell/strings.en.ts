@@ -72,14 +72,14 @@ export const page = {
   },
 
   drop: {
-    invitation: "Drop BVHs, a folder or zip of them, a character or a project. Any humanoid skeleton works.",
+    invitation:
+      "Drop a motion (BVH, VRMA, or a GLB or FBX with one), a character (GLB, glTF with its files, VRM, FBX), a project, several motions, or a folder or zip of them. Any humanoid skeleton works.",
     file: "Motion, character, database or project",
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
     unknown: (name: string) =>
-      `“${name}” is no motion (.bvh, .vrma), project (.strut), database (.strutdb) or character (.glb, .vrm, .fbx). Drop one of those.`,
+      `“${name}” is no motion (.bvh, .vrma), project (.strut), database (.strutdb) or character (.glb, .gltf, .vrm, .fbx). Drop one of those.`,
     projectAlone: "A project was dropped with other files. Drop it alone: it says itself what is open.",
-    separate: (name: string) => `“${name}” refers to other files. Drop the character as one file, .glb.`,
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
     choose: "Choose joints…",
@@ -114,6 +114,7 @@ export const page = {
       others === 1
         ? "The file holds one more motion: choose it as the input."
         : `The file holds ${others} more motions: choose one as the input.`,
+    missing: (roles: readonly string[]) => (roles.length > 0 ? `Missing: ${roles.join(", ")}.` : ""),
     check: "Check joints",
     back: "Back to the mannequin",
     by: (authors: readonly string[]) => `by ${authors.join(", ")}`,

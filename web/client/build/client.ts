@@ -1,6 +1,7 @@
 /** The page's side: {@link BuildClient} over a worker that lives as long as its work. */
 import { cancelled, disposed, fault, StrutError } from "../../engine/errors";
 import type { CallOptions } from "../../engine/types";
+import { sendPlain } from "../plain";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
 import type {
   BuildClient,
@@ -175,7 +176,12 @@ class WorkerBuildClient implements BuildClient {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       this.pending.set(id, { resolve, reject, options, onRead });
-      worker.postMessage({ ...call, id });
+      try {
+        sendPlain({ ...call, id }, (message) => worker.postMessage(message));
+      } catch (thrown) {
+        this.pending.delete(id);
+        reject(thrown);
+      }
     });
   }
 

@@ -40,11 +40,15 @@ export type LearnClient = LearnEngine & { dispose(): void };
 function spawnWorker(): ClientPort {
   const address = new URL(workerAddress, import.meta.url);
   const options = { type: "module", name: "strut learn" } as const;
-  if (address.origin === location.origin) return new Worker(address, options);
+  if (address.origin === self.origin) return new Worker(address, options);
   // A page may start workers of its own origin alone; one of these may import ours.
   const text = `import ${JSON.stringify(address.href)};`;
-  return new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), options);
+  script ??= URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  return new Worker(script, options);
 }
+
+/** The address of that script, for every start of the engine. */
+let script: string | undefined;
 
 /** Makes an engine. @param spawn starts the worker */
 export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {

@@ -1,5 +1,6 @@
 /** `<strut-figure>`: one live figure of the engine, on any page. */
 import type { LearnEngine } from "../../client/learn/protocol";
+import { button } from "../../ui/controls/buttons";
 import { html, setText } from "../../ui/dom";
 import { themeOf } from "../colours";
 import type { FigureInstance, Measure } from "./kind";
@@ -197,7 +198,7 @@ export class StrutFigure extends HTMLElement {
           if (settled && !this.#held && state === this.#state) return;
           this.#state = state;
           this.state = state;
-          this.#shown = this.#figure!.show(state);
+          this.#take(state);
           this.#tellState(settled);
         },
         point: (term) => this.#tell("termpoint", { term }),
@@ -209,20 +210,37 @@ export class StrutFigure extends HTMLElement {
       this.#show();
       await this.#shown;
     } catch (error) {
-      if (!signal.aborted) this.#say(words.failed(error instanceof Error ? error.message : String(error)));
+      if (signal.aborted) return;
+      this.#fail(error);
+      // What could not be loaded is loaded again by whoever asks for it, or by a click.
+      if (this.#figure) return;
+      this.#opened = undefined;
+      this.#message.append(
+        " ",
+        button(words.retry, () => void this.ready(), { label: true, class: "outlined" }),
+      );
     }
   }
 
   #show(): void {
     if (!this.#figure || this.#state === this.state) return;
     this.#state = this.state;
-    this.#shown = this.#figure.show(this.#state).then(
+    this.#take(this.#state);
+  }
+
+  /** Shows a state, and says why where that fails. */
+  #take(state: string): void {
+    this.#shown = this.#figure!.show(state).then(
       () => {
         this.#container.classList.add("shown");
         this.#say("");
       },
-      (error: unknown) => this.#say(this.#words.failed(error instanceof Error ? error.message : String(error))),
+      (error: unknown) => this.#fail(error),
     );
+  }
+
+  #fail(error: unknown): void {
+    this.#say(this.#words.failed(error instanceof Error ? error.message : String(error)));
   }
 
   #takeTheme(): void {

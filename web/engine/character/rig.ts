@@ -17,6 +17,17 @@ export interface Skeleton {
   readonly local: Float32Array;
 }
 
+/** The joint of each of the 21 roles as far as it can be found, −1 for the others. @throws StrutError `bad-file` */
+export function likelyRoles(glue: CharacterGlue, { names, parents, offsets }: Skeleton, roles: Int32Array): Int32Array {
+  return characterPackage.guarded(() => glue.Character.likelyRoles([...names], parents, offsets, roles));
+}
+
+/** Feet that hang from the root instead of on their legs. @throws StrutError `bad-file` */
+export function looseFeet(glue: CharacterGlue, { names, parents, offsets }: Skeleton): { foot: number; leg: number }[] {
+  const pairs = characterPackage.guarded(() => glue.Character.looseFeet([...names], parents, offsets));
+  return Array.from({ length: pairs.length / 2 }, (_, i) => ({ foot: pairs[2 * i]!, leg: pairs[2 * i + 1]! }));
+}
+
 /** A bound skeleton. */
 export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]>> {
   /** Joint of each role; −1 where there is none. */
@@ -66,10 +77,11 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
   }
 
   /**
-   * Sets how high the soles lie in the bind pose, along the body's up axis in the skeleton's unit.
+   * Sets how high the soles lie in the bind pose, along the body's up axis in the skeleton's unit; without a height it is
+   * guessed from the ankles, as before the first call.
    * @param points what of the feet can touch the ground: side (0 left), part (0 foot, 1 toes) and xyz from the part's joint
    */
-  setSole(height: number, points: Float32Array = new Float32Array()): void {
+  setSole(height: number | undefined, points: Float32Array = new Float32Array()): void {
     characterPackage.guarded(() => this.raw.setSole(height, points));
   }
 

@@ -1,5 +1,6 @@
 //! Whether a bound body is that of a human: what walks on four legs has arms or a trunk as long as legs, and stands on them.
 
+use super::body_tree::BodyTree;
 use super::rest_pose::positions;
 use super::sample::Sample;
 use crate::humanoid::{JOINTS, Proportions, Role};
@@ -45,7 +46,7 @@ pub(super) fn four_legs(
     };
     let both = |limbs: [Limb; 2]| limbs.iter().map(|limb| length(*limb)).sum::<f32>();
     let arms_per_leg = both(Limb::ARMS) / both(Limb::LEGS);
-    let joints = Joints::of(roles)?;
+    let joints = Joints::of(skeleton, roles)?;
     let zero = positions(skeleton, &sample.translations, &vec![Quat::IDENTITY; skeleton.len()]);
     let trunk_per_leg = joints.trunk_per_leg(&zero);
     if arms_per_leg < LONGEST_ARMS && trunk_per_leg < LONGEST_TRUNK || joints.upright(|j| zero[j]) > UPRIGHT {
@@ -58,20 +59,38 @@ pub(super) fn four_legs(
 
 /// The joints that tell two legs from four, left and right.
 struct Joints {
+    /// Where the legs begin: the first joints below the hips. Names that say little leave the thigh of an animal, which has
+    /// three long bones in a leg, above the role of the upper leg.
     hips: [usize; 2],
-    knees: [usize; 2],
+    /// Joints of the legs from there to the feet.
+    legs: [Vec<usize>; 2],
     feet: [usize; 2],
     shoulders: [usize; 2],
     hands: [usize; 2],
 }
 
 impl Joints {
-    fn of(roles: &[Option<usize>; JOINTS]) -> Option<Self> {
+    fn of(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Option<Self> {
         let pair = |left: Role| Some([roles[left.index()]?, roles[left.mirrored().index()]?]);
+        let tree = BodyTree::of_skeleton(skeleton, roles);
+        let pelvis = roles[Role::Hips.index()]?;
+        let thighs = pair(Role::LeftUpperLeg)?;
+        let feet = pair(Role::LeftFoot)?;
+        let leg = |side: usize| {
+            let up = std::iter::successors(Some(feet[side]), |&j| tree.parents[j]);
+            let mut leg: Vec<usize> = up.take_while(|&j| j != pelvis && j != feet[1 - side]).collect();
+            leg.reverse();
+            // A pelvis that bears both thighs belongs to no leg.
+            let shared =
+                |j: usize| std::iter::successors(Some(feet[1 - side]), |&j| tree.parents[j]).any(|other| other == j);
+            leg.retain(|&j| !shared(j) || j == thighs[side]);
+            leg
+        };
+        let legs = [leg(0), leg(1)];
         Some(Self {
-            hips: pair(Role::LeftUpperLeg)?,
-            knees: pair(Role::LeftLowerLeg)?,
-            feet: pair(Role::LeftFoot)?,
+            hips: [*legs[0].first()?, *legs[1].first()?],
+            feet,
+            legs,
             shoulders: pair(Role::LeftUpperArm)?,
             hands: pair(Role::LeftHand)?,
         })
@@ -85,10 +104,8 @@ impl Joints {
 
     /// Length of the trunk in the zero pose over that of the legs.
     fn trunk_per_leg(&self, zero: &[Vec3]) -> f32 {
-        let bone = |[a, b]: [usize; 2], [c, d]: [usize; 2]| {
-            0.5 * ((zero[c] - zero[a]).length() + (zero[d] - zero[b]).length())
-        };
-        let legs = bone(self.hips, self.knees) + bone(self.knees, self.feet);
+        let length = |leg: &[usize]| leg.windows(2).map(|bone| (zero[bone[1]] - zero[bone[0]]).length()).sum::<f32>();
+        let legs = 0.5 * self.legs.iter().map(|leg| length(leg)).sum::<f32>();
         let [_, trunk, _] = self.toward_ends(|j| zero[j]);
         trunk.length() / legs
     }

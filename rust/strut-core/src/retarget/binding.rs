@@ -106,8 +106,11 @@ pub enum BindError {
     /// A required role has no joint.
     #[error("This skeleton has no {} that we can find. Choose the joint, or drop another file.", joint_word(*.0))]
     Missing(Role),
+    /// Several required roles of a character have no joint.
+    #[error("This skeleton has no {} that we can find. Choose the joints, or drop another file.", joint_words(.0))]
+    MissingRoles(Vec<Role>),
     /// A chosen joint is not in the skeleton, or does not hang on the joint of the role above.
-    #[error("Joint '{joint}' cannot be the {}: it does not hang on the rest of the body.", joint_word(*.role))]
+    #[error("{} cannot be the {}: it does not hang on the rest of the body.", joint_named(.joint), joint_word(*.role))]
     Misplaced {
         /// The role.
         role: Role,
@@ -164,6 +167,22 @@ fn joint_word(role: Role) -> &'static str {
     }
 }
 
+/// Names of joints in a row: `left ankle or right ankle`; of more than four the first three.
+fn joint_words(roles: &[Role]) -> String {
+    let words: Vec<&str> = roles.iter().map(|role| joint_word(*role)).collect();
+    match words.as_slice() {
+        [] => "joint".to_owned(),
+        [only] => (*only).to_owned(),
+        [a, b, c, rest @ ..] if rest.len() > 1 => format!("{a}, {b}, {c} and {} other joints", rest.len()),
+        [before @ .., last] => format!("{} or {last}", before.join(", ")),
+    }
+}
+
+/// How a sentence begins with a joint, which may have no name.
+fn joint_named(name: &str) -> String {
+    if name.is_empty() { "A joint without a name".to_owned() } else { format!("Joint '{name}'") }
+}
+
 impl Binding {
     /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
     /// which the character was modelled, and its offsets are differences of positions there, so that its joints' frames are
@@ -175,14 +194,7 @@ impl Binding {
     /// # Errors
     /// See [`BindError`].
     pub fn of_character(skeleton: &Skeleton, facts: &CharacterFacts) -> Result<Self, BindError> {
-        let offsets: Vec<Vec3> = skeleton.joints().iter().map(|j| j.offset).collect();
-        let zero_pose = Motion {
-            skeleton: skeleton.clone(),
-            frame_time_secs: 1.0,
-            translations: offsets,
-            rotations: vec![Quat::IDENTITY; skeleton.len()],
-        };
-        let sample = Sample::of(&zero_pose);
+        let sample = Sample::of(&zero_pose_of(skeleton));
         let of = |roles: &[Option<usize>; JOINTS], confidence| {
             let binding = Self::of(skeleton, &sample, roles, confidence, Some(facts), &ReadAs::default())?;
             let chosen = facts.roles.iter().any(Option::is_some);
@@ -206,8 +218,22 @@ impl Binding {
         if roles.iter().all(Option::is_none) {
             return Err(BindError::NotHumanoid);
         }
+        let missing = missing_roles(&roles);
+        if missing.len() > 1 {
+            return Err(BindError::MissingRoles(missing));
+        }
         leave_out_toes_without_length(&sample, &mut roles);
         of(&roles, found.confidence)
+    }
+
+    /// The joint of each role of a character as far as it can be found beside those that are known: what
+    /// [`Binding::of_character`] refuses is asked of a person with these for a proposal.
+    pub fn likely_roles_of_character(skeleton: &Skeleton, known: &[Option<usize>; JOINTS]) -> [Option<usize>; JOINTS] {
+        let mut roles = find_roles(skeleton, &Sample::of(&zero_pose_of(skeleton))).joint_of_role;
+        for (role, given) in roles.iter_mut().zip(known) {
+            *role = given.or(role.filter(|joint| !known.contains(&Some(*joint))));
+        }
+        roles
     }
 
     /// Whether a skeleton has the hierarchy that was bound, so that its motions may use this binding.
@@ -285,6 +311,24 @@ impl Binding {
             parents: skeleton.joints().iter().map(|j| j.parent).collect(),
         })
     }
+}
+
+/// A character as it was modelled, as a clip of one frame.
+pub(super) fn zero_pose_of(skeleton: &Skeleton) -> Motion {
+    Motion {
+        skeleton: skeleton.clone(),
+        frame_time_secs: 1.0,
+        translations: skeleton.joints().iter().map(|j| j.offset).collect(),
+        rotations: vec![Quat::IDENTITY; skeleton.len()],
+    }
+}
+
+/// The required roles without a joint. Hips and spine are found between the limbs: they miss only where no limb does.
+fn missing_roles(roles: &[Option<usize>; JOINTS]) -> Vec<Role> {
+    let missing = |role: &Role| roles[role.index()].is_none();
+    let limbs: Vec<Role> =
+        REQUIRED.into_iter().filter(|role| !matches!(role, Role::Hips | Role::Spine)).filter(missing).collect();
+    if limbs.is_empty() { REQUIRED.into_iter().filter(missing).collect() } else { limbs }
 }
 
 /// Every required role has a joint, and every joint hangs on that of the nearest role above.
@@ -439,6 +483,15 @@ fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS],
     }
 }
 
+/// A length for people: one digit after the point, or as many as show the first that is not 0.
+fn significant(length: f32) -> String {
+    let (mut digits, mut shown) = (1, 10.0 * length);
+    while shown < 1.0 && digits < 9 {
+        (digits, shown) = (digits + 1, 10.0 * shown);
+    }
+    format!("{length:.digits$}")
+}
+
 fn notes(
     skeleton: &Skeleton,
     unmapped: &[usize],
@@ -452,12 +505,16 @@ fn notes(
     let matched = all - unmapped.len();
     notes.push(match unmapped {
         [] => format!("Matched all {all} joints."),
-        [one] => format!("Matched {matched} of {all} joints. {} stays as it was.", skeleton.joints()[*one].name),
+        [one] => {
+            let name = skeleton.joints()[*one].name.as_str();
+            let one = if name.is_empty() { "One without a name" } else { name };
+            format!("Matched {matched} of {all} joints. {one} stays as it was.")
+        }
         many => format!("Matched {matched} of {all} joints. The other {} stay as they were.", many.len()),
     });
     notes.push(match unit {
         Some(word) => format!("Lengths are in {word}."),
-        None => format!("One unit of length was taken as {:.1} cm.", 100.0 * metres_per_unit),
+        None => format!("One unit of length was taken as {} cm.", significant(100.0 * metres_per_unit)),
     });
     if !rest.from_zero_pose {
         notes.push("The zero pose is no T-pose; the rest pose was worked out from the motion.".to_owned());

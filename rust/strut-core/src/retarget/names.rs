@@ -272,6 +272,9 @@ const OTHERS: &[&str] = &[
 /// Words that say which limb, before one that says which part of it (`L_Leg_Knee`).
 const LIMBS: &[&str] = &["leg", "arm"];
 
+/// What a palm is in a skeleton without hands.
+const PALM: &[(Part, f32)] = &[(Part::Hand, 0.8)];
+
 /// A word that at least this share of a skeleton's names has says nothing of a joint.
 const COMMON: f32 = 0.6;
 
@@ -300,7 +303,19 @@ impl NameHint {
                 common.push(word.clone());
             }
         }
-        words.iter().map(|words| Self::of_words(words.iter().filter(|w| !common.contains(w)))).collect()
+        let mut hints: Vec<Self> =
+            words.iter().map(|words| Self::of_words(words.iter().filter(|w| !common.contains(w)))).collect();
+        // Where nothing is called a hand, the palms are the hands.
+        if hints.iter().all(|hint| hint.weight(Part::Hand) == 0.0) {
+            for (hint, words) in hints.iter_mut().zip(&words) {
+                let mut palm = Self::of_words(words.iter().filter(|w| *w != "palm" && !common.contains(w)));
+                if !palm.is_other && palm.parts.is_empty() && words.iter().any(|w| w == "palm") {
+                    palm.parts = Cow::Borrowed(PALM);
+                    *hint = palm;
+                }
+            }
+        }
+        hints
     }
 
     /// Reads one name by itself.
@@ -477,6 +492,13 @@ mod tests {
         ] {
             assert_eq!(strongest(name), Some((side, part)), "{name}");
         }
+    }
+
+    #[test]
+    fn palms_are_hands_where_there_are_none() {
+        let hands = |names: &[&str]| NameHint::of_all(names).iter().filter(|h| h.weight(Part::Hand) > 0.0).count();
+        assert_eq!(hands(&["Body", "LowerArmL", "Palm2L", "ThumbL", "LowerArmR", "Palm2R"]), 2);
+        assert_eq!(hands(&["hand.L", "palm.01.L", "palm.02.L", "hand.R", "palm.01.R"]), 2);
     }
 
     #[test]

@@ -59,8 +59,9 @@ export const play = {
   input: {
     heading: "Input",
     motion: "Input motion",
-    drop: "Drop a BVH",
-    dropWhy: "Drop a BVH anywhere on the page, or choose one here",
+    drop: "Drop a file",
+    dropWhy:
+      "Drop a motion (BVH, VRMA, GLB, FBX) or a character (GLB, VRM, FBX) anywhere on the page, or choose one here",
     readsAs: "Reads as",
     readsAsWhy: "What the engine takes the input for, and how sure it is",
     readsAsClass: (action: string, style: string) => `${action}, ${style}`,
@@ -218,7 +219,7 @@ export const play = {
       ["F", "follow the person"],
       ["→", "one moment on, while it rests"],
     ] as readonly (readonly [keys: string, does: string])[],
-    drop: "Drop a BVH anywhere to style it, several to choose what becomes of them, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
+    drop: "Drop a motion (BVH, VRMA, GLB, FBX) anywhere to style it, several to choose what becomes of them, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
     manual: "Documentation",
     notices: "Licences of the software in this page",
   },

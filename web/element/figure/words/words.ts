@@ -25,6 +25,7 @@ export interface Words {
   pause: string;
   noGraphics: string;
   failed: (why: string) => string;
+  retry: string;
   unknown: (kind: string) => string;
   styles: Record<Style, string>;
   inputs: Record<InputName, string>;

@@ -21,6 +21,7 @@ export const de: Words = {
   pause: "Anhalten",
   noGraphics: "Dieser Browser kann nicht in 3-D zeichnen. Die Tabelle darunter sagt dasselbe.",
   failed: (why) => `Die Abbildung konnte nicht gezeichnet werden. ${why}`,
+  retry: "Erneut versuchen",
   unknown: (kind) => `Es gibt keine Abbildung „${kind}“.`,
   styles: {
     neutral: "neutral",

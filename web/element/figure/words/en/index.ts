@@ -30,6 +30,7 @@ export const en: Words = {
   pause: "Pause",
   noGraphics: "This browser cannot draw in 3-D. The table below says the same.",
   failed: (why) => `The figure could not be made. ${why}`,
+  retry: "Try again",
   unknown: (kind) => `There is no figure “${kind}”.`,
   styles: same(STYLES, (name) => name),
   inputs: same(INPUTS, (name) => name),

@@ -1,0 +1,110 @@
+/** Characters of other people on the page: textured, of other formats, of other sizes, with joints that are not found. */
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { othersAbsent, rigOfOthers } from "../rigs/others";
+import { drawn, dropFile, eventually, inputName, openSite, screenshot } from "./browser";
+import { colouredPixels } from "./pixels";
+
+let site: Awaited<ReturnType<typeof openSite>>;
+let page: Page;
+beforeAll(async () => {
+  // Without the ghost and the corners of the styles, which have colours of their own.
+  site = await openSite({ hash: "styles=proud:1&ghost=off", size: { width: 1280, height: 800 }, theme: "light" });
+  page = site.page;
+});
+afterAll(() => site.close());
+
+const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
+const dropRig = (name: string) => dropFile(page, name, rigOfOthers(name));
+
+/** Drops several files at once. */
+async function dropTogether(files: readonly { name: string; bytes: Uint8Array }[]): Promise<void> {
+  const texts = files.map(({ name, bytes }) => ({ name, bytes: Buffer.from(bytes).toString("base64") }));
+  const dataTransfer = await page.evaluateHandle((given) => {
+    const transfer = new DataTransfer();
+    for (const { name, bytes } of given)
+      transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name));
+    return transfer;
+  }, texts);
+  for (const type of ["dragenter", "dragover", "drop"])
+    await page.dispatchEvent("body", type, { dataTransfer, clientX: 5, clientY: 5 });
+}
+
+/** What toasts say. */
+const said = async () => (await page.getByRole("status").allTextContents()).join(" ");
+
+/** The picture of the stage, without the panels around it. */
+async function pictureOfStage(): Promise<Buffer> {
+  await drawn(page, 10);
+  const box = (await page.locator(".stage").first().boundingBox())!;
+  const [width, height] = [0.4 * box.width, 0.8 * box.height];
+  return page.screenshot({
+    clip: { x: box.x + (box.width - width) / 2, y: box.y + (box.height - height) / 2, width, height },
+  });
+}
+
+test.skipIf(othersAbsent)("a textured character has its colours, under the page's own policy", async () => {
+  await dropRig("m2m-sophia.glb");
+  await eventually(performer).toBe("m2m-sophia");
+  await eventually(async () => colouredPixels(site.browser, await pictureOfStage())).toBeGreaterThan(1000);
+  await screenshot(page, "others-m2m-sophia");
+});
+
+/** Characters that perform by themselves, and what a person is told of them. */
+const OTHERS: readonly [file: string, told: string][] = [
+  ["m2m-sample-rig.glb", ""],
+  ["Geno.fbx", ""],
+  ["RobotExpressive.glb", ""],
+  ["quaternius_Male_Casual.fbx", ""],
+  ["rocketbox_Female_Adult_01.fbx", "textures could not be loaded"],
+  ["valid_meshopt.glb", ""],
+  ["HVGirl.glb", "the size of a person here"],
+];
+
+test.skipIf(othersAbsent).each(OTHERS)("%s performs", async (file, told) => {
+  const name = file.replace(/\.[^.]*$/, "");
+  await dropRig(file);
+  await eventually(performer).toBe(name);
+  if (told) await eventually(said).toContain(told);
+  await page.getByLabel("Input motion").selectOption("neutral walk");
+  // A person is seen as a person is, whatever unit the file has: between a third and nine tenths of the picture.
+  const heightOf = () =>
+    page.evaluate(() => {
+      const { strut } = window as unknown as { strut: { jointScreenPosition(role: string): { y: number } } };
+      return strut.jointScreenPosition("left_foot").y - strut.jointScreenPosition("head").y;
+    });
+  await eventually(heightOf).toBeGreaterThan(120);
+  await eventually(heightOf).toBeLessThan(600);
+  await drawn(page, 20);
+  await screenshot(page, `others-${name}`);
+});
+
+test.skipIf(othersAbsent)("a character with a walk among its motions begins with that", async () => {
+  await dropRig("HVGirl.glb");
+  await eventually(() => inputName(page)).toBe("HVGirl, Walking");
+  await drawn(page, 20);
+  await screenshot(page, "others-own-walk");
+  await page.getByLabel("Input motion").selectOption("neutral walk");
+});
+
+test.skipIf(othersAbsent)("a .gltf and the files beside it are dropped together", async () => {
+  const [document, buffer, texture] = ["manny_med_mod.gltf", "manny_med_mod.bin", "mannequin_texture.png"];
+  const beside = (name: string) => ({ name, bytes: rigOfOthers(`kaykit/${name}`) });
+  await dropTogether([beside(document!)]);
+  await eventually(() => page.getByRole("alert").textContent()).toContain("manny_med_mod.bin");
+  await dropTogether([document, buffer, texture].map((name) => beside(name!)));
+  await eventually(performer).toBe("manny_med_mod");
+  await eventually(async () => colouredPixels(site.browser, await pictureOfStage())).toBeGreaterThan(1000);
+  await screenshot(page, "others-kaykit");
+});
+
+test.skipIf(othersAbsent)("an animal is asked about, and performs only if a person says so", async () => {
+  await dropRig("Fox.glb");
+  const dialog = page.getByRole("dialog", { name: "Which joint is which" });
+  await eventually(() => dialog.innerText()).toContain("stands on four legs");
+  await eventually(() => dialog.getByLabel("hips").locator("option:checked").innerText()).toBe("b_Hip_01");
+  await screenshot(page, "others-fox-joints");
+  await dialog.getByRole("button", { name: "Cancel" }).click();
+  await eventually(() => dialog.count()).toBe(0);
+  expect(await performer()).toBe("manny_med_mod");
+});

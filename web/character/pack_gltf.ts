@@ -1,0 +1,158 @@
+/** A `.gltf` with files beside it as one binary glTF: what the rest of the room reads, checks and writes. */
+import { StrutError } from "../engine/errors";
+import { isRecord } from "./vrm_humanoid";
+
+/** A file by its path. */
+export interface FileBeside {
+  readonly path: string;
+  bytes(): Promise<Uint8Array>;
+}
+
+const [MAGIC, JSON_CHUNK, BINARY_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
+/** Most bytes of all files together. */
+const MAX_BYTES = 128 * 1024 * 1024;
+
+/**
+ * One file of several. What the document has as data stays there.
+ * @param document the bytes of the `.gltf`, which lies at `path`
+ * @param beside gives a file that the document names; `undefined` where it is not there
+ * @throws StrutError `bad-file` where the document is none, or names files that are missing
+ */
+export async function packedGltf(
+  document: Uint8Array,
+  beside: (uri: string) => Promise<Uint8Array | undefined>,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const json = parsed(document);
+  const missing: string[] = [];
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  const add = (bytes: Uint8Array): number => {
+    const start = length;
+    const padding = new Uint8Array(-bytes.length & 3);
+    parts.push(bytes, padding);
+    length += bytes.length + padding.length;
+    if (length > MAX_BYTES)
+      throw new StrutError({
+        code: "bad-file",
+        message: "This model has more than 128 MB.",
+        hint: "Make its textures smaller.",
+      });
+    return start;
+  };
+  const take = async (uri: unknown): Promise<Uint8Array | undefined> => {
+    if (typeof uri !== "string") return undefined;
+    const data = dataOf(uri);
+    if (data) return data;
+    const found = await beside(decoded(uri));
+    if (!found) missing.push(decoded(uri));
+    return found;
+  };
+
+  // All buffers become one, each at its place in it.
+  const starts: number[] = [];
+  for (const buffer of records(json.buffers)) starts.push(add((await take(buffer.uri)) ?? new Uint8Array()));
+  const bufferViews: Record<string, unknown>[] = records(json.bufferViews).map((view) => ({
+    ...view,
+    buffer: 0,
+    byteOffset: Number(view.byteOffset ?? 0) + (starts[Number(view.buffer)] ?? 0),
+  }));
+  const images: Record<string, unknown>[] = [];
+  for (const image of records(json.images)) {
+    const { uri, ...rest } = image;
+    const bytes = typeof uri === "string" ? await take(uri) : undefined;
+    if (!bytes) {
+      images.push(typeof uri === "string" ? rest : image);
+      continue;
+    }
+    const bufferView = bufferViews.push({ buffer: 0, byteOffset: add(bytes), byteLength: bytes.length }) - 1;
+    images.push({ ...rest, bufferView, mimeType: rest.mimeType ?? typeOf(bytes) });
+  }
+  const lost = missing.filter((name) => !/\.(png|jpe?g|webp|avif|ktx2)$/i.test(name));
+  if (lost.length > 0)
+    throw new StrutError({
+      code: "bad-file",
+      message: `This model keeps a part of itself in another file: ${lost.join(", ")}.`,
+      hint: "Drop the files together, or their folder, or a zip of it; or export one .glb file.",
+    });
+  return glbOf(
+    { ...json, buffers: length > 0 ? [{ byteLength: length }] : [], bufferViews, images: images.map(withSource) },
+    parts,
+    length,
+  );
+}
+
+/** A picture that is missing has no place: three.js leaves it out, and a note says so. */
+function withSource(image: Record<string, unknown>): Record<string, unknown> {
+  return image.bufferView === undefined && image.uri === undefined ? { ...image, uri: "data:," } : image;
+}
+
+/** The files of a `.gltf` among others: by the path that the document names, from its own folder. */
+export function packedWith(document: FileBeside, files: readonly FileBeside[]): Promise<Uint8Array<ArrayBuffer>> {
+  const folder = document.path.replace(/[^/]*$/, "");
+  const beside = async (uri: string) => {
+    const path = `${folder}${uri.replace(/^\.\//, "")}`;
+    const name = uri.replace(/^.*\//, "");
+    // A person who drops the files together drops them without their folders.
+    const found =
+      files.find((file) => file.path === path) ?? files.find((file) => file.path.replace(/^.*\//, "") === name);
+    return found?.bytes();
+  };
+  return document.bytes().then((bytes) => packedGltf(bytes, beside));
+}
+
+function parsed(document: Uint8Array): Record<string, unknown> {
+  try {
+    const json: unknown = JSON.parse(new TextDecoder().decode(document));
+    if (isRecord(json) && isRecord(json.asset)) return json;
+  } catch {
+    // The same sentence as for what is no document.
+  }
+  throw new StrutError({
+    code: "bad-file",
+    message: "The glTF document in this file is damaged.",
+    hint: "Export the model again as .glb.",
+  });
+}
+
+/** The bytes of a `data:` address; `undefined` for other addresses. */
+function dataOf(uri: string): Uint8Array | undefined {
+  const [, base64, text] = /^data:[^,]*?(;base64)?,(.*)$/s.exec(uri) ?? [];
+  if (text === undefined) return undefined;
+  try {
+    return base64
+      ? Uint8Array.from(atob(text), (c) => c.charCodeAt(0))
+      : new TextEncoder().encode(decodeURIComponent(text));
+  } catch {
+    return new Uint8Array();
+  }
+}
+
+function decoded(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
+}
+
+const typeOf = (bytes: Uint8Array): string => (bytes[0] === 0x89 ? "image/png" : "image/jpeg");
+
+const records = (list: unknown): Record<string, unknown>[] => (Array.isArray(list) ? list.filter(isRecord) : []);
+
+function glbOf(json: Record<string, unknown>, parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const textLength = text.length + (-text.length & 3);
+  const out = new Uint8Array(28 + textLength + length);
+  const view = new DataView(out.buffer);
+  for (const [i, word] of [MAGIC, 2, out.length, textLength, JSON_CHUNK].entries()) view.setUint32(4 * i, word, true);
+  out.fill(0x20, 20, 20 + textLength);
+  out.set(text, 20);
+  view.setUint32(20 + textLength, length, true);
+  view.setUint32(24 + textLength, BINARY_CHUNK, true);
+  let at = 28 + textLength;
+  for (const part of parts) {
+    out.set(part, at);
+    at += part.length;
+  }
+  return out;
+}

@@ -1,0 +1,26 @@
+import { expect, test } from "vitest";
+import type { CallOptions } from "../client/protocol";
+import type { Strut } from "../package/types";
+import { SharedEngine } from "./shared_engine";
+
+test("every player that waits for a file is told how far it is", async () => {
+  let tell: CallOptions["onProgress"];
+  let open: (database: { dispose(): void }) => void = () => {};
+  const openDatabase = (_: unknown, { onProgress }: CallOptions) => {
+    tell = onProgress;
+    return new Promise((resolve) => {
+      open = resolve;
+    });
+  };
+  const engine = new SharedEngine(async () => ({ openDatabase }) as unknown as Strut);
+  const heard: number[][] = [[], []];
+  const leases = heard.map((own) =>
+    engine.database("strut:walk", { onProgress: ({ fraction }) => own.push(fraction) }),
+  );
+  await new Promise((resolve) => setTimeout(resolve));
+  tell!({ label: "", fraction: 0.5 });
+  open({ dispose: () => {} });
+  await Promise.all(leases);
+  tell!({ label: "", fraction: 1 });
+  expect(heard).toEqual([[0.5], [0.5]]);
+});

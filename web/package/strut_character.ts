@@ -1,0 +1,18 @@
+/**
+ * `strut-character.js`: what loads characters for `strut-player.js`, with three.js and its loaders, three-vrm and the module of
+ * characters in one classic script: it needs nothing beside it, and runs in frames without an origin.
+ */
+import characters from "strut-inline:strut_wasm_character_bg.wasm";
+import { loadCharacter } from "../character/load";
+import { placeAssets } from "../engine/assets";
+import { inflate } from "./inflate";
+import { RECEIVER } from "./script";
+
+const load: typeof loadCharacter = async (source, options) => {
+  placeAssets({ "strut_wasm_character_bg.wasm": await inflate(characters) });
+  return loadCharacter(source, options, () => import("@pixiv/three-vrm"));
+};
+
+(globalThis as unknown as Record<string, ((given: { loadCharacter: typeof load }) => void) | undefined>)[RECEIVER]?.({
+  loadCharacter: load,
+});
