@@ -147,7 +147,8 @@ fn drive(driver: &mut Driver, mut stylizer: Stylizer, orders: &Orders, secs: Opt
     if let Some(path) = orders.path() {
         driver.set_path(path);
     }
-    let most = (secs.unwrap_or(MAX_SECS) * rate_hz) as usize;
+    // A motion has a frame at least.
+    let most = ((secs.unwrap_or(MAX_SECS) * rate_hz) as usize).max(1);
     let mut over = false;
     while driven.log.poses.len() < most && (secs.is_some() || !over) {
         let now_secs = driven.log.poses.len() as f32 / rate_hz;

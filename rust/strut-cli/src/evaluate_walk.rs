@@ -7,6 +7,7 @@ mod mixture;
 use crate::failure::{Failure, Outcome};
 use crate::print::{print_warnings, write_or_print};
 use mixture::{STEPS, weights};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -58,6 +59,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
         return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
+    }
+    let styles: BTreeSet<&str> = rest.iter().map(|walk| walk.style.as_str()).collect();
+    if styles.len() < 2 {
+        let found = names(&args.inputs);
+        return Err(Failure::new(format_args!("{found}: walks of two styles at least were expected to train on")));
     }
     let clips: Vec<LabelledClip> = rest.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let begin = Instant::now();
@@ -272,9 +278,10 @@ fn horizon(
     Ok(())
 }
 
+/// The value in the middle; not a number if there is none.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// Names of files and folders, for a sentence.

@@ -46,6 +46,19 @@ fn the_styled_character_follows_a_path() {
 }
 
 #[test]
+fn the_shortest_drive_has_a_frame() {
+    let folder = folder();
+    fs::write(folder.path().join("path.csv"), circle()).unwrap();
+    let args = ["drive", "--db", "db.strutdb", "--path", "path.csv", "--secs", "0.001", "-o", "out.bvh"];
+    let said = strut_ok(folder.path(), &[&args[..], &["--input-out", "in.bvh"]].concat());
+    assert!(!said.contains("NaN"), "{said}");
+    for file in ["in.bvh", "out.bvh"] {
+        let bytes = fs::read(folder.path().join(file)).unwrap();
+        assert_eq!(bvh::parse(&bytes).map(|file| file.frames), Ok(1), "{file}");
+    }
+}
+
+#[test]
 fn somebody_stops_turns_on_the_spot_and_jumps_when_asked_to() {
     let folder = folder();
     let log = "time,gait,heading,face,action\n0,1,0,,\n4,0,0,,\n8,0,0,90,\n11,0,0,-90,\n14,0,0,-90,jump\n18,1,-90,,\n\

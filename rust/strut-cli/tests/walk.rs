@@ -158,6 +158,16 @@ fn bvh_of(motion: &HumanoidMotion) -> String {
     bvh::write_text(&Bvh::from_humanoid(motion).unwrap())
 }
 
+#[test]
+fn walks_of_one_style_are_not_compared_with_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    for take in 1..=4 {
+        let name = format!("walk_old_{take}.bvh");
+        std::fs::write(folder.path().join(name), bvh_of(&demo_walk())).unwrap();
+    }
+    assert_refused(folder.path(), &["evaluate-walk", "."], "walks of two styles at least were expected");
+}
+
 /// BVH text without the joints of the toes: their parents end where they were.
 fn without_toes(text: &str) -> String {
     let (mut lines, mut columns, mut skipped) = (Vec::new(), Vec::new(), None);

@@ -14,5 +14,7 @@ pub mod style_keys;
 pub mod vmc;
 pub mod walk_model;
 
+pub use quotation::quotation;
+
 /// Program and version, as files that Strut writes record it.
 pub const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));

@@ -1,6 +1,6 @@
 //! What messages quote of a file.
 
 /// The beginning of a text, on one line: at most `most` characters, with a mark in place of what is not printed.
-pub(crate) fn quotation(text: &str, most: usize) -> String {
+pub fn quotation(text: &str, most: usize) -> String {
     text.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).take(most).collect()
 }

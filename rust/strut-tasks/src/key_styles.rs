@@ -7,9 +7,13 @@ use strut_core::humanoid::Role;
 use strut_core::incremental::IncrementalJob;
 use strut_core::parallel::Sequential;
 use strut_core::somn::{Fault, KeyStyleModel, Measure, Options, Recording, Trainer};
+use strut_formats::quotation;
 
 /// Ridge of expectation and maximisation.
 pub const EM_RIDGE: f64 = 0.01;
+
+/// Greatest number of characters of a list in a message.
+const SHOWN: usize = 200;
 
 /// The measures of a list, `hips_height,hand_l.y - shoulder_l.y` for example.
 ///
@@ -23,7 +27,7 @@ pub fn parse_axes(text: &str) -> Outcome<Vec<Measure>> {
                 Measure::NAMED.iter().map(|m| m.name).chain(Role::ALL.iter().map(|role| role.name())).collect();
             sentence = format!("column {}: {}", error.column, unknown("joint, measure or function", name, &names));
         }
-        TaskError::new(format_args!("--axes '{text}', {sentence}"))
+        TaskError::new(format_args!("--axes '{}', {sentence}", quotation(text, SHOWN)))
     })
 }
 
@@ -46,4 +50,16 @@ pub fn train_key_styles(
     }
     let Ok(model) = trainer.conclude(&Sequential);
     Ok(model)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        let long = "hips_height,".repeat(5000);
+        let refused = parse_axes(&long).unwrap_err().to_string();
+        assert!(refused.chars().count() < 500, "{} characters", refused.chars().count());
+    }
 }

@@ -1,5 +1,9 @@
 //! "Did you mean …?"
 
+use strut_formats::quotation;
+
+/// Greatest number of characters of a name in a message.
+const MAX_SHOWN: usize = 40;
 /// Greatest number of names in a message.
 const MAX_LISTED: usize = 12;
 /// Likeness (1: equal) from which a name is suggested: "eldery" and "elderly" have 0.86.
@@ -7,6 +11,7 @@ const MIN_LIKENESS: f64 = 0.6;
 
 /// The message for an unknown name.
 pub fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> String {
+    let name = &quotation(name, MAX_SHOWN);
     let likeness = |k: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), &k.to_lowercase());
     let closest = known.iter().map(AsRef::as_ref).max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     let advice = if let Some(closest) = closest.filter(|c| likeness(c) >= MIN_LIKENESS) {

@@ -7,6 +7,7 @@ use std::str::FromStr;
 use strut_core::catalogue::Catalogue;
 use strut_core::hsmm::styles_named;
 use strut_core::transfer::{BodyPart, MAX_WEIGHT};
+use strut_formats::quotation;
 
 /// Names of the body parts, for messages.
 const PART_NAMES: [&str; 6] = ["head", "torso", "left_arm", "right_arm", "arms", "legs"];
@@ -31,6 +32,7 @@ impl FromStr for StyleWeights {
 }
 
 fn unlike_a_weight(text: impl Display) -> String {
+    let text = quotation(&text.to_string(), 40);
     format!("the weight is '{text}'; a number from -{MAX_WEIGHT} to {MAX_WEIGHT} was expected")
 }
 
@@ -129,6 +131,17 @@ mod tests {
     fn weights_are_numbers_in_range_and_names_are_there_once() {
         for bad in ["", "a,", "=1", "a=", "a=x", "a=nan", "a=inf", "a=11", "a=1,a=2"] {
             assert!(bad.parse::<StyleWeights>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        for long in [format!("old={}", "9".repeat(5000)), format!("{}=1", "x".repeat(5000))] {
+            let refused = long
+                .parse::<StyleWeights>()
+                .map(|w| w.among(&["old".into()], |_| Vec::new()))
+                .map_or_else(|refused| refused, |refused| refused.unwrap_err());
+            assert!(refused.chars().count() < 300, "{} characters", refused.chars().count());
         }
     }
 

@@ -25,6 +25,9 @@ pub struct Builder {
 #[wasm_bindgen]
 impl Builder {
     /// A build of these files; `takes` below 0 are counted. Without `neutral` the style is found by its name.
+    ///
+    /// # Errors
+    /// If the lists differ in length.
     #[wasm_bindgen(constructor)]
     pub fn new(
         paths: Vec<String>,
@@ -33,14 +36,19 @@ impl Builder {
         takes: Vec<i32>,
         licences: Vec<String>,
         neutral: Option<String>,
-    ) -> Self {
+    ) -> Result<Self, EngineError> {
+        let of_lists = [actions.len(), styles.len(), takes.len(), licences.len()];
+        if let Some(found) = of_lists.into_iter().find(|length| *length != paths.len()) {
+            let expected = paths.len();
+            return Err(EngineError::bad_input(format!("{found} labels were given for {expected} files")));
+        }
         let labels = actions.into_iter().zip(styles).zip(takes);
         let labels = labels.map(|((action, style), take)| Labels { action, style, take: u32::try_from(take).ok() });
         let entry = |((path, labels), licence)| Entry { path, labels, licence };
         let mut entries: Vec<Entry> = paths.into_iter().zip(labels).zip(licences).map(entry).collect();
         entries.sort_by(|a, b| a.path.cmp(&b.path));
         corpus::count_takes(entries.iter_mut().map(|e| &mut e.labels));
-        Self { entries, neutral, body: None, clips: Vec::new() }
+        Ok(Self { entries, neutral, body: None, clips: Vec::new() })
     }
 
     /// Paths in the order in which the files must be added: the first that can be read gives the database its body.

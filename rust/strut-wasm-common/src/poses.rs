@@ -39,12 +39,16 @@ pub fn offsets_of(proportions: &Proportions) -> Vec<f32> {
 /// What [`offsets_of`] wrote.
 ///
 /// # Errors
-/// If the array has another length.
+/// If the array has another length, or the offsets are those of no body.
 pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
     let (offsets, rest) = floats.as_chunks::<3>();
     let offsets: Option<[[f32; 3]; JOINTS]> = offsets.try_into().ok().filter(|_| rest.is_empty());
     let wrong = || EngineError::bad_input(format!("{} offsets were given; {} were expected", floats.len(), 3 * JOINTS));
-    Ok(Proportions { offsets: offsets.ok_or_else(wrong)?.map(Vec3::from) })
+    let body = Proportions { offsets: offsets.ok_or_else(wrong)?.map(Vec3::from) };
+    let none = || {
+        EngineError::bad_input("the offsets are those of no body; finite ones were expected, and limbs with lengths")
+    };
+    if body.is_valid() { Ok(body) } else { Err(none()) }
 }
 
 /// The text of a BVH file of a motion.

@@ -1,7 +1,7 @@
 //! Handle of the clips that are driven with.
 
 use strut_core::driving::{DrivingClips, NeutralClip};
-use strut_core::humanoid::Proportions;
+use strut_core::humanoid::{Pose, Proportions};
 use strut_wasm_common::{EngineError, poses_of, proportions_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -82,7 +82,11 @@ impl Clips {
 }
 
 fn clip_of(name: String, action: String, poses: &[f32], contacts: &[u8]) -> Result<NeutralClip, EngineError> {
-    let poses = poses_of(poses)?.collect();
+    let poses: Vec<Pose> = poses_of(poses)?.collect();
+    if contacts.len() != 2 * poses.len() {
+        let (found, expected) = (contacts.len(), 2 * poses.len());
+        return Err(EngineError::bad_input(format!("{found} contacts were given; {expected} were expected")));
+    }
     let contacts = contacts.as_chunks::<2>().0.iter().map(|feet| feet.map(|planted| planted != 0)).collect();
     Ok(NeutralClip { name, action, poses, contacts })
 }

@@ -20,6 +20,10 @@ pub(super) fn write(
         let steps = steps_of(track);
         [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
     };
+    if halves.iter().all(|(_, [first, _])| !has_both(first)) {
+        let _ = writeln!(text, "## Half a take\n\nNo first half of {name} has steps of both feet.\n");
+        return Ok(());
+    }
     let usable: Vec<_> = halves.iter().filter(|(_, [first, _])| has_both(first)).collect();
     let first_halves = usable.iter().map(|(style, [first, _])| LabelledClip { style, track: first });
     let clips: Vec<LabelledClip> = others.iter().copied().chain(first_halves).collect();

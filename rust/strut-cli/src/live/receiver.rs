@@ -12,6 +12,14 @@ use strut_formats::vmc::MAX_PACKET_BYTES;
 /// Packets that may wait; more are dropped, as the network drops them.
 const MOST_WAITING: usize = 1024;
 
+/// After an error that may stay the socket is left alone for so long.
+const PAUSE: Duration = Duration::from_millis(100);
+
+/// Whether an error says nothing of the next packet.
+fn is_of_the_moment(error: ErrorKind) -> bool {
+    matches!(error, ErrorKind::ConnectionRefused | ErrorKind::ConnectionReset | ErrorKind::Interrupted)
+}
+
 /// A packet with its time of arrival on the receiver's clock.
 pub(super) struct Packet {
     pub(super) bytes: Vec<u8>,
@@ -44,8 +52,16 @@ impl Receiver {
         thread::spawn(move || {
             let mut bytes = vec![0; MAX_PACKET_BYTES + 1];
             loop {
-                // An answer that nobody listens to what we sent is no end.
-                let Ok((length, from)) = socket.recv_from(&mut bytes) else { continue };
+                let (length, from) = match socket.recv_from(&mut bytes) {
+                    Ok(packet) => packet,
+                    Err(error) => {
+                        // An answer that nobody listens to what we sent is no end. Other errors may stay.
+                        if !is_of_the_moment(error.kind()) {
+                            thread::sleep(PAUSE);
+                        }
+                        continue;
+                    }
+                };
                 let arrived_secs = start.elapsed().as_secs_f64();
                 let packet = Packet { bytes: bytes[..length].to_vec(), from, arrived_secs };
                 if let Err(TrySendError::Disconnected(_)) = sender.try_send(packet) {

@@ -34,7 +34,8 @@ impl Database {
             parts.contact.extend_from_slice(&self.contact[clip.rows()]);
         }
         let moved = |at: f32| {
-            let new = kept.iter().position(|c| c.rows().contains(&(at as usize)))?;
+            let new = kept.partition_point(|c| c.rows().end <= at as usize);
+            kept.get(new).filter(|c| c.rows().contains(&(at as usize)))?;
             let (from, to) = (kept[new].first_frame, parts.clips[new].first_frame);
             // A row number between two clips would be interpolated across clips.
             Some((to as f32 + (at - from as f32)).min((to + kept[new].frames - 1) as f32))

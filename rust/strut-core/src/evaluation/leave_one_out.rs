@@ -6,14 +6,15 @@
 use super::quality::{Quality, Styled, quality};
 use super::truth::{Aligned, Alignment, Errors, align, root_free};
 use crate::database::Database;
-use crate::database::build::{self, BuildError, BuildOptions, SourceClip};
+use crate::database::build::{self, Build, BuildError, BuildOptions, SourceClip};
 use crate::humanoid::HumanoidMotion;
+use crate::incremental::IncrementalJob;
 use crate::math::random::SplitMix64;
 use crate::parallel::Sequential;
 use crate::pose_vector::point_cloud;
 use crate::transfer::StyledFrame;
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 /// Settings of the cross-validation.
 #[derive(Clone, Copy, Debug)]
@@ -115,8 +116,7 @@ impl<'a> LeaveOneOut<'a> {
     /// If nothing is left to build a database from.
     pub fn database_without(&self, take: u32, draw: u32) -> Result<Database, BuildError> {
         let options = BuildOptions { neutral: Some(self.source.to_owned()), ..self.build.clone() };
-        let kept: Vec<SourceClip> = self.kept(take, draw).into_iter().cloned().collect();
-        build::build(&kept, &options, &Sequential, &mut |_| ControlFlow::Continue(())).map(|(db, _)| db)
+        Build::new(self.kept(take, draw), &options)?.finish(&Sequential).map(|(db, _)| db)
     }
 
     /// The clips of [`LeaveOneOut::database_without`], by take.

@@ -34,7 +34,9 @@ pub use model::{Observation, PerState, SIDES, STATES, Side, StyleMeans, WalkMode
 pub use path::{JointPath, MAX_RHO, PathError, PathOptions, VARIANCE_FACTOR};
 pub use steps::{Step, steps_of};
 pub use training::{LabelledClip, Options, TrainError, TrainProgress, Trainer, train};
-pub use walker::{HORIZON, MAX_TURN, MAX_WEIGHT, RuntimeWalkModel, STEP_FRAMES, STRIDE, Walker, WeightsError};
+pub use walker::{
+    HORIZON, MAX_TRANSITIONS, MAX_TURN, MAX_WEIGHT, RuntimeWalkModel, STEP_FRAMES, STRIDE, Walker, WeightsError,
+};
 pub use walks::{WALK, walk_of, walking_action, walks_among};
 
 /// Frames per second of every walk that is modelled (`docs/methods/hsmm.md` §2).

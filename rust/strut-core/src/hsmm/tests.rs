@@ -399,6 +399,27 @@ fn models_that_do_not_know_their_lengths_walk_and_can_learn_them() {
 }
 
 #[test]
+fn transitions_are_not_heaped_up() {
+    let mut walker = walker(&[1.0, 0.0]);
+    let mut planned = 0;
+    while planned < 100_000 && walker.plan_transition(1_000_000 + planned, 2, [&[0.0, 1.0]; SIDES]).is_ok() {
+        planned += 1;
+    }
+    assert_eq!(planned, 1000);
+    // What is there goes on, and there is room again where it is forgotten.
+    walker.advance();
+    walker.set_styles(&[1.0, 0.0]).unwrap();
+    assert!(walker.plan_transition(4, 2, [&[0.0, 1.0]; SIDES]).is_ok());
+}
+
+#[test]
+fn the_statistics_of_no_step_are_those_of_one() {
+    let runtime = Arc::new(RuntimeWalkModel::new(&MODEL));
+    let of = |steps: u64| super::evaluation::GaitStatistics::of(&MODEL, &runtime, &[1.0, 0.0], steps).unwrap();
+    assert_eq!(of(0), of(1));
+}
+
+#[test]
 fn weights_that_are_none_change_nothing() {
     let mut walker = walker(&[1.0, 0.0]);
     assert_eq!(walker.set_styles(&[1.0]), Err(WeightsError::Count { found: 1, styles: 2 }));

@@ -7,7 +7,7 @@ mod runtime_model;
 mod step_length;
 mod walked_length;
 
-pub use controls::{MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
+pub use controls::{MAX_TRANSITIONS, MAX_TURN, MAX_WEIGHT, STEP_FRAMES, STRIDE, WeightsError};
 pub(super) use durations::counted_end;
 pub use planner::HORIZON;
 pub(super) use planner::side_of;

@@ -13,7 +13,7 @@ use thiserror::Error;
 /// How far from all recorded styles one may be, in standard deviations: beyond, poses soon are nobody's.
 const FARTHEST_FROM_RECORDED: f64 = 0.5;
 
-/// How components are weighted.
+/// How components are weighted. Of numbers outside [`TEMPERATURE`] and [`BLUR`] the nearest within is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
     /// The likeliest one alone: Algorithm 1 of the paper, by regions of styles instead of by the components' shares, by which
@@ -190,6 +190,9 @@ impl Synthesis {
                 self.weights.iter_mut().enumerate().for_each(|(i, w)| *w = f64::from(u8::from(i == winner)));
             }
             Mode::Smooth { temperature, blur } => {
+                // The nearest within the ranges; what is no number is the least.
+                let [temperature, blur] = [(temperature, TEMPERATURE), (blur, BLUR)]
+                    .map(|(of, [least, greatest])| of.max(least).min(greatest));
                 self.blur(blur);
                 self.weights.iter_mut().zip(&self.blurred.1).for_each(|(w, gate)| *w = gate.log(u) / temperature);
                 softmax(&mut self.weights);

@@ -638,6 +638,11 @@ fn modes_are_within_their_ranges() {
     }
     assert!(Mode::smooth(0.0, 0.0).unwrap_err().to_string().starts_with("the temperature is 0"));
     let mut synthesis = synthesis();
+    for (temperature, blur) in [(0.0, 0.0), (-1.0, 0.3), (f64::NAN, f64::NAN), (1e-300, 1e300), (f64::INFINITY, -1.0)] {
+        let error = synthesis.recorded_error(Mode::Smooth { temperature, blur });
+        let shares: f64 = synthesis.weights().iter().sum();
+        assert!(error.is_finite() && (shares - 1.0).abs() < 1e-9, "{temperature} {blur}: {error}, {shares}");
+    }
     let [learnt, blunt] =
         [1.0, 50.0].map(|temperature| synthesis.recorded_error(Mode::Smooth { temperature, blur: 0.0 }));
     assert!(learnt < blunt, "{learnt} {blunt}");

@@ -9,7 +9,7 @@ use std::fmt::Display;
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
-use strut_core::retarget::ReadAs;
+use strut_core::retarget::{ReadAs, UpAxis};
 use strut_core::transfer::{Method, Model, Options, Stylizer};
 use strut_formats::joints::{JointAssignment, Reading};
 
@@ -84,7 +84,7 @@ impl<'a> From<&'a Reading> for CanonicalReading<'a> {
     fn from(Reading { joints, read_as }: &'a Reading) -> Self {
         // Its own joints are not used.
         let ReadAs { joints: _, metres_per_unit, up, floor_metres, swap_sides, mirrored } = *read_as;
-        let up = up.map(|axis| axis.name());
+        let up = up.map(UpAxis::name);
         Self { joints: joints.as_ref(), metres_per_unit, up, floor_metres, swap_sides, mirrored }
     }
 }
@@ -301,11 +301,7 @@ mod tests {
         }
         settings.reading = Reading {
             joints: Some(JointAssignment::parse(br#"{"joints": {"hips": "Bip01", "chest": null}}"#).unwrap()),
-            read_as: ReadAs {
-                up: Some(strut_core::retarget::UpAxis::Z),
-                floor_metres: Some(0.25),
-                ..ReadAs::default()
-            },
+            read_as: ReadAs { up: Some(UpAxis::Z), floor_metres: Some(0.25), ..ReadAs::default() },
         };
         let expected =
             r#"{"styles":[["old",1.0]],"parts":[{"parts":["left_arm","right_arm"],"weights":[["proud",0.5]]}],"#

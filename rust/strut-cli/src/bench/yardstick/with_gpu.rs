@@ -135,7 +135,8 @@ fn times(searcher: &mut Searcher<&Index>, windows: &[QueryWindow], at_a_time: us
 
 fn sentence(reason: &GpuError) -> String {
     let reason = reason.to_string();
-    reason[..1].to_uppercase() + &reason[1..]
+    let mut letters = reason.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What was compared, and a line for each time.

@@ -35,6 +35,9 @@ pub enum BuildError {
     /// More frames than a database may have.
     #[error("the clips have {0} frames; at most {MAX_FRAMES} are supported")]
     TooManyFrames(usize),
+    /// A build is asked for its next step after it has failed, or for its database before its last step.
+    #[error("the build has failed, or has steps left")]
+    Unfinished,
     /// The progress function asked to stop.
     #[error("cancelled")]
     Cancelled,

@@ -170,7 +170,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
     type Output = (Database, BuildReport);
     type Error = BuildError;
 
-    /// Goes on by a batch of clips.
+    /// Goes on by a batch of clips. After an error there is none.
     fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<Progress>, BuildError> {
         match std::mem::replace(&mut self.phase, Phase::Failed) {
             Phase::Preparing(mut preparation) => {
@@ -191,14 +191,17 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
                 self.phase = Phase::Registering(registering);
                 Ok(going_on.then_some(Progress { stage: Stage::Registering, done, total }))
             }
-            Phase::Failed => Err(BuildError::NoClips),
+            Phase::Failed => Err(BuildError::Unfinished),
         }
     }
 
     fn conclude(self, _executor: &impl ParallelMap) -> Result<Self::Output, BuildError> {
         let Self { options, mut report, phase } = self;
-        let Phase::Registering(registering) = phase else { return Err(BuildError::NoClips) };
-        let Registering { clips, labels, chart, kept, .. } = *registering;
+        let Phase::Registering(registering) = phase else { return Err(BuildError::Unfinished) };
+        let Registering { clips, labels, chart, kept, current, rest, .. } = *registering;
+        if current.is_some() || !rest.is_empty() {
+            return Err(BuildError::Unfinished);
+        }
         if kept.is_empty() {
             let first = report.refused().next().and_then(|c| Some((c.name.clone(), c.refused.clone()?)));
             return Err(first.map_or(BuildError::NoClips, |(name, reason)| BuildError::NothingLeft { name, reason }));

@@ -2,6 +2,7 @@ use super::*;
 use crate::catalogue::{Catalogue, TargetTable};
 use crate::database::Database;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, Role};
+use crate::incremental::IncrementalJob;
 use crate::math::Quat;
 use crate::math::float_funcs::{cos, sin};
 use crate::parallel::{ParallelMap, Sequential};
@@ -266,6 +267,30 @@ fn errors_say_what_was_expected() {
     let cancelled =
         build(&[waving("a", 1.0, 2.0)], &BuildOptions::default(), &Sequential, &mut |_| ControlFlow::Break(()));
     assert_eq!(cancelled.unwrap_err(), BuildError::Cancelled);
+}
+
+#[test]
+fn a_build_that_is_not_at_its_end_gives_no_database() {
+    let clips = [waving("neutral", 1.0, 2.0), SourceClip { action: "beckon".into(), ..waving("neutral", 1.0, 2.0) }];
+    let begun = || Build::new(clips.iter().collect(), &BuildOptions::default()).unwrap();
+    let mut steps = 0;
+    let mut whole = begun();
+    while whole.step(&Sequential).unwrap().is_some() {
+        steps += 1;
+    }
+    assert_eq!(whole.conclude(&Sequential).unwrap().0.actions, ["beckon", "wave"]);
+    for taken in 0..steps {
+        let mut build = begun();
+        (0..taken).for_each(|_| _ = build.step(&Sequential).unwrap());
+        let refused = build.conclude(&Sequential).map(|_| ()).unwrap_err().to_string();
+        assert_eq!(refused, "the build has failed, or has steps left", "after {taken} of {steps} steps");
+    }
+    let options = BuildOptions { neutral: Some("calm".into()), ..BuildOptions::default() };
+    let mut failed = Build::new(clips.iter().collect(), &options).unwrap();
+    let first = std::iter::from_fn(|| Some(failed.step(&Sequential))).find_map(Result::err).unwrap();
+    assert!(matches!(first, BuildError::Neutral { .. }));
+    let again = failed.step(&Sequential).unwrap_err().to_string();
+    assert_eq!(again, "the build has failed, or has steps left");
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl GaitStatistics {
         ]
     }
 
-    /// Of so many steps in a style.
+    /// Of so many steps in a style, at least one.
     ///
     /// # Errors
     /// See [`WeightsError`].
@@ -46,6 +46,7 @@ impl GaitStatistics {
         weights: &[f32],
         steps: u64,
     ) -> Result<Self, WeightsError> {
+        let steps = steps.max(1);
         let mut walker = Walker::new(Arc::clone(runtime));
         walker.set_styles(weights)?;
         walker.reset(Vec3::ZERO, 0.0);

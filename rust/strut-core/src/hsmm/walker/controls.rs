@@ -16,6 +16,9 @@ pub const STRIDE: [f32; 2] = [0.6, 1.3];
 /// Greatest weight of a style, either way.
 pub const MAX_WEIGHT: f32 = 5.0;
 
+/// Most changes of style that may be planned at a time.
+pub const MAX_TRANSITIONS: usize = 1000;
+
 /// Why style weights are refused.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum WeightsError {
@@ -30,6 +33,9 @@ pub enum WeightsError {
     /// One is not a number, or too large.
     #[error("a weight is {0}; a number between -{MAX_WEIGHT} and {MAX_WEIGHT} was expected")]
     Range(f32),
+    /// There are [`MAX_TRANSITIONS`] already.
+    #[error("{MAX_TRANSITIONS} changes of style are planned already, the most supported")]
+    Transitions,
 }
 
 impl Walker {
@@ -63,6 +69,9 @@ impl Walker {
     /// See [`WeightsError`]; nothing changes then.
     pub fn plan_transition(&mut self, step: u64, between: u32, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
         weights.iter().try_for_each(|w| self.runtime.check(w))?;
+        if self.planner.transitions.len() >= MAX_TRANSITIONS {
+            return Err(WeightsError::Transitions);
+        }
         let to = Weights(weights.map(<[f32]>::to_vec));
         let transitions = &mut self.planner.transitions;
         let at = transitions.partition_point(|t| t.first <= step);

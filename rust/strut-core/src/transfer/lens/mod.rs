@@ -225,6 +225,8 @@ impl Lens {
         length: usize,
         change: &QueryChange,
     ) -> Result<Vec<WeightedNeighbour>, LensError> {
+        let classes = self.model().catalogue().classes();
+        let k = k.min(classes[among("class", class, classes.len())?].rows.len());
         let mut nearest = Neighbours::with_capacity(k);
         nearest.begin(k);
         self.for_each_window(class, length, change, |window| nearest.offer(window))?;

@@ -191,7 +191,10 @@ fn a_query_keeps_its_distances_when_it_moves_over_the_ground_and_not_when_time_r
 fn what_is_not_there_is_an_error() {
     let (mut lens, change) = (lens(Options::DEFAULT), QueryChange::default());
     assert!(
-        lens.profile(99, 5, &change).is_err() && lens.neighbours(99, 5, 5, &change).is_err() && lens.timing(9).is_err()
+        lens.profile(99, 5, &change).is_err()
+            && lens.neighbours(99, 5, 5, &change).is_err()
+            && lens.neighbours(0, usize::MAX, 5, &change).is_ok()
+            && lens.timing(9).is_err()
     );
     assert!(lens.row_pose(1 << 20).is_err() && lens.row_pose(3).is_ok());
     assert!(lens.fit(&FitSettings { dof: DOFS, ..FIT }).is_err());
