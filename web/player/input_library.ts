@@ -9,7 +9,15 @@ export const LIVE = "live:";
 /** Whether an input is performed live. */
 export const isLive = (name: string): boolean => name.startsWith(LIVE);
 
+/** A clip of a database: its number there, and its name. */
+export interface LibraryClip {
+  clip: number;
+  name: string;
+}
+
 export class InputLibrary {
+  /** Neutral clips of the open database, which become files when they are chosen. */
+  clips: readonly LibraryClip[] = [];
   builtIn: readonly string[] = [];
   /** The set that {@link builtIn} is of; all built-in motions where there is none. */
   builtInSet: BuiltInSet | undefined;

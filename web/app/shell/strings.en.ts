@@ -163,6 +163,7 @@ export const page = {
     steered: "you steer",
     live: "live",
     styles: (n: number) => (n === 1 ? "1 style" : `${n} styles`),
+    stylesOf: (n: number, database: string) => `${n === 1 ? "1 style" : `${n} styles`} of ${database}`,
     parts: (n: number) => `${n === 1 ? "1 body part" : `${n} body parts`} styled separately`,
     keys: (n: number) => (n === 1 ? "1 key" : `${n} keys`),
     rate: (hz: number) => `${hz} Hz`,

@@ -12,8 +12,15 @@ import { otherNotes } from "./reading/other_notes";
 /** Minimum time between updates of the recognised class, so that it can be read. */
 const READING_MS = 250;
 
+/** Beginning of the values of clips of the open database; their numbers follow. */
+const CLIP = "clip:";
+/** Most clips of a database that are listed. */
+const MOST_CLIPS = 60;
+
 export interface InputListeners {
   onChoose: (name: string) => void;
+  /** A clip of the open database is to be the input, by its number. */
+  onClip: (clip: number) => void;
   onFile: () => void;
   /** How the input's file was read is to be shown, or not any more. */
   onReading: () => void;
@@ -42,7 +49,11 @@ export class InputPanel {
   #newest: Reading | undefined;
 
   constructor(listeners: InputListeners, top: HTMLElement) {
-    this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
+    this.#select.addEventListener("change", () => {
+      const { value } = this.#select;
+      if (value.startsWith(CLIP)) listeners.onClip(Number(value.slice(CLIP.length)));
+      else listeners.onChoose(value);
+    });
     const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
     file.title = strings.play.input.dropWhy;
     this.howRead = button(strings.play.input.howRead, listeners.onReading, { label: true, class: "outlined how-read" });
@@ -78,17 +89,26 @@ export class InputPanel {
   }
 
   /** Lists the inputs there are and marks the one that is open. */
-  list(library: InputLibrary, chosen: string): void {
+  list(library: InputLibrary, chosen: string, databaseName: string): void {
     const option = (name: string) => html("option", { value: name }, inputTitle(library, name));
     const group = (label: string, names: readonly string[]) =>
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
     this.#select.replaceChildren(
       html("option", { value: DRIVE }, strings.play.input.drive),
       html("option", { value: isLive(chosen) ? chosen : LIVE }, strings.play.input.live),
+      ...this.#clips(library, databaseName),
       ...group(strings.play.input.builtIn, library.builtIn),
       ...group(strings.play.input.dropped, library.dropped),
     );
     this.#select.value = chosen;
+  }
+
+  #clips({ clips }: InputLibrary, databaseName: string): HTMLElement[] {
+    const options = clips
+      .slice(0, MOST_CLIPS)
+      .map(({ clip, name }) => html("option", { value: `${CLIP}${clip}` }, spoken(name)));
+    const label = strings.play.input.clipsOf(databaseName);
+    return options.length > 0 ? [html("optgroup", { label }, ...options)] : [];
   }
 
   set input(input: InputInfo) {
