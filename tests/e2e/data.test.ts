@@ -99,7 +99,7 @@ describe("a zip of clips", () => {
     expect(await heading()).toBe("5 clips, 3 styles");
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
-    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\.$/);
+    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is open\.$/);
     await eventually(databases).toEqual(["Built-in", "small"]);
     // It is open at once; whoever goes on with the clips is not led away.
     await eventually(openDatabase).toBe("small");
@@ -113,6 +113,11 @@ describe("a zip of clips", () => {
     await inputs.selectOption({ label: name });
     await eventually(() => inputs.inputValue()).toMatch(/^[^:]*neutral[^:]*$/);
     await screenshot(page, "data-clip-as-input");
+    // Nobody has chosen an input: what is compared is a clip of the database, not a computed one.
+    await page.evaluate(() => {
+      location.hash = "db=small&view=compare";
+    });
+    await eventually(() => page.locator(".compare-choice select").first().inputValue()).toMatch(/walk.*neutral/);
     await page.getByRole("link", { name: "Data" }).click();
 
     const [download] = await Promise.all([

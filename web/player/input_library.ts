@@ -15,6 +15,18 @@ export interface LibraryClip {
   name: string;
 }
 
+/** Most clips of a database that a list offers. */
+export const MOST_CLIPS = 60;
+
+const CLIP = "clip:";
+
+/** The value of a clip of the open database in a list of inputs. */
+export const clipValue = (clip: number): string => `${CLIP}${clip}`;
+
+/** The clip of such a value; `undefined` where it is another input. */
+export const clipIn = (value: string): number | undefined =>
+  value.startsWith(CLIP) ? Number(value.slice(CLIP.length)) : undefined;
+
 export class InputLibrary {
   /** Neutral clips of the open database, which become files when they are chosen. */
   clips: readonly LibraryClip[] = [];

@@ -65,11 +65,12 @@ export class Toasts {
     setTimeout(() => toast.remove(), NOTE_MS);
   }
 
-  /** Shows a message with a button that does something about it. */
-  offer(text: string, label: string, act: () => void): void {
-    if (says(this.#notes, text)) return;
+  /** Shows a message with a button that does something about it. @returns takes it away */
+  offer(text: string, label: string, act: () => void): () => void {
+    if (says(this.#notes, text)) return () => {};
     const toast = this.#add(this.#notes, text, "note");
     addButton(toast, label, act);
+    return () => toast.remove();
   }
 
   /** Takes errors away, after what they were about has worked. */

@@ -273,8 +273,13 @@ class DatabaseView implements View {
         const text = refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready;
         // It is what is played with from now on; whoever goes on with the clips stays here.
         const opened = await this.#host.useDatabase(placed.name, built.file, !placed.unkept);
-        if (opened) this.#host.toasts.offer(text, words.build.play, () => this.#host.showPlay());
-        else this.#host.toasts.note(text);
+        if (opened) {
+          const { open, play } = words.build;
+          const take = this.#host.toasts.offer(`${text} ${open}`, play, () => {
+            take();
+            this.#host.showPlay();
+          });
+        } else this.#host.toasts.note(text);
         // Opening it takes errors away.
         this.#sayUnkept(placed);
       }),

@@ -1,6 +1,6 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
 import type { InputInfo, Note, Reading } from "../../../client/protocol";
-import { DRIVE, type InputLibrary, isLive, LIVE } from "../../../player/input_library";
+import { clipIn, clipValue, DRIVE, type InputLibrary, isLive, LIVE, MOST_CLIPS } from "../../../player/input_library";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
@@ -11,11 +11,6 @@ import { otherNotes } from "./reading/other_notes";
 
 /** Minimum time between updates of the recognised class, so that it can be read. */
 const READING_MS = 250;
-
-/** Beginning of the values of clips of the open database; their numbers follow. */
-const CLIP = "clip:";
-/** Most clips of a database that are listed. */
-const MOST_CLIPS = 60;
 
 export interface InputListeners {
   onChoose: (name: string) => void;
@@ -51,8 +46,9 @@ export class InputPanel {
   constructor(listeners: InputListeners, top: HTMLElement) {
     this.#select.addEventListener("change", () => {
       const { value } = this.#select;
-      if (value.startsWith(CLIP)) listeners.onClip(Number(value.slice(CLIP.length)));
-      else listeners.onChoose(value);
+      const clip = clipIn(value);
+      if (clip === undefined) listeners.onChoose(value);
+      else listeners.onClip(clip);
     });
     const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
     file.title = strings.play.input.dropWhy;
@@ -106,7 +102,7 @@ export class InputPanel {
   #clips({ clips }: InputLibrary, databaseName: string): HTMLElement[] {
     const options = clips
       .slice(0, MOST_CLIPS)
-      .map(({ clip, name }) => html("option", { value: `${CLIP}${clip}` }, spoken(name)));
+      .map(({ clip, name }) => html("option", { value: clipValue(clip) }, spoken(name)));
     const label = strings.play.input.clipsOf(databaseName);
     return options.length > 0 ? [html("optgroup", { label }, ...options)] : [];
   }
