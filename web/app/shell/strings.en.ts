@@ -41,7 +41,7 @@ export const page = {
   outputs: {
     export: "Export",
     why: "Save what you made as a file",
-    size: "Size of the video",
+    size: "Size of pictures",
     asOnScreen: "as on screen",
     what: {
       bvh: "the motion on the input's own skeleton",
