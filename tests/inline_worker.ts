@@ -3,6 +3,7 @@ import "../web/engine/whole";
 import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
 import { ATLAS_HANDLERS } from "../web/client/server/atlas";
+import { clipOfDatabase, neutralClips } from "../web/client/server/database_clips";
 import { DRIVING_CALLS } from "../web/client/server/driving_calls";
 import { recordMotion } from "../web/client/server/recorded_motion";
 import { type ServerPort, serve } from "../web/client/server/serve";
@@ -36,7 +37,10 @@ export class InlineWorker implements WorkerPort {
         setTimeout(() => this.deliver(data), 0);
       },
     };
-    void serve(this.server, { driving: DRIVING_CALLS, page: { ...ATLAS_HANDLERS, recordMotion } });
+    void serve(this.server, {
+      driving: DRIVING_CALLS,
+      page: { ...ATLAS_HANDLERS, recordMotion, neutralClips, clipOfDatabase },
+    });
   }
 
   postMessage(message: Request): void {

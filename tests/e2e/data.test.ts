@@ -66,15 +66,17 @@ const saidReady = () => page.getByRole("status").filter({ hasText: "ready" });
 
 /** Builds, and gives what the page says of it. */
 async function build(): Promise<string> {
+  // What was said of the build before stays until it is dismissed.
+  await dismissNotes();
   await buildButton().click();
   await eventually(() => saidReady().count()).toBe(1);
-  return (await saidReady().textContent())!;
+  return (await saidReady().locator(".toast p").last().textContent())!;
 }
 
 /** Takes away what the page said, so that what it says next can be waited for. */
 const dismissNotes = () =>
   page.locator('[role="status"] .toast').evaluateAll((notes) => {
-    for (const note of notes) note.querySelector("button")!.click();
+    for (const note of notes) note.querySelector<HTMLButtonElement>("button:last-child")!.click();
   });
 
 const faults = () => axeFaults(page);
@@ -97,8 +99,26 @@ describe("a zip of clips", () => {
     expect(await heading()).toBe("5 clips, 3 styles");
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
-    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\.$/);
+    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is open\.$/);
     await eventually(databases).toEqual(["Built-in", "small"]);
+    // It is open at once; whoever goes on with the clips is not led away.
+    await eventually(openDatabase).toBe("small");
+    expect(await page.evaluate(() => window.strut.state.view)).toBe("data");
+    await page.getByRole("button", { name: "Play with it" }).click();
+    await eventually(() => page.locator(".stage-heading .caption").textContent()).toMatch(/ styles of small · /);
+    const inputs = page.getByLabel("Input motion");
+    const clips = inputs.locator('optgroup[label="Clips of small"] option');
+    await eventually(() => clips.count()).toBeGreaterThan(0);
+    const name = (await clips.first().textContent())!;
+    await inputs.selectOption({ label: name });
+    await eventually(() => inputs.inputValue()).toMatch(/^[^:]*neutral[^:]*$/);
+    await screenshot(page, "data-clip-as-input");
+    // Nobody has chosen an input: what is compared is a clip of the database, not a computed one.
+    await page.evaluate(() => {
+      location.hash = "db=small&view=compare";
+    });
+    await eventually(() => page.locator(".compare-choice select").first().inputValue()).toMatch(/walk.*neutral/);
+    await page.getByRole("link", { name: "Data" }).click();
 
     const [download] = await Promise.all([
       page.waitForEvent("download"),

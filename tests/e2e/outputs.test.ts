@@ -1,4 +1,5 @@
 /** Every file that the page makes, as the browser saves it. */
+import { mkdirSync, writeFileSync } from "node:fs";
 import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -63,6 +64,17 @@ describe("a saved file", () => {
     expect(bytes.length).toBeGreaterThan(20_000);
   });
 
+  it("is a picture of the size that was asked for, drawn at it", async () => {
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.getByLabel("Size of pictures").selectOption("1920 × 1080");
+    await page.keyboard.press("Escape");
+    const { bytes } = await saved(page, "PNG");
+    expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([1920, 1080]);
+    mkdirSync("tests/output", { recursive: true });
+    writeFileSync("tests/output/asked-size.png", bytes);
+    await screenshot(page, "asked-size-afterwards");
+  });
+
   it("is a table of the trace, or lines of JSON", async () => {
     const csv = (await saved(page, "CSV")).bytes.toString();
     const [header, first] = csv.split("\n");
@@ -77,7 +89,7 @@ describe("a saved file", () => {
 
   it("is a video of every picture of the range, of the chosen size", async () => {
     await page.getByRole("button", { name: "Export" }).click();
-    await page.getByLabel("Size of the video").selectOption("1280 × 720");
+    await page.getByLabel("Size of pictures").selectOption("1280 × 720");
     await page.keyboard.press("Escape");
     const { name, bytes } = await saved(page, "WebM");
     expect(name).toBe("neutral-walk-old.webm");

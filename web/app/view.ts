@@ -45,6 +45,12 @@ export interface ViewHost {
   checkJoints(): void;
   /** Opens an input by its name in the library; whether it is open now. */
   chooseInput(name: string): Promise<boolean>;
+  /** Opens a clip of the open database as the input, by its number; whether it is open now. */
+  chooseClip(clip: number): Promise<boolean>;
+  /** Opens a database for all views without leaving this one, by its name in the URL if it is kept here; whether that worked. */
+  useDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
+  /** Goes to the view Play. */
+  showPlay(): void;
   /** Reads the open file as a person says; whether it could be read so. */
   readAs(reading: FileReading): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */

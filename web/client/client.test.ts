@@ -50,6 +50,20 @@ function broken(): WorkerPort {
 }
 
 describe("a client with the built-in database", () => {
+  test("gives its neutral clips as files and as what these were written from", async () => {
+    const { client, database } = await openDemo();
+    const clips = await client.neutralClips();
+    expect(clips.map(({ name }) => name).join()).toMatch(/walk.*neutral/);
+    const { clip, name } = clips[0]!;
+    const { bvh, poses } = await client.clipOfDatabase(clip);
+    const { proportions, rateHz } = database;
+    const bytes = new TextEncoder().encode(bvh).buffer;
+    const input = await client.openInput({ kind: "bvh", name, bytes, exact: { poses, proportions, rateHz } });
+    expect(input.frames * POSE_FLOATS).toBe(poses.length);
+    const apart = input.poses.reduce((most, value, i) => Math.max(most, Math.abs(value - poses[i]!)), 0);
+    expect(apart).toBeLessThan(1e-4);
+  });
+
   test("opens, plays, restyles and seeks", async () => {
     const { client, database, input, style } = await openDemo();
     expect(database.proportions).toHaveLength(63);

@@ -14,6 +14,7 @@ import {
   type Analysis,
   type CallOptions,
   type CurveSubject,
+  type DatabaseClip,
   type DatabaseInfo,
   type DatabaseSource,
   DEFAULT_OPTIONS,
@@ -151,6 +152,14 @@ class SingleSessionClient implements StrutClient {
   builtInInputs(): Promise<string[]> {
     const source = this.opened?.database.source;
     return this.engine.builtInMotions(source?.kind === "demo" ? source.set : undefined);
+  }
+
+  async neutralClips(): Promise<{ clip: number; name: string }[]> {
+    return this.openedDatabase().database.neutralClips();
+  }
+
+  async clipOfDatabase(clip: number): Promise<DatabaseClip> {
+    return this.openedDatabase().database.clip(clip);
   }
 
   async openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {

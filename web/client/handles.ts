@@ -8,6 +8,7 @@ import type {
   Analysis,
   CallOptions,
   CurveSubject,
+  DatabaseClip,
   DatabaseInfo,
   DatabaseSource,
   ExactPoses,
@@ -103,6 +104,16 @@ export class ClientDatabase extends ClientHandle {
 
   reopen(post: Post): Promise<unknown> {
     return post("openDatabase", [this.id, this.source]);
+  }
+
+  /** Its neutral clips: their numbers and names. */
+  neutralClips(): Promise<{ clip: number; name: string }[]> {
+    return this.call("neutralClips", [this.id]);
+  }
+
+  /** A clip, by its number. */
+  clip(clip: number): Promise<DatabaseClip> {
+    return this.call("clipOfDatabase", [this.id, clip]);
   }
 }
 

@@ -7,6 +7,7 @@ import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/
 import type {
   Analysis,
   CurveSubject,
+  DatabaseClip,
   DatabaseInfo,
   DatabaseSource,
   Examples,
@@ -43,6 +44,9 @@ export interface WorkerCalls {
   openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
   /** Names of the motions of a built-in set, the default first. */
   builtInInputs(set: BuiltInSet): string[];
+  /** The neutral clips of a database: their numbers and names. */
+  neutralClips(database: Id): { clip: number; name: string }[];
+  clipOfDatabase(database: Id, clip: number): DatabaseClip;
   /** The motion is read when it is first used with a database. */
   openMotion(motion: Id, source: InputSource): undefined;
   /** What a motion's file says. */

@@ -91,6 +91,12 @@ export interface ExactPoses {
   rateHz: number;
 }
 
+/** A clip of a database, on its body: the text of a BVH file and what that was written from. */
+export interface DatabaseClip {
+  bvh: string;
+  poses: Float32Array;
+}
+
 /** A shown frame, as far as another session must know it to go on from there. */
 export type ShownFrame = Pick<LiveFrame, "inputFrame" | "timeOut" | "pose">;
 
@@ -119,6 +125,10 @@ export interface StrutClient {
   exchangeDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
   /** Names of the built-in inputs, the default first; those of the set that is open, if one is. */
   builtInInputs(): Promise<string[]>;
+  /** The neutral clips of the database that is open: their numbers and names. */
+  neutralClips(): Promise<{ clip: number; name: string }[]>;
+  /** A clip of the database that is open, by its number. */
+  clipOfDatabase(clip: number): Promise<DatabaseClip>;
   openInput(source: InputSource, options?: CallOptions): Promise<InputInfo>;
   /** Takes effect with the next frame. */
   configure(options: StylizeOptions): Promise<void>;

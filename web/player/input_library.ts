@@ -9,7 +9,27 @@ export const LIVE = "live:";
 /** Whether an input is performed live. */
 export const isLive = (name: string): boolean => name.startsWith(LIVE);
 
+/** A clip of a database: its number there, and its name. */
+export interface LibraryClip {
+  clip: number;
+  name: string;
+}
+
+/** Most clips of a database that a list offers. */
+export const MOST_CLIPS = 60;
+
+const CLIP = "clip:";
+
+/** The value of a clip of the open database in a list of inputs. */
+export const clipValue = (clip: number): string => `${CLIP}${clip}`;
+
+/** The clip of such a value; `undefined` where it is another input. */
+export const clipIn = (value: string): number | undefined =>
+  value.startsWith(CLIP) ? Number(value.slice(CLIP.length)) : undefined;
+
 export class InputLibrary {
+  /** Neutral clips of the open database, which become files when they are chosen. */
+  clips: readonly LibraryClip[] = [];
   builtIn: readonly string[] = [];
   /** The set that {@link builtIn} is of; all built-in motions where there is none. */
   builtInSet: BuiltInSet | undefined;

@@ -291,6 +291,21 @@ export class Session {
     return outcome === "done" ? name : undefined;
   }
 
+  /** Opens a clip of the open database as the input, as if its file had been dropped; its name, as {@link openFile}. */
+  async openClip(clip: number): Promise<string | undefined> {
+    const { database } = this;
+    const found = this.library.clips.find((known) => known.clip === clip);
+    if (!database || !found) return undefined;
+    let name: string | undefined;
+    await this.#attempt(async () => {
+      const { bvh, poses } = await this.#client.clipOfDatabase(clip);
+      const { proportions, rateHz } = database;
+      const bytes = new TextEncoder().encode(bvh).buffer;
+      name = await this.openFile(found.name, bytes, { exact: { poses, proportions, rateHz } });
+    });
+    return name;
+  }
+
   /** Has a performer be styled, whose input goes by a name; `undefined` where that failed. */
   async openLive(name: string, delaySecs: number | undefined): Promise<PerformerStream | undefined> {
     let opened: PerformerStream | undefined;
@@ -394,6 +409,8 @@ export class Session {
   async #takeDatabase(source: DatabaseSource, database: DatabaseInfo): Promise<void> {
     this.library.builtIn = await this.#client.builtInInputs();
     this.library.builtInSet = source.kind === "demo" ? source.set : undefined;
+    // Those of the built-in one are the built-in motions.
+    this.library.clips = source.kind === "demo" ? [] : await this.#client.neutralClips().catch(() => []);
     this.database = database;
     this.databaseSource = source;
     this.#tell("onDatabase", database);

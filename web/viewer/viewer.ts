@@ -450,6 +450,12 @@ export class Viewer {
     this.#redraw.request();
   }
 
+  /** Size of the pictures that are made to leave the page, pixels; `undefined` for that on screen. */
+  set filmed(size: { readonly width: number; readonly height: number } | undefined) {
+    this.#stage.filmed = size;
+    this.#redraw.request();
+  }
+
   /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
   copy(): HTMLCanvasElement {
     return this.#stage.copy();

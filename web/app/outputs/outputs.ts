@@ -12,24 +12,30 @@ import { strings } from "../strings/strings";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";
-import type { OutputFormat, VideoSize } from "./formats";
+import { type OutputFormat, VIDEO_SIZES, type VideoSize } from "./formats";
 import { onePass } from "./one_pass";
 import { pngOf } from "./png";
 
 /** Media type of GLB files. */
 const GLB = "model/gltf-binary";
 
+/** Size of a picture, pixels. */
+interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
+
 /** Renders the viewer's picture off the clock. */
 export interface Pictures {
-  /** A copy of the picture. */
-  picture(): Promise<HTMLCanvasElement>;
+  /** A copy of the picture, at another size than on screen where one is given. */
+  picture(size?: PictureSize): Promise<HTMLCanvasElement>;
   /**
-   * Runs a task while pictures are drawn for it alone, each at its own time, seconds from the start.
+   * Runs a task while pictures are drawn for it alone, each at its own time, seconds from the start, and at a size.
    * @throws what `signal` was aborted with
    */
   film<T>(
     task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
-    signal?: AbortSignal,
+    options?: { signal?: AbortSignal | undefined; size?: PictureSize | undefined },
   ): Promise<T>;
 }
 
@@ -77,7 +83,7 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
     case "jsonl":
       return trace(session, format);
     case "png":
-      return pngOf(await pictures.picture());
+      return pngOf(await pictures.picture(VIDEO_SIZES[size]));
     case "webm": {
       const blob = await video(size, sources);
       if (!blob) toasts.error(strings.page.outputs.noVideo);
@@ -145,17 +151,20 @@ async function video(
     return session.playback.advance(before.speed / VIDEO_RATE);
   };
   const film = ({ signal, onProgress }: CallOptions) =>
-    pictures.film((pictureAt) => {
-      async function* frames(): AsyncGenerator<HTMLCanvasElement> {
-        yield pictureAt(0);
-        let count = 0;
-        for await (const { inputFrame } of onePass(advance)) {
-          onProgress?.({ label, fraction: (inputFrame - first) / Math.max(1, last - first) });
-          yield pictureAt(++count / VIDEO_RATE);
+    pictures.film(
+      (pictureAt) => {
+        async function* frames(): AsyncGenerator<HTMLCanvasElement> {
+          yield pictureAt(0);
+          let count = 0;
+          for await (const { inputFrame } of onePass(advance)) {
+            onProgress?.({ label, fraction: (inputFrame - first) / Math.max(1, last - first) });
+            yield pictureAt(++count / VIDEO_RATE);
+          }
         }
-      }
-      return makeVideo(frames(), size);
-    }, signal);
+        return makeVideo(frames(), size);
+      },
+      { signal, size: VIDEO_SIZES[size] },
+    );
   try {
     return await session.playback.hold(() => progress.run(label, film));
   } finally {

@@ -242,6 +242,9 @@ export class App {
       singleKeys: () => this.#singleKeys.on,
       historyChanged: () => this.#showTopBar(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
+      chooseClip: (clip) => this.#workspace.chooseClip(clip),
+      useDatabase: (name, file, kept) => databases.use({ kind: "strutdb", name, file }, kept ? name : ""),
+      showPlay: () => this.#store.edit({ view: "play" }),
       readAs: (reading) => this.#workspace.readAs(reading),
       chooseFile: () => this.#drop.choose(),
       playMotion: async (name, bytes, exact) => {

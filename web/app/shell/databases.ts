@@ -134,9 +134,18 @@ export class Databases {
     return opened;
   }
 
-  async #show(source: DatabaseSource, kept: string, styles: Selection | undefined): Promise<boolean> {
+  /** Opens a database for all views; whether it is open now. */
+  async use(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
+    return this.#opened(this.#choose(source, kept), kept, styles);
+  }
+
+  #show(source: DatabaseSource, kept: string, styles: Selection | undefined): Promise<boolean> {
     const opening = this.#choose(source, kept);
     this.#store.edit({ view: "play" });
+    return this.#opened(opening, kept, styles);
+  }
+
+  async #opened(opening: Promise<boolean>, kept: string, styles: Selection | undefined): Promise<boolean> {
     if (!(await opening)) return false;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
     return true;

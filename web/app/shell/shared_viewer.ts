@@ -11,6 +11,12 @@ const RETRY_MS = 4;
 /** A picture that the browser has not given back after this time, milliseconds, is taken for lost. */
 const LOST_MS = 3000;
 
+/** Size of a picture, pixels. */
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
+
 export class SharedViewer {
   /** Made when a view first wants it, so that a browser that cannot draw in 3-D still shows the others. */
   #made: Viewer | undefined;
@@ -123,25 +129,26 @@ export class SharedViewer {
     return (now < this.#drawUntil || !this.#made.still) && this.#made.render(now / 1000);
   }
 
-  /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it. */
-  picture(): Promise<HTMLCanvasElement> {
-    return this.film((pictureAt) => pictureAt(0));
+  /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it, at a size other than on screen. */
+  picture(size?: PictureSize): Promise<HTMLCanvasElement> {
+    return this.film((pictureAt) => pictureAt(0), { size });
   }
 
   /**
    * Runs a task while pictures are drawn for it alone: each shows its own time, seconds from the start, however long it
-   * takes to draw. They bear no mark of what is being edited.
+   * takes to draw. They bear no mark of what is being edited. They are drawn at `size`, or as they are on screen.
    * @throws what `signal` was aborted with
    */
   async film<T>(
     task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
-    signal?: AbortSignal,
+    { signal, size }: { signal?: AbortSignal | undefined; size?: PictureSize | undefined } = {},
   ): Promise<T> {
     const viewer = this.#viewer;
     const start = performance.now() / 1000;
     const frozen = this.#frozen;
     this.#frozen = true;
     viewer.tinted = [];
+    viewer.filmed = size;
     try {
       return await task(async (secs) => {
         for (;;) {
@@ -153,6 +160,7 @@ export class SharedViewer {
       });
     } finally {
       this.#frozen = frozen;
+      viewer.filmed = undefined;
       viewer.tinted = this.#tinted;
       this.#invalidate();
     }

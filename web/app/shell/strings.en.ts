@@ -55,7 +55,7 @@ export const page = {
   outputs: {
     export: "Export",
     why: "Save what you made as a file",
-    size: "Size of the video",
+    size: "Size of pictures",
     asOnScreen: "as on screen",
     what: {
       bvh: "the motion on the input's own skeleton",
@@ -180,6 +180,7 @@ export const page = {
     steered: "you steer",
     live: "live",
     styles: (n: number) => (n === 1 ? "1 style" : `${n} styles`),
+    stylesOf: (n: number, database: string) => `${n === 1 ? "1 style" : `${n} styles`} of ${database}`,
     parts: (n: number) => `${n === 1 ? "1 body part" : `${n} body parts`} styled separately`,
     keys: (n: number) => (n === 1 ? "1 key" : `${n} keys`),
     rate: (hz: number) => `${hz} Hz`,

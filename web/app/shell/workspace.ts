@@ -133,6 +133,13 @@ export class Workspace {
     return opened;
   }
 
+  /** Opens a clip of the open database and makes it the state's input; whether it is open now. */
+  async chooseClip(clip: number): Promise<boolean> {
+    const name = await this.session.openClip(clip);
+    if (name !== undefined) this.#store.edit({ input: name, reading: this.session.reading });
+    return name !== undefined;
+  }
+
   /** Reads the open file as a person says, which is remembered for its skeleton; whether it could be read so. */
   async readAs(reading: FileReading): Promise<boolean> {
     const { session } = this;

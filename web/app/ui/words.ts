@@ -54,16 +54,17 @@ export function manner(selection: Selection, intensity: number, neutral: string)
   return strings.page.manner.mix(numberWord(sorted.filter((s) => s.weight >= 0.05).length));
 }
 
-/** The line under the title. */
+/** The line under the title; `database` is the name of the open one, empty where it is the built-in one. */
 export function stageCaption(
   input: string,
   { styles, parts, keys }: { styles: number; parts: number; keys: number },
   rateHz: number,
+  database = "",
 ): string {
   const { caption } = strings.page;
   return [
     input === DRIVE ? caption.steered : isLive(input) ? caption.live : caption.input(input),
-    caption.styles(styles),
+    database === "" ? caption.styles(styles) : caption.stylesOf(styles, database),
     ...(parts > 0 ? [caption.parts(parts)] : []),
     ...(keys > 1 ? [caption.keys(keys)] : []),
     caption.rate(Math.round(rateHz)),

@@ -36,6 +36,8 @@ type OfThePage = Pick<
   | "packAtlasColumns"
   | "atlasLines"
   | "recordMotion"
+  | "neutralClips"
+  | "clipOfDatabase"
 >;
 
 /** What all servers do. */

@@ -73,6 +73,7 @@ export class Stage implements Drawn {
   /** Seconds since the last frame. */
   #elapsed = 0;
   #columns = 1;
+  #filmed: Readonly<Size> | undefined;
   #covered = 0;
   /** Size of the picture, CSS pixels. */
   #size = { width: 1, height: 1 };
@@ -275,6 +276,12 @@ export class Stage implements Drawn {
     this.#measure();
   }
 
+  /** Size at which pictures are made that leave the page, pixels, whatever place the picture has in it; `undefined` for that. */
+  set filmed(size: Readonly<Size> | undefined) {
+    this.#filmed = size;
+    this.#measure();
+  }
+
   /** Number of columns that the picture is divided into; the camera's picture fills one of them. */
   set columns(columns: number) {
     this.#columns = columns;
@@ -369,6 +376,7 @@ export class Stage implements Drawn {
 
   /** Size that the picture should have in pixels of the canvas; nothing while it is hidden. */
   #wanted(still: boolean): Size {
+    if (this.#filmed) return this.#filmed;
     const { clientWidth, clientHeight } = this.#root;
     const ratio = pixelRatio(this.quality, clientWidth * clientHeight, devicePixelRatio, still);
     return { width: Math.floor(clientWidth * ratio), height: Math.floor(clientHeight * ratio) };
@@ -379,7 +387,8 @@ export class Stage implements Drawn {
     const { clientWidth: width, clientHeight: height } = this.#root;
     if (!width || !height) return;
     this.#size = { width, height };
-    this.view.resize(width / this.#columns, height, this.#covered);
+    if (this.#filmed) this.view.resize(this.#filmed.width / this.#columns, this.#filmed.height);
+    else this.view.resize(width / this.#columns, height, this.#covered);
   }
 
   /** Fits the picture to its place. */
@@ -395,6 +404,7 @@ export class Stage implements Drawn {
     if (this.#owns || this.#alone) {
       canvas.style.width = `${width}px`;
       canvas.style.height = `${height}px`;
+      canvas.style.objectFit = this.#filmed ? "contain" : "";
       // By a transform: for the browser another size would be a shift of the layout, though nothing moves.
       canvas.style.transform = `scale(${canvas.width / pixels.width}, ${canvas.height / pixels.height})`;
     }

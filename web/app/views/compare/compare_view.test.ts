@@ -76,7 +76,7 @@ const session = {
   databaseSource: { kind: "demo" },
   input,
   inputName: "walk",
-  library: { builtIn: ["walk"], dropped: [], isDropped: () => false, source: () => ({}) },
+  library: { builtIn: ["walk"], dropped: [], clips: [], isDropped: () => false, source: () => ({}) },
 } as unknown as Session;
 
 /** The Compare view among the views of a page, after its engine and its viewer were made. */

@@ -4,6 +4,7 @@ import "./compare.css";
 import type { InputInfo } from "../../../client/protocol";
 import { SPEEDS } from "../../../link/page";
 import { stepSecs } from "../../../player/clock";
+import { clipIn, clipValue, MOST_CLIPS } from "../../../player/input_library";
 import { measure, poseAt } from "../../../player/measured";
 import type { Session } from "../../../player/session";
 import { button } from "../../../ui/controls/buttons";
@@ -103,7 +104,7 @@ class CompareView implements View {
     this.#host = host;
     const { store } = host;
     this.#followed = store.state;
-    this.#input.addEventListener("change", () => host.chooseInput(this.#input.value));
+    this.#input.addEventListener("change", () => void this.#choose(this.#input.value));
     this.#style.addEventListener("change", () => {
       const name = this.#style.value;
       if (name) store.edit({ styles: allOf(store.state.styles, name), track: [], parts: {}, part: "" });
@@ -165,9 +166,28 @@ class CompareView implements View {
     this.#motions.resume();
     this.#frame = this.#host.playhead.at;
     this.#followed = this.#host.store.state;
+    this.#beginWithRecording();
     this.refresh();
     this.#lastTick = performance.now();
     this.#request = requestAnimationFrame(this.#tick);
+  }
+
+  /** Opens an input of the library, or a clip of the open database. */
+  async #choose(value: string): Promise<void> {
+    const clip = clipIn(value);
+    await (clip === undefined ? this.#host.chooseInput(value) : this.#host.chooseClip(clip));
+  }
+
+  /**
+   * Where nobody has chosen an input and the database is recorded, a clip of it is compared: what is computed is so like itself
+   * that a copied frame wins.
+   */
+  #beginWithRecording(): void {
+    const { store, session } = this.#host;
+    const { databaseSource, library } = session;
+    if (store.state.input !== "" || databaseSource?.kind !== "strutdb") return;
+    const first = library.clips.find(({ name }) => /walk/i.test(name)) ?? library.clips[0];
+    if (first) void this.#host.chooseClip(first.clip);
   }
 
   hide(): void {
@@ -219,7 +239,10 @@ class CompareView implements View {
     this.#drawnFrame = undefined;
     const { library, inputName } = session;
     const names = [...library.builtIn, ...library.dropped];
-    const inputs = names.map((name): Choice => [name, inputTitle(library, name)]);
+    const ofDatabase = library.clips
+      .slice(0, MOST_CLIPS)
+      .map(({ clip, name }): Choice => [clipValue(clip), strings.compare.clip(spoken(name), database.name)]);
+    const inputs = [...names.map((name): Choice => [name, inputTitle(library, name)]), ...ofDatabase];
     showChoices(this.#input, inputs, inputName);
     const { neutral, proportions } = database;
     this.#requests = new Map(

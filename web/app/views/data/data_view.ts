@@ -282,11 +282,21 @@ class DatabaseView implements View {
         const placed = await place({ name, ...built });
         this.#build.name = placed.name;
         this.#host.databaseReplaced(placed.name, built.file, this.#clips.renamed);
-        this.#sayUnkept(placed);
         const seconds = ((performance.now() - started) / 1000).toFixed(1);
         const styles = built.styles.length;
         const ready = words.build.ready(capitalised(numberWord(styles)), styles, built.frames, seconds);
-        this.#host.toasts.note(refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready);
+        const text = refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready;
+        // It is what is played with from now on; whoever goes on with the clips stays here.
+        const opened = await this.#host.useDatabase(placed.name, built.file, !placed.unkept);
+        if (opened) {
+          const { open, play } = words.build;
+          const take = this.#host.toasts.offer(`${text} ${open}`, play, () => {
+            take();
+            this.#host.showPlay();
+          });
+        } else this.#host.toasts.note(text);
+        // Opening it takes errors away.
+        this.#sayUnkept(placed);
       }),
     );
     this.#build.busy = false;

@@ -105,6 +105,8 @@ export const data = {
     has: (joints: number, n: number) => `${counted("joint")(joints)}, ${clips(n)}`,
     ready: (number: string, n: number, frames: number, secs: string) =>
       `${number} ${n === 1 ? "style" : "styles"} ready. ${grouped(frames)} frames, ${secs} s.`,
+    open: "It is open.",
+    play: "Play with it",
     refused: (n: number) => `${clips(n)} left out.`,
     unkept: (name: string, why: string) => `${quoted(name)} is ready, but it will not be here after a reload. ${why}`,
   },

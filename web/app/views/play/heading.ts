@@ -64,6 +64,7 @@ export class Heading {
           keys: session.endless ? 0 : track.length,
         },
         rateHz,
+        session.databaseSource?.kind === "strutdb" ? session.databaseSource.name.replace(/\.strutdb$/i, "") : "",
       ),
     };
   }

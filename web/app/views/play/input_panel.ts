@@ -1,6 +1,6 @@
 /** The Input panel: the input motion, and the class that the engine recognises in it. */
 import type { InputInfo, Note, Reading } from "../../../client/protocol";
-import { DRIVE, type InputLibrary, isLive, LIVE } from "../../../player/input_library";
+import { clipIn, clipValue, DRIVE, type InputLibrary, isLive, LIVE, MOST_CLIPS } from "../../../player/input_library";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
@@ -14,6 +14,8 @@ const READING_MS = 250;
 
 export interface InputListeners {
   onChoose: (name: string) => void;
+  /** A clip of the open database is to be the input, by its number. */
+  onClip: (clip: number) => void;
   onFile: () => void;
   /** How the input's file was read is to be shown, or not any more. */
   onReading: () => void;
@@ -42,7 +44,12 @@ export class InputPanel {
   #newest: Reading | undefined;
 
   constructor(listeners: InputListeners, top: HTMLElement) {
-    this.#select.addEventListener("change", () => listeners.onChoose(this.#select.value));
+    this.#select.addEventListener("change", () => {
+      const { value } = this.#select;
+      const clip = clipIn(value);
+      if (clip === undefined) listeners.onChoose(value);
+      else listeners.onClip(clip);
+    });
     const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
     file.title = strings.play.input.dropWhy;
     this.howRead = button(strings.play.input.howRead, listeners.onReading, { label: true, class: "outlined how-read" });
@@ -78,17 +85,26 @@ export class InputPanel {
   }
 
   /** Lists the inputs there are and marks the one that is open. */
-  list(library: InputLibrary, chosen: string): void {
+  list(library: InputLibrary, chosen: string, databaseName: string): void {
     const option = (name: string) => html("option", { value: name }, inputTitle(library, name));
     const group = (label: string, names: readonly string[]) =>
       names.length > 0 ? [html("optgroup", { label }, ...names.map(option))] : [];
     this.#select.replaceChildren(
       html("option", { value: DRIVE }, strings.play.input.drive),
       html("option", { value: isLive(chosen) ? chosen : LIVE }, strings.play.input.live),
+      ...this.#clips(library, databaseName),
       ...group(strings.play.input.builtIn, library.builtIn),
       ...group(strings.play.input.dropped, library.dropped),
     );
     this.#select.value = chosen;
+  }
+
+  #clips({ clips }: InputLibrary, databaseName: string): HTMLElement[] {
+    const options = clips
+      .slice(0, MOST_CLIPS)
+      .map(({ clip, name }) => html("option", { value: clipValue(clip) }, spoken(name)));
+    const label = strings.play.input.clipsOf(databaseName);
+    return options.length > 0 ? [html("optgroup", { label }, ...options)] : [];
   }
 
   set input(input: InputInfo) {

@@ -100,6 +100,7 @@ class PlayView implements View {
     this.#input = new InputPanel(
       {
         onChoose: (name) => void this.#choose(name),
+        onClip: (clip) => void this.#chooseClip(clip),
         onFile: () => host.chooseFile(),
         onReading: () => void this.#toggleReading(),
       },
@@ -257,15 +258,13 @@ class PlayView implements View {
     this.#model.database = database;
     this.#timeline.classes = database.classes;
     this.#viewport.proportions = database.proportions;
-    const { library, input, chosen } = this.#host.session;
-    if (input) this.#input.list(library, chosen);
+    if (this.#host.session.input) this.#listInputs();
   }
 
   #onInput(input: InputInfo): void {
-    const { library, chosen } = this.#host.session;
     this.#viewport.path = undefined;
     this.#viewport.forgetTrail();
-    this.#input.list(library, chosen);
+    this.#listInputs();
     this.#aim = headingOfInput(input, this.#database);
     this.#heading.forget();
     this.#input.input = input;
@@ -287,7 +286,7 @@ class PlayView implements View {
     if (drive) this.#closeReading();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
-    this.#input.list(session.library, session.chosen);
+    this.#listInputs();
     this.#heading.show();
     if (!drive) return;
     const { Driving } = await import("./drive/driving");
@@ -311,7 +310,7 @@ class PlayView implements View {
     if (live) this.#closeReading();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
-    this.#input.list(session.library, session.chosen);
+    this.#listInputs();
     this.#heading.show();
     if (!live) return;
     const { Performance } = await import("./live/performance");
@@ -538,8 +537,16 @@ class PlayView implements View {
   }
 
   async #choose(name: string): Promise<void> {
-    const { session } = this.#host;
     const choosing = isLive(name) ? this.#askForLive(name) : this.#host.chooseInput(name);
-    if (!(await choosing)) this.#input.list(session.library, session.chosen);
+    if (!(await choosing)) this.#listInputs();
+  }
+
+  async #chooseClip(clip: number): Promise<void> {
+    if (!(await this.#host.chooseClip(clip))) this.#listInputs();
+  }
+
+  #listInputs(): void {
+    const { library, chosen, databaseSource } = this.#host.session;
+    this.#input.list(library, chosen, databaseSource?.kind === "strutdb" ? databaseSource.name : "");
   }
 }

@@ -74,6 +74,7 @@ export const play = {
     howRead: "How this file was read",
     guesses: (n: number) => (n === 1 ? "1 guess" : `${n} guesses`),
     builtIn: "Built in",
+    clipsOf: (database: string) => `Clips of ${database}`,
     dropped: "Dropped here",
   },
 
