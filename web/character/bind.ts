@@ -1,5 +1,5 @@
 /** A character of three.js bound to the engine: the roles of its joints, its unit and its soles. */
-import { Matrix4, type Object3D, Quaternion, Vector3 } from "three";
+import { type AnimationClip, Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
 import { CharacterRig, likelyRoles, looseFeet } from "../engine/character/rig";
 import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
 import { StrutError } from "../engine/errors";
@@ -43,8 +43,16 @@ export interface Bound {
 
 /** What a caller gave: an object of three.js, a glTF or a VRM. */
 export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
-  if ("isObject3D" in root)
-    return { object: root, json: undefined, vrm: undefined, clips: root.animations, ...NO_FILE };
+  if ("isObject3D" in root) {
+    const object = withBones(root);
+    return {
+      object,
+      json: undefined,
+      vrm: undefined,
+      clips: [...new Set([root, object])].flatMap(clipsOf),
+      ...NO_FILE,
+    };
+  }
   if ("humanoid" in root) return { object: root.scene, json: undefined, vrm: root, clips: [], ...NO_FILE };
   const { json, associations } = root.parser;
   const nodes = new Map<number, Object3D>();
@@ -59,6 +67,22 @@ export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
     indexOf: (node) => associations.get(node)?.nodes,
   };
 }
+
+/** The object itself, or where it is a skin alone the one that holds it and its bones. */
+function withBones(object: Object3D): Object3D {
+  const { isSkinnedMesh, skeleton } = object as Partial<SkinnedMesh>;
+  const bones = isSkinnedMesh ? (skeleton?.bones.filter(Boolean) ?? []) : [];
+  const holds = (node: Object3D) => bones.every((bone) => isBelow(bone, node));
+  for (let node: Object3D | null = object; node; node = node.parent) if (holds(node)) return node;
+  return object;
+}
+
+function isBelow(node: Object3D, above: Object3D): boolean {
+  for (let at: Object3D | null = node; at; at = at.parent) if (at === above) return true;
+  return false;
+}
+
+const clipsOf = ({ animations }: Object3D): readonly AnimationClip[] => animations;
 
 const NO_FILE = { nodeOf: () => undefined, indexOf: () => undefined };
 
