@@ -6,12 +6,19 @@ export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" |
 
 /** The events of a player by their names. */
 export interface StrutPlayerEventMap {
+  /** The figure is on the screen. */
   ready: Event;
+  /** Loading has come so far, 0 to 1. */
   progress: CustomEvent<{ label: string; fraction: number }>;
+  /** A visitor chose styles; bubbles. */
   stylechange: CustomEvent<{ styles: Record<string, number> }>;
+  /** A new frame of the motion. */
   frame: CustomEvent<FrameDetail>;
+  /** It begins to play. */
   play: Event;
+  /** It stands. */
   pause: Event;
+  /** Something failed; what was on the stage stays. */
   error: CustomEvent<{ error: unknown }>;
 }
 

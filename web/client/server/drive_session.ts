@@ -76,11 +76,11 @@ export class DriveSession {
     this.reset(root);
   }
 
-  /** Takes effect with the next frame; a change of the styles fades in. */
+  /** Takes effect with the next frame; a change of the styles fades in. What is refused changes nothing. */
   configure(options: StylizeOptions): void {
     const driven = this.ofDriven(options);
-    this.styles.setTargets(driven);
     this.stylizer.configure(driven);
+    this.styles.setTargets(driven);
     this.stale = true;
   }
 

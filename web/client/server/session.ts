@@ -51,10 +51,10 @@ export class LiveSession {
     this.#cost = new FrameCost(nowMs);
   }
 
-  /** Takes effect with the next frame; a change of the styles fades in. */
+  /** Takes effect with the next frame; a change of the styles fades in. What is refused changes nothing. */
   configure(options: StylizeOptions): void {
-    this.#styles.setTargets(options);
     this.stylizer.configure(options);
+    this.#styles.setTargets(options);
     this.#stale = true;
   }
 
