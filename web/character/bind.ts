@@ -4,7 +4,7 @@ import { CharacterRig, likelyRoles, looseFeet } from "../engine/character/rig";
 import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
 import { StrutError } from "../engine/errors";
 import { JOINT, JOINTS, ROLES, type Role } from "../humanoid";
-import { type JointChoice, type Joints, jointsOf, nameInFile } from "./joints";
+import { type JointChoice, type Joints, jointsOf, MAX_JOINTS, nameInFile } from "./joints";
 import { JointsError } from "./joints_error";
 import { MovedJoints } from "./moved";
 import { type SkinSoles, soles } from "./sole";
@@ -119,7 +119,7 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     taken = take(false);
   } catch (thrown) {
     // A skin that was left over, such as that of the hands, may name few joints of many.
-    if (!(thrown instanceof StrutError) || thrown.code !== "bad-file" || !needsSkin) throw thrown;
+    if (!(thrown instanceof JointsError) || !needsSkin || thrown.joints.length >= nodesOf(origin.object)) throw thrown;
     try {
       taken = take(true);
     } catch {
@@ -148,6 +148,15 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     rig.dispose();
     throw thrown;
   }
+}
+
+/** How many nodes an object has that could be joints. */
+function nodesOf(object: Object3D): number {
+  let nodes = 0;
+  object.traverse((node) => {
+    if (!("geometry" in node)) nodes++;
+  });
+  return Math.min(nodes, MAX_JOINTS);
 }
 
 /** The joints of a character; feet that hang from the root are put on their legs. */
