@@ -33,3 +33,18 @@ const dance = await strut.openMotion(motion.toBVH());
 // end motions
 
 console.log(dance);
+
+/** A list of your own: the joint of each role that is missing, by name. */
+const chooseFrom = (joints: readonly string[], missing: readonly string[]) =>
+  Object.fromEntries(missing.map((role, i) => [role, joints[i]!]));
+
+// anchor joints
+import { JointsError } from "strut-motion/three";
+
+const figure = await loadCharacter("figure.glb").catch((error) => {
+  if (!(error instanceof JointsError)) throw error;
+  return loadCharacter("figure.glb", { roles: { ...error.roles, ...chooseFrom(error.joints, error.missing) } });
+});
+// end joints
+
+console.log(figure);

@@ -1,21 +1,27 @@
 /** Characters of other people: bound as they should be, or refused with what a person needs to go on. */
+import { validateBytes } from "gltf-validator";
 import {
+  AnimationClip,
   AnimationMixer,
   Box3,
   Frustum,
   Matrix4,
   Mesh,
+  NumberKeyframeTrack,
   type Object3D,
   PerspectiveCamera,
+  QuaternionKeyframeTrack,
   Skeleton,
   type SkinnedMesh,
   Vector3,
+  VectorKeyframeTrack,
 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { beforeAll, describe, expect, test } from "vitest";
 import { bindCharacter } from "../../web/character/character";
+import { converted } from "../../web/character/convert";
 import { JointsError } from "../../web/character/joints_error";
-import { type LoadCharacterOptions, loadCharacter } from "../../web/character/load";
+import { type LoadCharacterOptions, loadCharacter, loadMotions } from "../../web/character/load";
 import { DEFAULT_PROPORTIONS, JOINT, POSE_FLOATS, type Role, restPose } from "../../web/humanoid";
 import { movingAnimation } from "../humanoid_animation";
 import { FAMILIES } from "../rigs/families";
@@ -224,4 +230,61 @@ test("soles of a robe's hem are forgotten again", async () => {
   expect(hem.height).toBeGreaterThan(0.9 * plain.height);
   expect(hem.height).toBeLessThan(1.1 * plain.height);
   expect(hem.notes).toContain("height was guessed");
+});
+
+test("a skin alone is bound with the bones beside it", async () => {
+  const { scene } = await read(mixamo().glb.buffer);
+  let skin: SkinnedMesh | undefined;
+  scene.traverse((node) => {
+    if ((node as SkinnedMesh).isSkinnedMesh) skin = node as SkinnedMesh;
+  });
+  const character = await bindCharacter(skin!);
+  expect(Object.keys(character.roles)).toHaveLength(21);
+  character.dispose();
+});
+
+test("a clip keeps what else the clip moves that was styled, in the time of the styled motion", async () => {
+  const { scene } = await read(mixamo().glb.buffer);
+  const character = await bindCharacter(scene);
+  const { times, ...moving } = movingAnimation();
+  const slower = { ...moving, timeOut: times.map((secs) => 2 * secs) };
+  const finger = scene.getObjectByName("mixamorigLeftHandIndex1")!;
+  const duration = times.at(-1)!;
+  const curl = new QuaternionKeyframeTrack(`${finger.name}.quaternion`, [0, duration], [0, 0, 0, 1, 0, 0, 1, 0]);
+  const smile = new NumberKeyframeTrack("Body.morphTargetInfluences[0]", [0, duration / 2], [0, 1]);
+  const hips = new VectorKeyframeTrack("mixamorigHips.position", [0], [0, 5, 0]);
+  const keep = new AnimationClip("own", duration, [curl, smile, hips]);
+  const clip = character.toClip(slower, { keep });
+  const kept = (name: string) => clip.tracks.filter((track) => track.name === name);
+  expect(kept(curl.name)[0]!.times[1]).toBeCloseTo(clip.duration, 5);
+  expect(kept(smile.name)[0]!.times[1]).toBeCloseTo(clip.duration / 2, 1);
+  expect(kept("mixamorigHips.position")).toHaveLength(1);
+  expect(curl.times[1]).toBeCloseTo(duration, 5);
+  character.dispose();
+});
+
+test.skipIf(othersAbsent)("motions of a file are read by the joints that a person names", async () => {
+  const source = rigOfOthers("Fox.glb").buffer;
+  const error = (await load("Fox.glb").catch((thrown: unknown) => thrown)) as JointsError;
+  const motions = await loadMotions(source, { roles: { ...error.roles } });
+  expect(motions.map(({ name }) => name)).toContain("Walk");
+});
+
+test("a motion that moves nothing is not exported", async () => {
+  class Reader {
+    result: ArrayBuffer | undefined;
+    onloadend = () => {};
+    async readAsArrayBuffer(blob: Blob) {
+      this.result = await blob.arrayBuffer();
+      this.onloadend();
+    }
+  }
+  Object.assign(globalThis, { FileReader: Reader });
+  const { scene } = await read(mixamo().glb.buffer);
+  // One without tracks, and one whose nodes are not there, as where a mesh was taken out.
+  const lost = new VectorKeyframeTrack("nobody.position", [0, 1], [0, 0, 0, 1, 1, 1]);
+  scene.animations = [new AnimationClip("empty", 1, []), new AnimationClip("lost", 1, [lost])];
+  const { file } = await converted(scene);
+  const { messages } = (await validateBytes(file)).issues;
+  expect(messages.filter(({ code }) => code === "EMPTY_ENTITY")).toEqual([]);
 });

@@ -1,10 +1,10 @@
 /** A character of three.js bound to the engine: the roles of its joints, its unit and its soles. */
-import { Matrix4, type Object3D, Quaternion, Vector3 } from "three";
+import { type AnimationClip, Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
 import { CharacterRig, likelyRoles, looseFeet } from "../engine/character/rig";
 import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
 import { StrutError } from "../engine/errors";
 import { JOINT, JOINTS, ROLES, type Role } from "../humanoid";
-import { type JointChoice, type Joints, jointsOf, nameInFile } from "./joints";
+import { type JointChoice, type Joints, jointsOf, MAX_JOINTS, nameInFile } from "./joints";
 import { JointsError } from "./joints_error";
 import { MovedJoints } from "./moved";
 import { type SkinSoles, soles } from "./sole";
@@ -43,8 +43,16 @@ export interface Bound {
 
 /** What a caller gave: an object of three.js, a glTF or a VRM. */
 export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
-  if ("isObject3D" in root)
-    return { object: root, json: undefined, vrm: undefined, clips: root.animations, ...NO_FILE };
+  if ("isObject3D" in root) {
+    const object = withBones(root);
+    return {
+      object,
+      json: undefined,
+      vrm: undefined,
+      clips: [...new Set([root, object])].flatMap(clipsOf),
+      ...NO_FILE,
+    };
+  }
   if ("humanoid" in root) return { object: root.scene, json: undefined, vrm: root, clips: [], ...NO_FILE };
   const { json, associations } = root.parser;
   const nodes = new Map<number, Object3D>();
@@ -59,6 +67,22 @@ export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
     indexOf: (node) => associations.get(node)?.nodes,
   };
 }
+
+/** The object itself, or where it is a skin alone the one that holds it and its bones. */
+function withBones(object: Object3D): Object3D {
+  const { isSkinnedMesh, skeleton } = object as Partial<SkinnedMesh>;
+  const bones = isSkinnedMesh ? (skeleton?.bones.filter(Boolean) ?? []) : [];
+  const holds = (node: Object3D) => bones.every((bone) => isBelow(bone, node));
+  for (let node: Object3D | null = object; node; node = node.parent) if (holds(node)) return node;
+  return object;
+}
+
+function isBelow(node: Object3D, above: Object3D): boolean {
+  for (let at: Object3D | null = node; at; at = at.parent) if (at === above) return true;
+  return false;
+}
+
+const clipsOf = ({ animations }: Object3D): readonly AnimationClip[] => animations;
 
 const NO_FILE = { nodeOf: () => undefined, indexOf: () => undefined };
 
@@ -95,7 +119,7 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     taken = take(false);
   } catch (thrown) {
     // A skin that was left over, such as that of the hands, may name few joints of many.
-    if (!(thrown instanceof StrutError) || thrown.code !== "bad-file" || !needsSkin) throw thrown;
+    if (!(thrown instanceof JointsError) || !needsSkin || thrown.joints.length >= nodesOf(origin.object)) throw thrown;
     try {
       taken = take(true);
     } catch {
@@ -124,6 +148,15 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     rig.dispose();
     throw thrown;
   }
+}
+
+/** How many nodes an object has that could be joints. */
+function nodesOf(object: Object3D): number {
+  let nodes = 0;
+  object.traverse((node) => {
+    if (!("geometry" in node)) nodes++;
+  });
+  return Math.min(nodes, MAX_JOINTS);
 }
 
 /** The joints of a character; feet that hang from the root are put on their legs. */

@@ -1,5 +1,12 @@
 /** A motion on a character as keys of its bones: for clips of three.js and for files. */
-import { AnimationClip, type Object3D, Quaternion, QuaternionKeyframeTrack, VectorKeyframeTrack } from "three";
+import {
+  AnimationClip,
+  type Object3D,
+  PropertyBinding,
+  Quaternion,
+  QuaternionKeyframeTrack,
+  VectorKeyframeTrack,
+} from "three";
 import { JOINT, POSE_FLOATS, ROLES } from "../humanoid";
 import type { Bound } from "./bind";
 import type { CharacterClipOptions, StyledPoses, VrmLike } from "./types";
@@ -64,7 +71,7 @@ export function characterClip(
   object: Object3D,
   vrm: VrmLike | undefined,
   motion: StyledPoses,
-  { name = motion.name, inPlace = false }: CharacterClipOptions,
+  { name = motion.name, inPlace = false, keep }: CharacterClipOptions,
 ): AnimationClip {
   const keys = keysOf(bound, motion, inPlace);
   const counts = new Map<string, number>();
@@ -92,7 +99,30 @@ export function characterClip(
     const rotations = bone ? fromRest(keys.rotations[i]!, above, own) : keys.rotations[i]!;
     tracks.push(new QuaternionKeyframeTrack(`${node}.quaternion`, times(), rotations));
   }
-  return new AnimationClip(name, keys.times.at(-1) ?? 0, tracks);
+  const kept = keep ? otherTracks(bound, object, keep, keys.times) : [];
+  return new AnimationClip(name, keys.times.at(-1) ?? 0, [...tracks, ...kept]);
+}
+
+/** The tracks of a clip that move nothing of the body, in the time of its styled motion. */
+function otherTracks({ joints, roles, driven }: Bound, object: Object3D, clip: AnimationClip, times: Float32Array) {
+  const body = new Set<Object3D>(Array.from(driven, (joint) => joints.nodes[joint]!));
+  // What carries the hips is in their motion.
+  for (let joint = roles[JOINT.hips]!; joint >= 0; joint = joints.parents[joint]!) body.add(joints.nodes[joint]!);
+  const last = Math.max(times.length - 1, 1);
+  const styledTime = (secs: number) => {
+    const frame = Math.min(Math.max((secs / (clip.duration || 1)) * last, 0), last);
+    const [before, share] = [Math.floor(frame), frame % 1];
+    const start = times[before] ?? 0;
+    return start + share * ((times[before + 1] ?? start) - start);
+  };
+  return clip.tracks.flatMap((track) => {
+    const { nodeName } = PropertyBinding.parseTrackName(track.name);
+    const node: unknown = PropertyBinding.findNode(object, nodeName);
+    if (body.has(node as Object3D)) return [];
+    const copy = track.clone();
+    copy.times = copy.times.map(styledTime);
+    return [copy];
+  });
 }
 
 /** The normalized bone of each raw bone that is a role's, or lies between those of roles. */

@@ -12,7 +12,7 @@ export interface Converted {
 /** What three.js's own plugins use of the exporter's writer; it is no part of the types. */
 interface Writer {
   readonly nodeMap: ReadonlyMap<Object3D, number>;
-  readonly json: { readonly skins?: { skeleton?: number }[] };
+  readonly json: { readonly skins?: { skeleton?: number }[]; animations?: { channels: unknown[] }[] };
 }
 
 /**
@@ -33,10 +33,14 @@ export async function converted(object: Object3D): Promise<Converted> {
       afterParse() {
         // It names the first joint, which is not above the others where FBX shares joints between meshes.
         for (const skin of json.skins ?? []) delete skin.skeleton;
+        // A motion that moves nothing is no motion for validators.
+        const moving = json.animations?.filter(({ channels }) => channels.length > 0) ?? [];
+        if (moving.length > 0) json.animations = moving;
+        else delete json.animations;
       },
     };
   });
-  const { animations } = object;
+  const animations = object.animations.filter(({ tracks }) => tracks.length > 0);
   const file = await exporter.parseAsync(object, { binary: true, trs: true, onlyVisible: false, animations });
   return { file: new Uint8Array(file as ArrayBuffer), indexOf: (node) => numbers.get(node) };
 }

@@ -8,7 +8,7 @@ import type { Skeleton } from "../engine/character/rig";
 import { StrutError } from "../engine/errors";
 
 /** Most joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
-const MAX_JOINTS = 512;
+export const MAX_JOINTS = 512;
 /** Share by which the scales along two axes may differ: exporters round. */
 const EVEN = 0.01;
 /** Share of a skin's size within which its joints agree where the skin lies. */
@@ -29,6 +29,9 @@ interface BoundBone {
   readonly matrix: Matrix4;
   readonly inverse: Matrix4;
 }
+
+/** Most joints by which it is found which answer leaves them nearest. */
+const MAX_SAMPLED = 256;
 
 /** A skin, and where the space in which it was modelled lies in the character's object. */
 export interface Skin {
@@ -243,8 +246,9 @@ function agreed(present: readonly BoundBone[], ofFile: readonly Matrix4[]): { pl
   }
   if (2 * most >= matrices.length) return { place: best, isSure: true };
   const scale = sizeOf(best).mean;
+  const joints = sampled(present);
   const nearest = (places: readonly Matrix4[]) => {
-    const found = places.map((place) => ({ place, distance: distanceOf(present, place) }));
+    const found = places.map((place) => ({ place, distance: distanceOf(joints, place) }));
     return found.reduce((a, b) => (b.distance < a.distance ? b : a));
   };
   const [own, any] = [nearest(ofFile.map((place) => resized(place, scale))), nearest(tried)];
@@ -259,15 +263,24 @@ function resized(matrix: Matrix4, scale: number): Matrix4 {
     .setPosition(position);
 }
 
+/** Joints of a skin where they were modelled and where they lie: a few hundred say enough. */
+function sampled(present: readonly BoundBone[]): { modelled: Vector3; lies: Vector3 }[] {
+  const step = Math.ceil(present.length / MAX_SAMPLED);
+  return present
+    .filter((_, i) => i % step === 0)
+    .map(({ matrix, inverse }) => ({
+      modelled: new Vector3().setFromMatrixPosition(inverse.clone().invert()),
+      lies: new Vector3().setFromMatrixPosition(matrix),
+    }));
+}
+
 /** How far the joints lie from where they were modelled, together, if the skin lies so. */
-function distanceOf(present: readonly BoundBone[], objectFromSkin: Matrix4): number {
-  const [modelled, lies] = [new Vector3(), new Vector3()];
-  let sum = 0;
-  for (const { matrix, inverse } of present) {
-    modelled.setFromMatrixPosition(inverse.clone().invert()).applyMatrix4(objectFromSkin);
-    sum += modelled.distanceTo(lies.setFromMatrixPosition(matrix));
-  }
-  return sum;
+function distanceOf(joints: ReturnType<typeof sampled>, objectFromSkin: Matrix4): number {
+  const place = new Vector3();
+  return joints.reduce(
+    (sum, { modelled, lies }) => sum + place.copy(modelled).applyMatrix4(objectFromSkin).distanceTo(lies),
+    0,
+  );
 }
 
 function near(a: Matrix4, b: Matrix4): boolean {

@@ -77,9 +77,13 @@ export async function loadCharacter(
 /**
  * The motions of a file, whether a figure is in it or not. They hold no memory of the engine: what they need is taken when
  * they are read, and given back.
+ * @param call also what is known of the joints, as for {@link loadCharacter}
  * @throws StrutError `bad-file` with what is wrong with the file, `load` where it cannot be had, `cancelled`
  */
-export async function loadMotions(source: CharacterSource, call: CallOptions = {}): Promise<CharacterMotion[]> {
+export async function loadMotions(
+  source: CharacterSource,
+  call: CallOptions & BindOptions = {},
+): Promise<CharacterMotion[]> {
   let isVrma = false;
   const inspect: ReadOptions["inspect"] = (document) => {
     isVrma = vrmaOf(document) !== undefined;
@@ -90,7 +94,12 @@ export async function loadMotions(source: CharacterSource, call: CallOptions = {
     if (origin.clips.length === 0) return [];
     const glue = await characterPackage.load();
     // A VRM Animation rests on the ground.
-    const options = unitOf(model, isVrma ? { soleHeight: 0 } : {});
+    const { roles, soleHeight = isVrma ? 0 : undefined, metresPerUnit } = call;
+    const options = unitOf(model, {
+      ...(roles && { roles }),
+      ...(soleHeight !== undefined && { soleHeight }),
+      ...(metresPerUnit !== undefined && { metresPerUnit }),
+    });
     const on = <T>(convert: (bound: Bound) => T): T => {
       const bound = boundWith(glue, origin, options, false);
       try {
@@ -152,7 +161,7 @@ async function loaded(
 
 /** The options of a model's binding, with the unit that its format says. */
 function unitOf({ metresPerUnit }: ReadModel, options: BindOptions): BindOptions {
-  return metresPerUnit === undefined ? options : { ...options, metresPerUnit };
+  return metresPerUnit === undefined ? options : { metresPerUnit, ...options };
 }
 
 /** @throws StrutError `licence` unless everybody may perform the character or it was accepted */

@@ -65,6 +65,8 @@ export interface CharacterClipOptions {
   name?: string;
   /** Whether the body stays over its start, as game engines with root motion of their own expect. */
   inPlace?: boolean;
+  /** The clip that was styled: what it moves besides the body is kept, in the styled motion's time: fingers, faces, morphs. */
+  keep?: AnimationClip;
 }
 
 /** A motion in a file. It is read of the file's bones when it is asked for. */

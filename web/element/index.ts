@@ -1,4 +1,5 @@
 /** What the element exports. */
 export { ATTRIBUTES, type AttributeName, type Control } from "./attributes";
+export type { FrameDetail, StrutPlayerEventMap } from "./events";
 export { hostPlayers, type PlayerHost } from "./host";
-export { type FrameDetail, StrutPlayer } from "./player_element";
+export { StrutPlayer } from "./player_element";

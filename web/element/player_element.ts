@@ -6,7 +6,6 @@ import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
 import { bvhBytes } from "../client/bvh_bytes";
 import { type LiveFrame, StrutError, type StyleWeights } from "../client/protocol";
-import { cancelled } from "../engine/errors";
 import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
@@ -23,6 +22,7 @@ import { Cast, type CastSource } from "./cast";
 import { ownColours, themeOf } from "./colours";
 import { Credit } from "./credit";
 import { Deferred } from "./deferred";
+import type { FrameDetail, PlayerTarget } from "./events";
 import { type FigureListeners, weightsOf } from "./figure";
 import { schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
@@ -39,18 +39,17 @@ const NEAR_PX = 200;
 const CLOCK_MS = 60;
 /** Time out of sight after which a character is freed, milliseconds. */
 const UNSEEN_MS = 30_000;
+/** Why nothing comes of a player that is taken off its page while it loads. */
+const TAKEN_AWAY = { code: "cancelled", message: "The player was taken off the page.", hint: "" } as const;
 /** Weights below this are not said. */
 const SAID = 0.005;
-
-/** Detail of the event `frame`. */
-export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" | "reads">;
 
 /** Properties that are attributes and nothing else. */
 type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
 type Properties = { -readonly [K in Plain]: ValueOf<K> };
 
 /** Where there is no document, as on a server, the class can be imported and not be used. */
-const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => HTMLElement & Properties;
+const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => PlayerTarget & Properties;
 
 /** `<strut-player>`: a figure that moves in a style, live. */
 export class StrutPlayer extends ElementBase {
@@ -292,7 +291,7 @@ export class StrutPlayer extends ElementBase {
       for (const observer of this.#observers.splice(0)) observer.disconnect();
       if (this.#opened) this.#startSecs = this.currentTime;
       // Nobody waits for ever for what is not on the page.
-      if (this.#opening && !this.#ready.isSettled) this.#ready.reject(cancelled());
+      if (this.#opening && !this.#ready.isSettled) this.#ready.reject(new StrutError(TAKEN_AWAY));
       this.#close();
       this.#failed = false;
       this.#poster.hidden = false;

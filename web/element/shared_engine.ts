@@ -11,6 +11,9 @@ export interface Lease<T> {
 /** How long something that nobody uses stays open, milliseconds: pages take elements out and put them in again. */
 const LINGER_MS = 10_000;
 
+/** How long the engine itself is kept when nothing of it is used, milliseconds. */
+const IDLE_MS = 300_000;
+
 type Opened = { dispose(): void };
 
 interface Shared<T> {
@@ -71,6 +74,8 @@ class SharedSources<T extends Opened> {
 export class SharedEngine {
   readonly #load: () => Promise<Strut>;
   #strut: Promise<Strut> | undefined;
+  #users = 0;
+  #idle: ReturnType<typeof setTimeout> | undefined;
   readonly #databases = new SharedSources(async (source, call) => (await this.strut()).openDatabase(source, call));
   readonly #motions = new SharedSources(async (source, call) => (await this.strut()).openMotion(source, call));
 
@@ -90,13 +95,46 @@ export class SharedEngine {
   /** An open database, or one that is opened. @throws StrutError */
   database(source: Source | Database, call: CallOptions): Promise<Lease<Database>> {
     if (isOpened(source)) return Promise.resolve(given(source));
-    return this.#lease(this.#databases, source, async (strut) => strut.openDatabase(source, call), call);
+    return this.#counted(this.#lease(this.#databases, source, async (strut) => strut.openDatabase(source, call), call));
   }
 
   /** An open motion, or one that is opened. @throws StrutError */
   motion(source: Source | Motion, call: MotionOptions & CallOptions): Promise<Lease<Motion>> {
     if (isOpened(source)) return Promise.resolve(given(source));
-    return this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call);
+    return this.#counted(this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call));
+  }
+
+  /** Counts who uses the engine: a page that has shown its last player gets the memory and the worker back after a while. */
+  async #counted<T>(leasing: Promise<Lease<T>>): Promise<Lease<T>> {
+    this.#users += 1;
+    clearTimeout(this.#idle);
+    let used = true;
+    const leave = () => {
+      if (!used) return;
+      used = false;
+      this.#users -= 1;
+      clearTimeout(this.#idle);
+      if (this.#users === 0) this.#idle = setTimeout(() => this.#end(), IDLE_MS);
+    };
+    try {
+      const { value, release } = await leasing;
+      return {
+        value,
+        release: () => {
+          release();
+          leave();
+        },
+      };
+    } catch (thrown) {
+      leave();
+      throw thrown;
+    }
+  }
+
+  #end(): void {
+    const strut = this.#strut;
+    this.#strut = undefined;
+    strut?.then((loaded) => loaded.dispose()).catch(() => undefined);
   }
 
   async #lease<T extends Opened>(

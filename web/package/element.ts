@@ -4,9 +4,15 @@ import { loadStrut } from "./index";
 import { SITE } from "./site";
 import type { LoadOptions } from "./types";
 
-export { type FrameDetail, StrutPlayer } from "../element";
+export { type FrameDetail, StrutPlayer, type StrutPlayerEventMap } from "../element";
 export { StrutError, type StrutErrorCode } from "../engine/errors";
 export type * from "./public";
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "strut-player": StrutPlayer;
+  }
+}
 
 let options: LoadOptions = {};
 

@@ -57,7 +57,7 @@ async function threeVrm() {
  * {@link CharacterMotion.toBVH} gives.
  * @throws StrutError `bad-file`, `load`, `cancelled`
  */
-export function loadMotions(source: CharacterSource, call?: CallOptions): Promise<CharacterMotion[]> {
+export function loadMotions(source: CharacterSource, call?: CallOptions & BindOptions): Promise<CharacterMotion[]> {
   place();
   return readMotions(source, call);
 }

@@ -313,3 +313,14 @@ describe("a style track", () => {
     expect(session.seek(10).pose[1]).toBe(0);
   });
 });
+
+test("options that the engine refuses change nothing, their styles neither", () => {
+  const { session, stylizer } = open(old(0));
+  session.step(FRAME_SECS);
+  stylizer.configure = () => {
+    throw new Error("refused");
+  };
+  expect(() => session.configure(old(1))).toThrow("refused");
+  for (let i = 0; i < 50; i++) session.step(FRAME_SECS);
+  expect(stylizer.weights[1]).toBe(0);
+});
