@@ -164,6 +164,7 @@ describe("a zip of clips", () => {
   it("may be dropped on the playground, where it brings its view", async () => {
     await page.getByRole("link", { name: "Play" }).click();
     await dropFile(page, "small.zip", smallSet());
+    await page.getByRole("button", { name: /^Make a database/ }).click();
     await eventually(heading).toBe("5 clips, 3 styles");
     await read();
     await eventually(() => page.evaluate(() => window.strut.state.view)).toBe("data");

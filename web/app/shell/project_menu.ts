@@ -42,6 +42,8 @@ export class ProjectMenu {
     );
     const open = button(strings.page.bar.project, () => {}, { icon: "folder", label: true, class: "bar-action" });
     open.title = words.why;
+    // Its word is hidden on a narrow screen.
+    open.setAttribute("aria-label", strings.page.bar.project);
     open.setAttribute("popovertarget", menu.id);
     menu.addEventListener("beforetoggle", () => {
       // Below its button, as far as the window allows.
