@@ -194,7 +194,7 @@ class PlayView implements View {
   refresh(): void {
     const { session } = this.#host;
     this.#viewport.performing = this.#host.performing();
-    if (session.database) this.#input.list(session.library, session.chosen);
+    if (session.database) this.#listInputs();
   }
 
   hide(): void {
