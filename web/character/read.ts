@@ -246,9 +246,9 @@ function dropEmptyTextures(object: Object3D): number {
 /** Sentences on textures that are not there. */
 function textureNotes(lost: number): string[] {
   if (lost === 0) return [];
-  const some = lost === 1 ? "One texture" : `${lost} textures`;
+  const [some, are, them] = lost === 1 ? ["One texture", "it is", "it"] : [`${lost} textures`, "they are", "them"];
   return [
-    `${some} could not be loaded: they are in other files, or the page's policy forbids them (connect-src blob:).`,
+    `${some} could not be loaded: ${are} in another file, or the page's policy forbids ${them} (connect-src blob:).`,
   ];
 }
 
