@@ -6,6 +6,7 @@ import { type CallOptions, isCancellation } from "../../../client/protocol";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { html, saveFile, setAttributes } from "../../../ui/dom";
+import type { UndoRedo } from "../../state/history";
 import { strings } from "../../strings/strings";
 import { filesOfDialog } from "../../ui/dropped_files";
 import { askForRoles } from "../../ui/roles_dialog";
@@ -43,6 +44,8 @@ class DatabaseView implements View {
   readonly #build: BuildPanel;
   readonly #manners: MannersPanel;
   readonly #databasesPanel: DatabasesPanel;
+  /** Opens the clips again that were cleared last, until a person adds others. */
+  #cleared: ((options: CallOptions) => Promise<void>) | undefined;
   readonly #catalogue = new CataloguePanel((set, files) => this.#takeSet(set, files));
   /** Index of the clip that the preview shows. */
   #selected: number | undefined;
@@ -87,12 +90,16 @@ class DatabaseView implements View {
     this.#show();
   }
 
-  get history() {
-    return this.#clips.edits;
+  /** Undo of the edits, and before them of the table that was cleared. */
+  get history(): UndoRedo {
+    const { edits } = this.#clips;
+    const openAgain = this.#cleared;
+    if (!openAgain || edits.canUndo || edits.canRedo) return edits;
+    return { canUndo: true, canRedo: false, undo: () => void this.#openAgain(openAgain), redo: () => {} };
   }
 
   get holdsWork(): boolean {
-    return this.#clips.rows.length > 0 || this.#databases.holdsUnkept;
+    return this.#clips.rows.length > 0 || this.#cleared !== undefined || this.#databases.holdsUnkept;
   }
 
   show(): void {
@@ -120,6 +127,7 @@ class DatabaseView implements View {
     for (const { path, file } of databases) void this.#host.openDatabase(path.replace(/\.strutdb$/i, ""), file, false);
     if (ending(/\.(bvh|zip)$/i).length > 0) {
       const clips = files.filter(({ path }) => !/\.(strutdb|csv)$/i.test(path));
+      this.#cleared = undefined;
       void this.#open(clips, table ? { table } : {});
     } else if (table) void this.#clips.label({ table });
     else if (files.length > 0 && databases.length === 0) this.#host.toasts.error(words.noneOf(files.length));
@@ -169,19 +177,22 @@ class DatabaseView implements View {
     });
   }
 
-  /** Forgets all clips, and offers to have them back. */
+  /** Forgets all clips; undo has them back. */
   #clear(): void {
-    const count = this.#clips.rows.length;
+    const hadClips = this.#clips.rows.length > 0;
     this.#clipsPanel.progress.cancel();
     this.#forgetShown();
     const openAgain = this.#clips.clear();
-    if (count === 0) return;
-    this.#host.toasts.offer(words.cleared(count), strings.page.bar.undo, () => {
-      this.#clipsPanel.progress.cancel();
-      void this.#read(async (options) => {
-        await openAgain(options);
-        return [];
-      });
+    if (hadClips) this.#cleared = openAgain;
+    this.#host.historyChanged();
+  }
+
+  #openAgain(open: (options: CallOptions) => Promise<void>): Promise<void> {
+    this.#cleared = undefined;
+    this.#clipsPanel.progress.cancel();
+    return this.#read(async (options) => {
+      await open(options);
+      return [];
     });
   }
 

@@ -21,7 +21,6 @@ export const data = {
     folder: "Choose a folder",
   },
   add: { files: "Add files", folder: "Add a folder", clear: "Clear" },
-  cleared: (clips: number) => `${clips === 1 ? "One clip was" : `${clips} clips were`} taken out of the table.`,
   looking: "Looking for clips.",
   noClips: "There is no BVH among these files. Drop BVH files, a folder or a zip of them.",
   noneOf: (n: number) => `${counted("file")(n)} dropped, but no BVH and no zip among them.`,
