@@ -13,10 +13,9 @@ const page = (singleKeys = true): PageKeys => ({
   singleKeys: () => singleKeys,
 });
 
-/** An element with the focus: by the keyboard, or by a click. */
-function focus(localName: string, attributes: Record<string, string> = {}, byKeys = true): Element {
+/** An element with the focus. */
+function focus(localName: string, attributes: Record<string, string> = {}): Element {
   const is = (selector: string) => {
-    if (selector === ":focus-visible") return byKeys;
     const [, name, attribute, value] = /^(\w*)(?:\[([\w-]+)(?:=(\w+))?\])?$/.exec(selector)!;
     const found = attribute === undefined ? "" : attributes[attribute];
     return (!name || name === localName) && found !== undefined && (value === undefined || value === found);
@@ -30,11 +29,11 @@ function focus(localName: string, attributes: Record<string, string> = {}, byKey
 
 function press(
   key: string,
-  options: { focused?: Element; singleKeys?: boolean; ctrlKey?: boolean; shiftKey?: boolean } = {},
+  options: { focused?: Element; byKeys?: boolean; singleKeys?: boolean; ctrlKey?: boolean; shiftKey?: boolean } = {},
 ) {
-  const { focused = null, singleKeys = true, ctrlKey = false, shiftKey = false } = options;
+  const { focused = null, byKeys = true, singleKeys = true, ctrlKey = false, shiftKey = false } = options;
   said.length = 0;
-  actionOf({ key, ctrlKey, shiftKey, metaKey: false, altKey: false }, focused, page(singleKeys))?.();
+  actionOf({ key, ctrlKey, shiftKey, metaKey: false, altKey: false }, focused, page(singleKeys), byKeys)?.();
   return said.join();
 }
 
@@ -69,9 +68,9 @@ describe("a key", () => {
   });
 
   it("acts where a control has the focus by a click", () => {
-    for (const control of [focus("button", {}, false), focus("input", { type: "radio" }, false)]) {
-      expect(press(" ", { focused: control })).toBe("play");
-      expect(press("ArrowLeft", { focused: control })).toBe("back");
+    for (const control of [focus("button"), focus("g", { role: "button" }), focus("input", { type: "radio" })]) {
+      expect(press(" ", { focused: control, byKeys: false })).toBe("play");
+      expect(press("ArrowLeft", { focused: control, byKeys: false })).toBe("back");
     }
   });
 

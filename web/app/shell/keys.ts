@@ -25,35 +25,30 @@ function isTextField(element: Element | null): boolean {
   return localName === "textarea" || element.matches("[contenteditable]");
 }
 
-/**
- * Whether the element is used by the keyboard. A control that was clicked keeps the focus, for screen readers and switch
- * devices, but leaves Space and arrows to the page.
- */
-function isUsedByKeys(element: Element | null): boolean {
-  return element?.matches(":focus-visible") ?? false;
+/** Whether the element handles arrows, Home and letters itself; `byKeys` is whether the keyboard led to it. */
+function wantsKeys(element: Element | null, byKeys: boolean): boolean {
+  if (isTextField(element) || element?.matches("select, input[type=range]")) return true;
+  return byKeys && (element?.matches("input[type=radio]") ?? false);
 }
 
-/** Whether the element handles arrows, Home and letters itself. */
-function wantsKeys(element: Element | null): boolean {
-  if (isTextField(element) || element?.matches("select, input[type=range]")) return true;
-  return isUsedByKeys(element) && element!.matches("input[type=radio]");
-}
+const PRESSED = "button, a, summary, [role=button], input[type=radio], input[type=checkbox]";
 
 /** Whether the element handles Space itself. */
-function takesSpace(element: Element | null): boolean {
+function takesSpace(element: Element | null, byKeys: boolean): boolean {
   if (isTextField(element) || element?.matches("select")) return true;
-  return (
-    isUsedByKeys(element) &&
-    element!.matches("button, a, summary, [role=button], input[type=radio], input[type=checkbox]")
-  );
+  return byKeys && (element?.matches(PRESSED) ?? false);
 }
 
 /** Listens to the page's keys until the signal aborts. */
 export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
   let tookSpace = false;
+  // A control that was clicked keeps the focus, for screen readers and switch devices, but leaves Space and arrows to the page.
+  // `:focus-visible` would not do: it holds of what a script gives the focus, as the polygon does.
+  let byKeys = true;
   const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key === "Tab") byKeys = true;
     if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
-    const action = actionOf(event, document.activeElement, keys);
+    const action = actionOf(event, document.activeElement, keys, byKeys);
     if (event.key === " ") tookSpace = action !== undefined;
     if (!action) return;
     event.preventDefault();
@@ -64,12 +59,17 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
   const onKeyUp = (event: KeyboardEvent): void => {
     if (event.key === " " && tookSpace) event.preventDefault();
   };
-  // The picture that was clicked loses the focus, so that arrows step through the frames. Who comes there by Tab turns the
-  // camera with them.
+  // What acts on keys itself, the picture and corners of the polygon, loses the focus with a click, so that Space and arrows
+  // are the page's. Who comes there by Tab uses them.
   const onClick = (event: MouseEvent): void => {
     const focused = document.activeElement;
-    if (event.detail > 0 && focused instanceof HTMLCanvasElement) focused.blur();
+    if (event.detail === 0 || !focused?.matches("canvas, [role=button]")) return;
+    if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
   };
+  const onPointer = () => {
+    byKeys = false;
+  };
+  addEventListener("pointerdown", onPointer, { signal, capture: true });
   addEventListener("keydown", onKeyDown, { signal });
   addEventListener("keyup", onKeyUp, { signal });
   addEventListener("click", onClick, { signal });
@@ -77,8 +77,16 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
 
 type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
 
-/** The action of a key press; `undefined` where the focused element or the browser handles it. */
-export function actionOf(pressed: Pressed, focused: Element | null, keys: PageKeys): (() => void) | undefined {
+/**
+ * The action of a key press; `undefined` where the focused element or the browser handles it.
+ * @param byKeys whether the keyboard led to the focused element, not a click
+ */
+export function actionOf(
+  pressed: Pressed,
+  focused: Element | null,
+  keys: PageKeys,
+  byKeys: boolean,
+): (() => void) | undefined {
   const key = pressed.key.length === 1 ? pressed.key.toLowerCase() : pressed.key;
   if (pressed.altKey) return undefined;
   if (pressed.ctrlKey || pressed.metaKey) {
@@ -89,8 +97,8 @@ export function actionOf(pressed: Pressed, focused: Element | null, keys: PageKe
     if (key === "z") return pressed.shiftKey ? keys.redo : keys.undo;
     return key === "y" ? keys.redo : undefined;
   }
-  if (key === " ") return takesSpace(focused) ? undefined : own(keys.view(), key);
-  if (wantsKeys(focused) || (key.length === 1 && !keys.singleKeys())) return undefined;
+  if (key === " ") return takesSpace(focused, byKeys) ? undefined : own(keys.view(), key);
+  if (wantsKeys(focused, byKeys) || (key.length === 1 && !keys.singleKeys())) return undefined;
   return own(keys.view(), key) ?? (key === "?" ? keys.help : undefined);
 }
 
