@@ -2,7 +2,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { othersAbsent, rigOfOthers } from "../rigs/others";
-import { drawn, dropFile, eventually, inputName, openSite, screenshot } from "./browser";
+import { drawn, dropFile, dropFiles, eventually, inputName, openSite, screenshot } from "./browser";
 import { colouredPixels } from "./pixels";
 
 let site: Awaited<ReturnType<typeof openSite>>;
@@ -16,19 +16,6 @@ afterAll(() => site.close());
 
 const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
 const dropRig = (name: string) => dropFile(page, name, rigOfOthers(name));
-
-/** Drops several files at once. */
-async function dropTogether(files: readonly { name: string; bytes: Uint8Array }[]): Promise<void> {
-  const texts = files.map(({ name, bytes }) => ({ name, bytes: Buffer.from(bytes).toString("base64") }));
-  const dataTransfer = await page.evaluateHandle((given) => {
-    const transfer = new DataTransfer();
-    for (const { name, bytes } of given)
-      transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name));
-    return transfer;
-  }, texts);
-  for (const type of ["dragenter", "dragover", "drop"])
-    await page.dispatchEvent("body", type, { dataTransfer, clientX: 5, clientY: 5 });
-}
 
 /** What toasts say. */
 const said = async () => (await page.getByRole("status").allTextContents()).join(" ");
@@ -89,10 +76,11 @@ test.skipIf(othersAbsent)("a character with a walk among its motions begins with
 
 test.skipIf(othersAbsent)("a .gltf and the files beside it are dropped together", async () => {
   const [document, buffer, texture] = ["manny_med_mod.gltf", "manny_med_mod.bin", "mannequin_texture.png"];
-  const beside = (name: string) => ({ name, bytes: rigOfOthers(`kaykit/${name}`) });
-  await dropTogether([beside(document!)]);
+  const drop = (...names: (string | undefined)[]) =>
+    dropFiles(page, Object.fromEntries(names.map((name) => [name!, rigOfOthers(`kaykit/${name}`)])));
+  await drop(document);
   await eventually(() => page.getByRole("alert").textContent()).toContain("manny_med_mod.bin");
-  await dropTogether([document, buffer, texture].map((name) => beside(name!)));
+  await drop(document, buffer, texture);
   await eventually(performer).toBe("manny_med_mod");
   await eventually(async () => colouredPixels(site.browser, await pictureOfStage())).toBeGreaterThan(1000);
   await screenshot(page, "others-kaykit");

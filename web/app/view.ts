@@ -25,8 +25,6 @@ export interface ViewHost {
   readonly signal: AbortSignal;
   /** Makes a database the app's and shows it in Play, by its name in the URL if it is kept here; whether that worked. */
   openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
-  /** Says that the database of a name on this device is another one now. */
-  databaseReplaced(name: string, file: Blob, renamed: ReadonlyMap<string, string>): void;
   /** Goes back to the built-in database. */
   openBuiltIn(): Promise<boolean>;
   /** The database that is open: its name for people, and its file unless it is the built-in one. */
@@ -47,8 +45,15 @@ export interface ViewHost {
   chooseInput(name: string): Promise<boolean>;
   /** Opens a clip of the open database as the input, by its number; whether it is open now. */
   chooseClip(clip: number): Promise<boolean>;
-  /** Opens a database for all views without leaving this one, by its name in the URL if it is kept here; whether that worked. */
-  useDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
+  /**
+   * Opens a database that was built without leaving this view, by its name in the URL if it is kept here; whether that worked.
+   * `renamed` are new names of styles by their former ones.
+   */
+  openBuilt(
+    database: { name: string; file: Blob },
+    kept: boolean,
+    renamed: ReadonlyMap<string, string>,
+  ): Promise<boolean>;
   /** Goes to the view Play. */
   showPlay(): void;
   /** Reads the open file as a person says; whether it could be read so. */

@@ -53,14 +53,16 @@ export class ClipJob extends Handle<RawClipJob> {
 
   /** The styled clip; call it after {@link run} returned true. */
   result(): Analysis {
+    // The module that a page starts with opens no files; it has neither notes nor distances.
+    const isFile = this.input.info.source === "bvh";
     return guarded(() => ({
       poses: this.raw.poses(),
       timeOut: this.raw.timeOut(),
       planted: this.raw.planted(),
       classWeights: this.raw.classWeights(),
       durationOutSecs: this.raw.durationSecs(),
-      // The module that a page starts with opens no files and has no notes.
-      notes: this.input.info.source === "bvh" ? notesIn(this.raw.notes()) : [],
+      notes: isFile ? notesIn(this.raw.notes()) : [],
+      distanceMetres: isFile ? this.raw.distanceMetres() : undefined,
     }));
   }
 

@@ -244,6 +244,8 @@ export interface Analysis {
   durationOutSecs: number;
   /** What may be wrong with it, beside the notes on the input. */
   notes: readonly Note[];
+  /** Mean distance of the input's frames from the nearest ones of the database, metres; `undefined` for a built-in input. */
+  distanceMetres: number | undefined;
 }
 
 /** A batch of styled frames, one an input frame. */

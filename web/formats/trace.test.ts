@@ -8,6 +8,7 @@ const traced = {
     planted: Uint8Array.from([1, 0, 1, 1]),
     classWeights: Float32Array.from([1, 0, 0, 0.75, 0.25, 0]),
     durationOutSecs: 0.04,
+    distanceMetres: undefined,
   },
   input: { rateHz: 50 },
   classes: [

@@ -281,6 +281,7 @@ class StyledResult implements StyledMotion {
   readonly classWeights: Float32Array;
   readonly durationOutSecs: number;
   readonly notes: readonly Note[];
+  readonly distanceMetres: number | undefined;
   readonly #animation: HumanoidAnimation;
   readonly #classes: DatabaseInfo["classes"];
   readonly #writers: Writers;
@@ -289,7 +290,7 @@ class StyledResult implements StyledMotion {
 
   constructor(name: string, clip: StyledClip, { rateHz, classes, proportions }: DatabaseInfo, writers: Writers) {
     const { poses, timeOut, planted, classWeights, durationOutSecs, bvh } = clip;
-    this.notes = clip.notes;
+    [this.notes, this.distanceMetres] = [clip.notes, clip.distanceMetres];
     [this.name, this.proportions] = [name, proportions];
     this.#animation = { name, proportions, poses, times: timeOut };
     this.#writers = writers;

@@ -278,7 +278,7 @@ fn horizon(
     Ok(())
 }
 
-/// The value in the middle; not a number if there is none.
+/// The median; NaN of no values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)

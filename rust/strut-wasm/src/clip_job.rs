@@ -148,6 +148,15 @@ impl ClipJob {
     pub fn notes(&self) -> Result<Vec<String>, EngineError> {
         Ok(crate::input_file::texts_of(&self.styled()?.notes(self.model.catalogue().rate_hz)))
     }
+
+    /// Mean distance of the input's frames from the nearest ones of the database, metres.
+    ///
+    /// # Errors
+    /// If frames are still missing.
+    #[wasm_bindgen(js_name = distanceMetres)]
+    pub fn distance_metres(&self) -> Result<f64, EngineError> {
+        Ok(self.styled()?.familiarity.distance_metres())
+    }
 }
 
 impl ClipJob {

@@ -69,16 +69,22 @@ describe("the start with a few strides", () => {
   });
 });
 
-describe("a database that is replaced on this device", () => {
-  it("is opened again where it is the open one", async () => {
+describe("a database that was built", () => {
+  it("is opened, and keeps the renamed styles chosen where it replaces the open one", async () => {
     const { session, databases } = made("mine");
     await databases.follow("");
     const file = new Blob(["new"]);
-    await databases.replaced("other", file);
-    expect(session.opened).toEqual(["mine"]);
-    await databases.replaced("mine", file);
-    expect(session.opened).toEqual(["mine", "mine"]);
-    expect(databases.file).toEqual({ name: "mine", file });
+    const renamed = new Map([["old", "ancient"]]);
+    const known = async (name: string) => {
+      const opening = databases.openBuilt({ name, file }, true, renamed);
+      const { size } = databases.renamed;
+      expect(await opening).toBe(true);
+      return size;
+    };
+    expect([await known("mine"), await known("other")]).toEqual([1, 0]);
+    expect(databases.renamed.size, "afterwards").toBe(0);
+    expect(session.opened).toEqual(["mine", "mine", "other"]);
+    expect(databases.file).toEqual({ name: "other", file });
   });
 });
 

@@ -134,9 +134,22 @@ export class Databases {
     return opened;
   }
 
-  /** Opens a database for all views; whether it is open now. */
-  async use(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
-    return this.#opened(this.#choose(source, kept), kept, styles);
+  /**
+   * Opens a database that was built, for all views and by its name on this device if it is kept; whether it is open now.
+   * @param renamed new names of styles by their former ones: where it replaces the open database, what was chosen is chosen still
+   */
+  async openBuilt(
+    { name, file }: { name: string; file: Blob },
+    kept: boolean,
+    renamed: ReadonlyMap<string, string>,
+  ): Promise<boolean> {
+    if (kept && name === this.#name) this.renamed = renamed;
+    const known = kept ? name : "";
+    try {
+      return await this.#opened(this.#choose({ kind: "strutdb", name, file }, known), known, undefined);
+    } finally {
+      this.renamed = new Map();
+    }
   }
 
   #show(source: DatabaseSource, kept: string, styles: Selection | undefined): Promise<boolean> {
@@ -149,17 +162,6 @@ export class Databases {
     if (!(await opening)) return false;
     this.#store.edit({ database: kept, ...(styles && { styles }) });
     return true;
-  }
-
-  /**
-   * Opens a database again that was replaced on this device, where it is the open one: nothing old is shown of it.
-   * @param renamed new names of styles by their former ones: what was chosen is chosen still
-   */
-  async replaced(name: string, file: Blob, renamed: ReadonlyMap<string, string> = new Map()): Promise<void> {
-    if (name === "" || name !== this.#name) return;
-    this.renamed = renamed;
-    await this.#choose({ kind: "strutdb", name, file }, name);
-    this.renamed = new Map();
   }
 
   /**

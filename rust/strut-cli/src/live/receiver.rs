@@ -55,7 +55,7 @@ impl Receiver {
                 let (length, from) = match socket.recv_from(&mut bytes) {
                     Ok(packet) => packet,
                     Err(error) => {
-                        // An answer that nobody listens to what we sent is no end. Other errors may stay.
+                        // A reset says that nobody listens on the port that was sent to: receiving goes on. Other errors may last.
                         if !is_of_the_moment(error.kind()) {
                             thread::sleep(PAUSE);
                         }

@@ -292,13 +292,13 @@ class DatabaseView implements View {
         const { refused, neutral: _, twoManners: __, ...built } = await this.#clips.build(options);
         const placed = await place({ name, ...built });
         this.#build.name = placed.name;
-        this.#host.databaseReplaced(placed.name, built.file, this.#clips.renamed);
         const seconds = ((performance.now() - started) / 1000).toFixed(1);
         const styles = built.styles.length;
         const ready = words.build.ready(capitalised(numberWord(styles)), styles, built.frames, seconds);
         const text = refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready;
         // It is what is played with from now on; whoever goes on with the clips stays here.
-        const opened = await this.#host.useDatabase(placed.name, built.file, !placed.unkept);
+        const made = { name: placed.name, file: built.file };
+        const opened = await this.#host.openBuilt(made, !placed.unkept, this.#clips.renamed);
         if (opened) {
           const { open, play } = words.build;
           const take = this.#host.toasts.offer(`${text} ${open}`, play, () => {

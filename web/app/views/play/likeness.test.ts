@@ -25,14 +25,15 @@ const moving = { poses: posesAt((frame) => (1.2 * frame) / RATE) };
 const still = { poses: posesAt((frame) => 0.02 * Math.sin((Math.PI * frame) / RATE)) };
 
 /** The same weights in every frame: those that are given, and the rest shared by the other classes. */
-function analysis(given: Readonly<Record<string, number>>, notes: { code: string; text: string }[] = []) {
+function analysis(given: Readonly<Record<string, number>>, distanceMetres = 0.1) {
   const names = classes.map(({ action, style }) => `${action} ${style}`);
   const rest = 1 - Object.values(given).reduce((a, b) => a + b, 0);
   const others = classes.length - Object.keys(given).length;
   const frame = names.map((name) => given[name] ?? rest / others);
   return {
     classWeights: Float32Array.from({ length: FRAMES * frame.length }, (_, i) => frame[i % frame.length]!),
-    notes,
+    notes: distanceMetres > 0.35 ? [{ code: "unfamiliar", text: "This motion is unlike all of the database." }] : [],
+    distanceMetres,
   };
 }
 const frameOf = ({ read }: Likeness) => ({ ...read });
@@ -71,9 +72,7 @@ describe("what an input is like", () => {
   });
 
   it("is nothing where the engine's note says that all is far, and says how far", () => {
-    const text =
-      "This motion is unlike all of the database: its poses are 48 cm away on average. The result is a guess.";
-    const like = likenessOf(moving, analysis({ "kick neutral": 1 }, [{ code: "unfamiliar", text }]), database, true)!;
+    const like = likenessOf(moving, analysis({ "kick neutral": 1 }, 0.481), database, true)!;
     expect(like).toMatchObject({ kind: "far", centimetres: 48 });
     expect(readText(frameOf(like), like)).toEqual({ text: "unlike any style", weight: undefined });
   });

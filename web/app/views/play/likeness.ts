@@ -43,7 +43,7 @@ export const isUnlike = ({ kind }: Likeness): boolean => kind !== "class" && kin
  */
 export function likenessOf(
   input: Pick<InputInfo, "poses">,
-  { classWeights, notes }: Pick<Analysis, "classWeights" | "notes">,
+  { classWeights, notes, distanceMetres }: Pick<Analysis, "classWeights" | "notes" | "distanceMetres">,
   { classes, proportions, rateHz }: Pick<DatabaseInfo, "classes" | "proportions" | "rateHz">,
   allMove: boolean,
 ): Likeness | undefined {
@@ -53,8 +53,8 @@ export function likenessOf(
   const heaviest = classes[best];
   if (!heaviest) return undefined;
   const read = { action: heaviest.action, style: heaviest.style, weight: weights[best]! };
-  const far = notes.find(({ code }) => code === "unfamiliar");
-  if (far) return { kind: "far", read, ...centimetresIn(far.text) };
+  if (distanceMetres !== undefined && notes.some(({ code }) => code === "unfamiliar"))
+    return { kind: "far", read, centimetres: Math.round(100 * distanceMetres) };
   if (allMove && standsStill(input.poses, proportions, rateHz)) return { kind: "still", read };
   if (read.weight >= LEAST_CLASS) return { kind: "class", read };
   const shares = new Map<string, number>();
@@ -71,12 +71,6 @@ function meanWeights(classWeights: Float32Array, classes: number): Float64Array 
   for (let i = 0; i < classWeights.length; i++) sums[i % classes]! += classWeights[i]!;
   const frames = Math.max(1, classWeights.length / Math.max(1, classes));
   return sums.map((sum) => sum / frames);
-}
-
-/** The distance that the engine's sentence has. */
-function centimetresIn(text: string): { centimetres?: number } {
-  const [, number] = /(\d+) cm/.exec(text) ?? [];
-  return number === undefined ? {} : { centimetres: Number(number) };
 }
 
 /** Whether nobody moves in nearly all of a clip. */

@@ -91,24 +91,26 @@ fn windows_of_any_length_style() {
     }
 }
 
+/// Every method of this build.
+const METHODS: &[Method] = &[
+    Method::Mar,
+    Method::LocalAr,
+    Method::NearestNeighbour,
+    Method::Knn,
+    #[cfg(feature = "baselines")]
+    Method::GlobalAr,
+    #[cfg(feature = "baselines")]
+    Method::Lti,
+    #[cfg(feature = "baselines")]
+    Method::LtiJoint,
+    #[cfg(feature = "baselines")]
+    Method::Gp,
+];
+
 #[test]
 fn every_method_styles() {
     let model = model();
-    let methods = [
-        Method::Mar,
-        Method::LocalAr,
-        Method::NearestNeighbour,
-        Method::Knn,
-        #[cfg(feature = "baselines")]
-        Method::GlobalAr,
-        #[cfg(feature = "baselines")]
-        Method::Lti,
-        #[cfg(feature = "baselines")]
-        Method::LtiJoint,
-        #[cfg(feature = "baselines")]
-        Method::Gp,
-    ];
-    for method in methods {
+    for &method in METHODS {
         let options = Options { method, action: Some(0), input_style: Some(0), ..Options::DEFAULT };
         let mut s = Stylizer::new(Arc::clone(&model), options).unwrap();
         s.set_styles(&[0.0, 1.0]).unwrap();
@@ -125,20 +127,6 @@ fn every_method_styles() {
 #[test]
 fn options_that_are_set_later_give_the_bits_of_a_new_stylizer() {
     let (model, input) = (model(), unseen_walk());
-    let methods: &[Method] = &[
-        Method::Mar,
-        Method::LocalAr,
-        Method::NearestNeighbour,
-        Method::Knn,
-        #[cfg(feature = "baselines")]
-        Method::GlobalAr,
-        #[cfg(feature = "baselines")]
-        Method::Lti,
-        #[cfg(feature = "baselines")]
-        Method::LtiJoint,
-        #[cfg(feature = "baselines")]
-        Method::Gp,
-    ];
     let changes: [fn(&mut Options); 11] = [
         |o| o.k = 12,
         |o| o.delta = 1.5,
@@ -152,7 +140,7 @@ fn options_that_are_set_later_give_the_bits_of_a_new_stylizer() {
         |o| o.action = Some(1),
         |o| o.input_style = Some(1),
     ];
-    for (&method, other) in methods.iter().zip(methods.iter().cycle().skip(1)) {
+    for (&method, other) in METHODS.iter().zip(METHODS.iter().cycle().skip(1)) {
         for (i, change) in changes.iter().enumerate() {
             let mut options = Options { method, ..Options::DEFAULT };
             let set_later = |from: Options, to: Options| {
