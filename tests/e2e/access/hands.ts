@@ -68,7 +68,7 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
   for (let turn = 0; turn < MOST_SWIPES; turn++) {
     const found = await control.evaluate(whereIs);
     if (found) {
-      const { at, hit, by, places } = found;
+      const { at, hit, by, places, over } = found;
       still = before?.x === at.x && before.y === at.y ? still + 1 : 0;
       // The page may still be on its way.
       if (hit && still >= 2) return at;
@@ -76,7 +76,7 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
       const from = places[still % places.length]!;
       if (!hit) await scroll(from, by);
       before = at;
-      last = JSON.stringify({ at, by, from });
+      last = JSON.stringify({ at, by, from, over });
     }
     await page.waitForTimeout(60);
   }
@@ -84,10 +84,10 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
 }
 
 /**
- * In the page: the middle of a control, whether a press there hits it, how far to scroll for it, and from which places. Nothing
- * for a control that another has replaced since it was found, as a drawing does when it is drawn anew.
+ * In the page: the middle of a control, whether a press there hits it, how far to scroll for it, from which places, and what is
+ * over it. Nothing for a control that another has replaced since it was found, as a drawing does when it is drawn anew.
  */
-function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: Place[] } | undefined {
+function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: Place[]; over: string } | undefined {
   if (!control.isConnected) return undefined;
   const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
   /** What is at a place, within figures too. */
@@ -141,7 +141,8 @@ function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: 
       })),
     )
     .filter(pans);
-  return { at, hit, by, places: places.length > 0 ? places : [{ x: view.x, y: view.y }] };
+  const over = below?.closest("[class]")?.outerHTML.slice(0, 200) ?? "nothing";
+  return { at, hit, by, places: places.length > 0 ? places : [{ x: view.x, y: view.y }], over };
 }
 
 /** A mouse with a wheel. */

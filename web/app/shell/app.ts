@@ -143,6 +143,7 @@ export class App {
     store.subscribe((_, changed) => this.#onChange(changed), signal);
     onSystemTheme(() => this.#applyTheme(), signal);
     addEventListener("popstate", () => this.#address.leave(), { signal });
+    addEventListener("pagehide", () => this.#address.flush(), { signal });
     addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
     listenToKeys(
       {

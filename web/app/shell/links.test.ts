@@ -109,6 +109,23 @@ describe("the address bar", () => {
     expect(hashes()).toEqual(["#k=50", "#k=50&view=walk&stride=70"]);
   });
 
+  it("has at once what is done after a rest, and soon what follows it", () => {
+    const { store, bar, hashes } = opened();
+    store.edit({ k: 50 });
+    expect(hashes()).toEqual(["#k=50"]);
+    store.edit({ k: 51 });
+    store.edit({ k: 52 });
+    expect(hashes()).toEqual(["#k=50"]);
+    vi.advanceTimersByTime(200);
+    expect(hashes()).toEqual(["#k=52"]);
+    store.edit({ k: 53 });
+    bar.flush();
+    expect(hashes(), "the page is left").toEqual(["#k=53"]);
+    vi.runAllTimers();
+    store.edit({ k: 54 });
+    expect(hashes()).toEqual(["#k=54"]);
+  });
+
   it("goes back to the view before and keeps what was done since", () => {
     const { store, go, history } = opened();
     store.edit({ view: "walk" });

@@ -6,8 +6,9 @@ import { prefersReducedMotion } from "../../ui/media";
 import { type AppState, fromHash, toHash } from "../state/state";
 import type { Store } from "../state/store";
 
-/** Debounce of URL updates: browsers limit how often a page may change its URL. */
+/** Shortest time between two changes of the URL: browsers limit how often a page may change it. */
 const WRITE_MS = 200;
+
 /** The state of a link. Playback does not start by itself where reduced motion is preferred. */
 export function stateOfLink(hash: string, reducedMotion = prefersReducedMotion()): AppState {
   const state = fromHash(hash);
@@ -37,7 +38,10 @@ const isSamePlace = (a: Place, b: Place): boolean => a.view === b.view && (a.vie
 export class AddressBar {
   readonly #store: Store;
   readonly #history: BrowserHistory;
+  /** Runs for {@link WRITE_MS} after a change of the URL. */
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Whether the state changed while the timer ran. */
+  #late = false;
   /** The state that the current history entry stands for. */
   #state: Readonly<AppState>;
   #link: number;
@@ -60,23 +64,38 @@ export class AddressBar {
     this.#replace();
   }
 
-  /** Writes the state after a debounce; a change of view or lesson adds a history entry at once. */
+  /**
+   * Writes the state, at once unless it was just written: a reload must find what was done last. A change of view or lesson
+   * adds a history entry.
+   */
   write(): void {
     const { state } = this.#store;
-    clearTimeout(this.#timer);
     if (!isSamePlace(state, this.#state)) {
+      this.#stopTimer();
       this.#replace();
       this.#state = state;
       this.#history.pushState(this.#entry, "", addressOf(state));
       return;
     }
     this.#state = state;
-    this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
+    if (this.#timer !== undefined) {
+      this.#late = true;
+      return;
+    }
+    this.#replace();
+    this.#startTimer();
+  }
+
+  /** Writes what is not written yet, as the page may be left for good. */
+  flush(): void {
+    if (!this.#late) return;
+    this.#stopTimer();
+    this.#replace();
   }
 
   /** Handles a `popstate`: another entry is the current one, and its `hashchange` is on the way; no other state is its. */
   leave(): void {
-    clearTimeout(this.#timer);
+    this.#stopTimer();
   }
 
   /**
@@ -85,7 +104,7 @@ export class AddressBar {
    * otherwise everything
    */
   arrive(hash: string): Partial<AppState> {
-    clearTimeout(this.#timer);
+    this.#stopTimer();
     const entry = entryOf(this.#history.state);
     const linked = stateOfLink(hash);
     const within = entry?.link === this.#link;
@@ -94,12 +113,29 @@ export class AddressBar {
     const arrived = within ? this.#placeOf(linked) : linked;
     // This entry exists already: the edit that follows must not add another one.
     this.#state = { ...this.#store.state, ...arrived };
-    this.#timer = setTimeout(() => this.#replace(), WRITE_MS);
+    this.#late = true;
+    this.#startTimer();
     return arrived;
   }
 
   dispose(): void {
+    this.#stopTimer();
+  }
+
+  #startTimer(): void {
+    this.#timer = setTimeout(() => {
+      const late = this.#late;
+      this.#stopTimer();
+      if (!late) return;
+      this.#replace();
+      this.#startTimer();
+    }, WRITE_MS);
+  }
+
+  #stopTimer(): void {
     clearTimeout(this.#timer);
+    this.#timer = undefined;
+    this.#late = false;
   }
 
   #placeOf({ view, lesson, beat }: AppState): Partial<AppState> {
