@@ -37,6 +37,8 @@ class DatabaseView implements View {
   readonly #client = createBuildClient();
   readonly #clips: ClipCollection;
   readonly #databases = new DeviceDatabases();
+  /** Takes the offer to play with what was built away. */
+  #takeReady = () => {};
   readonly #files = html("input", { type: "file", multiple: true, hidden: true, accept: ".bvh,.zip,.csv,.strutdb" });
   readonly #folder = html("input", { type: "file", webkitdirectory: true, hidden: true });
   readonly #clipsPanel: ClipsPanel;
@@ -110,6 +112,7 @@ class DatabaseView implements View {
 
   hide(): void {
     this.#preview.stop();
+    this.#takeReady();
   }
 
   dispose(): void {
@@ -286,6 +289,7 @@ class DatabaseView implements View {
   async #buildInto(place: (database: SavedDatabase) => Promise<Placed>, name: string): Promise<void> {
     this.#build.busy = true;
     this.#preview.playing = false;
+    this.#takeReady();
     const started = performance.now();
     await this.#attempt(() =>
       this.#build.progress.run(words.build.progress, async (options) => {
@@ -301,10 +305,7 @@ class DatabaseView implements View {
         const opened = await this.#host.openBuilt(made, !placed.unkept, this.#clips.renamed);
         if (opened) {
           const { open, play } = words.build;
-          const take = this.#host.toasts.offer(`${text} ${open}`, play, () => {
-            take();
-            this.#host.showPlay();
-          });
+          this.#takeReady = this.#host.toasts.offer(`${text} ${open}`, play, () => this.#host.showPlay());
         } else this.#host.toasts.note(text);
         // Opening it takes errors away.
         this.#sayUnkept(placed);
