@@ -1,5 +1,6 @@
 /** The Walk view: a plan of styles that somebody walks by. */
 import { readFileSync } from "node:fs";
+import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -301,6 +302,26 @@ describe("what leaves the view", () => {
     await eventually(title).toBe("17 steps, three styles");
     expect(atOnce).toBeGreaterThan(before);
     expect(atOnce).toBe(await frames(() => save.click()));
+  });
+
+  it("is a video of the whole plan, after which the walk is where it was", async () => {
+    await visit(page, "view=walk&play=0&loop=0&speed=2&walk=1_1_1~old:1");
+    await eventually(title).toBe("One step, one style");
+    const length = Number(/[\d.]+/.exec((await page.locator(".walk .editor-time .caption").textContent())!)![0]);
+    await page.keyboard.press("ArrowRight");
+    await eventually(secs).toBeGreaterThan(0);
+    const before = await secs();
+    const video = page.locator(".walk .editor-actions").getByRole("button", { name: "Video", exact: true });
+    await video.click();
+    await page.locator(".walk .progress").getByRole("button", { name: "Cancel" }).click();
+    await eventually(secs, "after it was cancelled").toBe(before);
+    const [download] = await Promise.all([page.waitForEvent("download"), video.click()]);
+    expect(download.suggestedFilename()).toMatch(/^walk\.(webm|mp4)$/);
+    const file = new Input({ source: new BufferSource(readFileSync(await download.path())), formats: ALL_FORMATS });
+    const track = (await file.getPrimaryVideoTrack())!;
+    expect([track.displayWidth, track.displayHeight]).toEqual([1920, 1080]);
+    expect(await file.computeDuration()).toBeCloseTo(length / 2, 1);
+    await eventually(secs).toBe(before);
   });
 
   it("becomes the input of Play", async () => {

@@ -8,6 +8,7 @@ import type { Performer, Viewer } from "../viewer";
 import type { UndoRedo } from "./state/history";
 import type { Playhead } from "./state/playhead";
 import type { Store } from "./state/store";
+import type { Film } from "./ui/film";
 import type { ProgressLine } from "./ui/progress";
 import type { Toasts } from "./ui/toasts";
 
@@ -92,6 +93,7 @@ export interface ViewerLease {
   invalidate(): void;
   /** Stops drawing while something else needs the processor. */
   freeze(frozen: boolean): void;
+  readonly film: Film;
   /** Marks the parts of the body that joints turn; exported pictures do not show it. */
   tint(joints: readonly Role[]): void;
 }

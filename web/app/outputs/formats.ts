@@ -1,7 +1,7 @@
 /** Formats of exported files. */
 
 /** A format, named by its file extension. */
-export type OutputFormat = "bvh" | "glb" | "vrma" | "webm" | "png" | "csv" | "jsonl";
+export type OutputFormat = "bvh" | "glb" | "vrma" | "webm" | "mp4" | "png" | "csv" | "jsonl";
 
 /** Formats in the order of the menu. */
 export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] = [
@@ -9,10 +9,28 @@ export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] =
   { format: "glb", name: "GLB" },
   { format: "vrma", name: "VRMA" },
   { format: "webm", name: "WebM" },
+  { format: "mp4", name: "MP4" },
   { format: "png", name: "PNG" },
   { format: "csv", name: "CSV" },
   { format: "jsonl", name: "JSON" },
 ];
+
+/** Containers of videos, by their file extensions. */
+export type VideoContainer = Extract<OutputFormat, "webm" | "mp4">;
+
+/** H.264, profile High, level 4: what an MP4 file is expected to hold, up to 1920 × 1080 pixels. */
+const H264 = "avc1.640028";
+
+/** Whether this browser makes MP4 videos. Builds of Chromium without licensed codecs do not. */
+export async function makesMp4(): Promise<boolean> {
+  if (typeof VideoEncoder === "undefined") return false;
+  const config = { codec: H264, width: 1920, height: 1080 };
+  const { supported } = await VideoEncoder.isConfigSupported(config).catch(() => ({ supported: false }));
+  return supported === true;
+}
+
+/** The container that most programs open: MP4 where this browser makes it. */
+export const commonContainer = async (): Promise<VideoContainer> => ((await makesMp4()) ? "mp4" : "webm");
 
 /** Sizes of a video in pixels, by their names in the menu; `undefined` is the size on screen. */
 export const VIDEO_SIZES = {

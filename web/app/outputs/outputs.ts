@@ -9,34 +9,22 @@ import { saveFile } from "../../ui/dom";
 import type { Playhead } from "../state/playhead";
 import type { Store } from "../state/store";
 import { strings } from "../strings/strings";
+import type { Film, PictureSize } from "../ui/film";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 import { cancelled, exportName } from "../ui/words";
-import { type OutputFormat, VIDEO_SIZES, type VideoSize } from "./formats";
+import { type OutputFormat, VIDEO_SIZES, type VideoContainer, type VideoSize } from "./formats";
 import { onePass } from "./one_pass";
 import { pngOf } from "./png";
 
 /** Media type of GLB files. */
 const GLB = "model/gltf-binary";
 
-/** Size of a picture, pixels. */
-interface PictureSize {
-  readonly width: number;
-  readonly height: number;
-}
-
 /** Renders the viewer's picture off the clock. */
 export interface Pictures {
   /** A copy of the picture, at another size than on screen where one is given. */
   picture(size?: PictureSize): Promise<HTMLCanvasElement>;
-  /**
-   * Runs a task while pictures are drawn for it alone, each at its own time, seconds from the start, and at a size.
-   * @throws what `signal` was aborted with
-   */
-  film<T>(
-    task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
-    options?: { signal?: AbortSignal | undefined; size?: PictureSize | undefined },
-  ): Promise<T>;
+  readonly film: Film;
 }
 
 /** Sources of exported files. */
@@ -84,8 +72,9 @@ async function makeOutput(format: OutputFormat, size: VideoSize, sources: Output
       return trace(session, format);
     case "png":
       return pngOf(await pictures.picture(VIDEO_SIZES[size]));
-    case "webm": {
-      const blob = await video(size, sources);
+    case "webm":
+    case "mp4": {
+      const blob = await video(size, format, sources);
       if (!blob) toasts.error(strings.page.outputs.noVideo);
       return blob;
     }
@@ -134,6 +123,7 @@ async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | 
  */
 async function video(
   size: VideoSize,
+  container: VideoContainer,
   { session, store, pictures, playhead, progress }: OutputSources,
 ): Promise<Blob | undefined> {
   const { input } = session;
@@ -161,7 +151,7 @@ async function video(
             yield pictureAt(++count / VIDEO_RATE);
           }
         }
-        return makeVideo(frames(), size);
+        return makeVideo(frames(), size, container);
       },
       { signal, size: VIDEO_SIZES[size] },
     );

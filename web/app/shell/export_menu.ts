@@ -2,7 +2,7 @@
 
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
-import { OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZES, type VideoSize } from "../outputs/formats";
+import { makesMp4, OUTPUT_FORMATS, type OutputFormat, VIDEO_SIZES, type VideoSize } from "../outputs/formats";
 import { strings } from "../strings/strings";
 
 export class ExportMenu {
@@ -24,6 +24,12 @@ export class ExportMenu {
       item.removeAttribute("title");
       item.addEventListener("click", () => menu.hidePopover());
       menu.append(format === "webm" ? html("div", { class: "menu-row" }, item, size) : item);
+      if (format !== "mp4") continue;
+      item.hidden = true;
+      const offer = async () => {
+        item.hidden = !(await makesMp4());
+      };
+      menu.addEventListener("toggle", () => void offer(), { once: true });
     }
     this.#open = button(strings.page.outputs.export, () => {}, {
       icon: "export",

@@ -2,6 +2,7 @@
 import type { Role } from "../../humanoid";
 import { html } from "../../ui/dom";
 import { VIEWER_DEFAULTS, Viewer } from "../../viewer";
+import type { Film, PictureSize } from "../ui/film";
 import type { ViewerLease } from "../view";
 
 /** Drawing goes on for so long after the last change: glides and fades end within it. */
@@ -10,12 +11,6 @@ const AFTERGLOW_MS = 1200;
 const RETRY_MS = 4;
 /** A picture that the browser has not given back after this time, milliseconds, is taken for lost. */
 const LOST_MS = 3000;
-
-/** Size of a picture, pixels. */
-export interface PictureSize {
-  readonly width: number;
-  readonly height: number;
-}
 
 export class SharedViewer {
   /** Made when a view first wants it, so that a browser that cannot draw in 3-D still shows the others. */
@@ -76,6 +71,7 @@ export class SharedViewer {
       freeze: (frozen) => {
         this.#frozen = frozen;
       },
+      film: this.film,
       tint: (joints) => {
         this.#tinted = joints;
         viewer.tinted = joints;
@@ -139,10 +135,7 @@ export class SharedViewer {
    * takes to draw. They bear no mark of what is being edited. They are drawn at `size`, or as they are on screen.
    * @throws what `signal` was aborted with
    */
-  async film<T>(
-    task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,
-    { signal, size }: { signal?: AbortSignal | undefined; size?: PictureSize | undefined } = {},
-  ): Promise<T> {
+  readonly film: Film = async (task, { signal, size } = {}) => {
     const viewer = this.#viewer;
     const start = performance.now() / 1000;
     const frozen = this.#frozen;
@@ -164,7 +157,7 @@ export class SharedViewer {
       viewer.tinted = this.#tinted;
       this.#invalidate();
     }
-  }
+  };
 
   /** Place of a joint of the styled character in the page, CSS pixels. */
   jointPosition(role: Role): { x: number; y: number } {

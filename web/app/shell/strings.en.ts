@@ -62,6 +62,7 @@ export const page = {
       glb: "the character with the animation",
       vrma: "the motion alone, for any VRM",
       webm: "a video of what you see",
+      mp4: "the same for programs that open no WebM",
       png: "this picture",
       csv: "times, contacts and class weights, a row a frame",
       jsonl: "the same, a line a frame",

@@ -5,7 +5,7 @@ import type { CallOptions } from "../../../client/protocol";
 import { saveFile } from "../../../ui/dom";
 import { pngOf } from "../../outputs/png";
 import { saveBvh } from "../../outputs/save_motion";
-import { makeVideo, VIDEO_RATE } from "../../outputs/video";
+import { saveVideo, VIDEO_RATE } from "../../outputs/video";
 import { strings } from "../../strings/strings";
 import type { CrowdPicture } from "./picture";
 
@@ -19,7 +19,10 @@ type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promis
 
 const poster: Output = async (picture, _, { signal }) => {
   const blob = await pngOf(await picture.copyAt(performance.now(), 1, true, signal));
-  return saved(words.posterName, blob);
+  if (!blob) throw new Error(strings.page.engine.silentFailure);
+  const name = `${words.fileName}.png`;
+  saveFile(name, blob);
+  return name;
 };
 
 /** Goes on tick by tick, however long a picture takes; pictures between two ticks are mixed of both. */
@@ -33,7 +36,9 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
       yield picture.copyAt(begin + (1000 * i) / VIDEO_RATE, (i % perTick) / perTick, false, signal);
     }
   }
-  return saved(words.videoName, await makeVideo(frames(), "as on screen"), strings.page.outputs.noVideo);
+  const name = await saveVideo(words.fileName, frames(), "as on screen");
+  if (name === undefined) throw new Error(strings.page.outputs.noVideo);
+  return name;
 };
 
 /** Saves what comes of somebody as a BVH file; gives its name. @param one what they are called */
@@ -42,9 +47,3 @@ export async function saveWalker(crowd: Crowd, walker: number, one: string): Pro
 }
 
 export const outputsOf = { poster, video };
-
-function saved(name: string, blob: Blob | undefined, otherwise: string = strings.page.engine.silentFailure): string {
-  if (!blob) throw new Error(otherwise);
-  saveFile(name, blob);
-  return name;
-}

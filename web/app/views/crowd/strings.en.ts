@@ -129,7 +129,6 @@ export const crowd = {
   video: "Video, 10 s",
   videoWhy: "The picture, without panels",
   filming: "Recording.",
-  posterName: "crowd.png",
-  videoName: "crowd.webm",
+  fileName: "crowd",
   bvhName: (one: string) => one.toLowerCase().replace(" ", "-"),
 };

@@ -12,6 +12,7 @@ export interface FooterListeners extends TransportListeners {
   onRemove: () => void;
   onBvh: () => void;
   onGlb: () => void;
+  onVideo: () => void;
   /** Takes the walk to Play as the input. */
   onStyle: () => void;
 }
@@ -41,15 +42,16 @@ export class Footer {
     const outlined = { icon: "export", label: true, class: "outlined" } as const;
     const bvh = button(strings.synthesis.exportBvh, listeners.onBvh, outlined);
     const glb = button(strings.synthesis.exportGlb, listeners.onGlb, outlined);
+    const video = button(words.video, listeners.onVideo, outlined);
     const style = button(words.styleThis, listeners.onStyle, { ...outlined, icon: "share" });
     style.title = words.styleThisWhy;
-    this.#others = [...this.#transport.buttons, this.#transport.loop, bvh, glb, style];
+    this.#others = [...this.#transport.buttons, this.#transport.loop, bvh, glb, video, style];
     this.element = html(
       "footer",
       { class: "editor-foot" },
       this.#transport.element,
       html("p", { class: "editor-time" }, this.#clock, this.#length),
-      html("div", { class: "editor-actions" }, this.#add, this.#remove, bvh, glb, style),
+      html("div", { class: "editor-actions" }, this.#add, this.#remove, bvh, glb, video, style),
     );
   }
 

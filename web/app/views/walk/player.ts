@@ -32,6 +32,8 @@ export class Player {
   /** Where the walk was put, seconds, until it goes on: the phase of its step tells the time less exactly. */
   #sought: number | undefined;
   #last = 0;
+  /** Whether a {@link pass} goes through the plan, and nothing else does. */
+  #passing = false;
 
   constructor(store: Store, listeners: PlayerListeners) {
     this.#store = store;
@@ -69,7 +71,7 @@ export class Player {
     const secs = stepSecs(this.#last, now);
     this.#last = now;
     const walker = this.#ready();
-    if (!walker) return;
+    if (!walker || this.#passing) return;
     const { state } = this.#store;
     if (state.playing) {
       walker.advance(secs * state.speed);
@@ -80,10 +82,36 @@ export class Player {
         this.#store.edit({ playing: false });
       }
     }
-    if (!this.#moved) return;
-    this.#moved = false;
-    const { frame, place } = walker;
-    this.#listeners.onFrame(frame, this.#sought ?? this.#secsAt(place.step, frame.done), place.step);
+    if (this.#moved) this.#show(walker);
+  }
+
+  /**
+   * One pass through the plan at the speed of the state, frame by frame: shows each, and yields the share that is done. The
+   * walk is then put back where it was.
+   */
+  *pass(rateHz: number): Generator<number> {
+    const walker = this.#ready();
+    if (!walker) return;
+    const { playing, speed } = this.#store.state;
+    const secs = this.#secsOf(walker);
+    this.#passing = true;
+    this.#store.edit({ playing: false });
+    this.seek(0);
+    const frames = Math.round((this.#walk!.frames / this.#walk!.rateHz / speed) * rateHz);
+    try {
+      for (let frame = 0; frame < frames; frame++) {
+        if (frame > 0) {
+          walker.advance(speed / rateHz);
+          this.#sought = undefined;
+        }
+        this.#show(walker);
+        yield frame / frames;
+      }
+    } finally {
+      this.#passing = false;
+      this.seek(secs);
+      this.#store.edit({ playing });
+    }
   }
 
   /** Puts the walk at the frame nearest to a time of the plan, seconds. */
@@ -136,10 +164,20 @@ export class Player {
     return this.#walker;
   }
 
+  #show(walker: PlanWalker): void {
+    this.#moved = false;
+    this.#listeners.onFrame(walker.frame, this.#secsOf(walker), walker.place.step);
+  }
+
   #put(walker: PlanWalker, frame: number): void {
     walker.seek(frame);
     this.#sought = frame / this.#walk!.rateHz;
     this.#moved = true;
+  }
+
+  /** Where a walker is in the plan, seconds. */
+  #secsOf({ frame, place }: PlanWalker): number {
+    return this.#sought ?? this.#secsAt(place.step, frame.done);
   }
 
   #secsAt(step: number, done: number): number {

@@ -72,6 +72,7 @@ export const walk = {
   next: "Next step",
   loop: "Repeat the plan",
   of: (secs: string) => `of ${secs} s`,
+  video: "Video",
   styleThis: "Style in Play",
   styleThisWhy: "Opens the walk as the input of Play",
   plot: "Plot",

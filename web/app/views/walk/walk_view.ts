@@ -8,6 +8,7 @@ import { formatNumber, html, setText } from "../../../ui/dom";
 import { isNarrow } from "../../../ui/media";
 import { normalised, type Selection, toTriangle, vertexOrder } from "../../../ui/polygon/selection";
 import { onSystemTheme } from "../../../ui/theme";
+import { VIDEO_SIZES } from "../../outputs/formats";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
 import type { AppState } from "../../state/state";
 import { MAX_BLOCKS, type WalkBlock } from "../../state/walk";
@@ -38,6 +39,8 @@ export function createView(host: ViewHost): View {
 const words = strings.walk;
 
 const BUILT_IN: WalkSource = { name: "", file: undefined, neutral: "neutral" };
+
+const VIDEO_SIZE = "1920 × 1080";
 
 /** Fields that the plan, or how it is drawn, depends on. */
 const PLAN_FIELDS = [
@@ -131,6 +134,7 @@ class WalkView implements View {
       onRemove: () => this.#removeBlock(),
       onBvh: () => void this.#export(bvhOf),
       onGlb: () => void this.#export(glbOf),
+      onVideo: () => void this.#film(),
       onStyle: () => void this.#styleThis(),
     });
     this.element = html(
@@ -185,6 +189,7 @@ class WalkView implements View {
     this.#shown?.abort();
     this.#shown = undefined;
     this.#loader.cancel();
+    this.#progress.cancel();
     cancelAnimationFrame(this.#request);
     this.#lease = undefined;
   }
@@ -423,6 +428,36 @@ class WalkView implements View {
       this.#host.toasts.note(strings.synthesis.saved(await save(model, walk.poses)));
     } catch (error) {
       this.#host.toasts.failure(error);
+    }
+  }
+
+  /** Saves one pass through the plan as a video. */
+  async #film(): Promise<void> {
+    const lease = this.#lease;
+    if (!this.#player.walk || !lease || this.#progress.busy) return;
+    const { recording, saved, noVideo } = strings.page.outputs;
+    try {
+      const name = await this.#progress.run(recording, async ({ signal, onProgress }) => {
+        const { saveVideo, VIDEO_RATE } = await import("../../outputs/video");
+        const player = this.#player;
+        return lease.film(
+          (pictureAt) => {
+            async function* frames(): AsyncGenerator<HTMLCanvasElement> {
+              let count = 0;
+              for (const fraction of player.pass(VIDEO_RATE)) {
+                onProgress?.({ label: recording, fraction });
+                yield pictureAt(count++ / VIDEO_RATE);
+              }
+            }
+            return saveVideo(words.fileName, frames(), VIDEO_SIZE);
+          },
+          { signal, size: VIDEO_SIZES[VIDEO_SIZE] },
+        );
+      });
+      if (name === undefined) this.#host.toasts.error(noVideo);
+      else this.#host.toasts.note(saved(name));
+    } catch (error) {
+      if (!isCancellation(error)) this.#host.toasts.failure(error);
     }
   }
 
