@@ -35,3 +35,18 @@ export const DRAG_STEPS = 10;
 
 /** The size of the window that the pages have. */
 export const SIZE = { width: 1280, height: 800 };
+
+/** Drops a file on a page. */
+export const dropOn = (page: BrowserPage, name: string, content: string | Uint8Array): Promise<void> =>
+  page.evaluate(
+    (name, content) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], name));
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        const at = { clientX: 5, clientY: 5, bubbles: true, cancelable: true };
+        document.body.dispatchEvent(new DragEvent(type, { ...at, dataTransfer: transfer }));
+      }
+    },
+    name,
+    Buffer.from(content).toString("base64"),
+  );

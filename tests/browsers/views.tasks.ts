@@ -7,16 +7,10 @@ import { walksIn } from "../clips";
 import { serveSite } from "../e2e/browser";
 import { root } from "../recordings";
 import { zipOf } from "../zip";
-import { firefoxPath, launchFirefox } from "./firefox";
-import type { BrowserPage, Place } from "./page";
-import { launchWebkit, webkitPath } from "./webkit";
+import { BROWSERS } from "./browsers";
+import { type BrowserPage, dropOn, type Place } from "./page";
 
 declare const window: { strut: StrutHook; faults: string[] };
-
-const BROWSERS = [
-  { name: "Firefox", path: firefoxPath, launch: launchFirefox },
-  { name: "WebKit", path: webkitPath, launch: launchWebkit },
-];
 
 const OUTPUT = join(root, "tests/output");
 
@@ -86,20 +80,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
     await expect.poll(view).toBe(wanted);
   };
 
-  /** Drops a file on the page. */
-  const drop = (name: string, content: string | Uint8Array) =>
-    page.evaluate(
-      (name, content) => {
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], name));
-        for (const type of ["dragenter", "dragover", "drop"]) {
-          const at = { clientX: 5, clientY: 5, bubbles: true, cancelable: true };
-          document.body.dispatchEvent(new DragEvent(type, { ...at, dataTransfer: transfer }));
-        }
-      },
-      name,
-      Buffer.from(content).toString("base64"),
-    );
+  const drop = (name: string, content: string | Uint8Array) => dropOn(page, name, content);
 
   async function picture(of: string): Promise<void> {
     mkdirSync(OUTPUT, { recursive: true });

@@ -3,6 +3,8 @@ import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { asForeignTool, walksIn } from "../clips";
+import { FAMILIES } from "../rigs/families";
+import { makeRig } from "../rigs/rig";
 import { dropFile, eventually, inputName, openSite, saved, settledPose, turnBetween, visit } from "./browser";
 
 declare const window: { strut: StrutHook };
@@ -32,6 +34,19 @@ describe("a BVH of another tool", () => {
     await visit(page, "play=0&frame=60&input=mine&intensity=0&styles=proud:1,old:0,depressed:0");
     expect(turnBetween(styled, await settledPose(page))).toBeGreaterThan(1);
     expect(await page.getByRole("alert").textContent()).toBe("");
+  });
+
+  it("is opened with a character where both are dropped while the page is still opening its own input", async () => {
+    await visit(page, "styles=proud:1,old:0,depressed:0");
+    await page.reload({ waitUntil: "commit" });
+    await page.waitForFunction(() => "strut" in window);
+    const { glb } = makeRig(FAMILIES.find(({ name }) => name === "chibi")!);
+    await dropFile(page, "chibi.glb", glb);
+    await dropFile(page, "early.bvh", walk);
+    await eventually(() => inputName(page)).toBe("early");
+    await eventually(() => page.locator(".cast-name").textContent()).toBe("chibi");
+    await page.waitForFunction(() => window.strut.analysed);
+    expect(await inputName(page)).toBe("early");
   });
 
   it("is exported on its own skeleton", async () => {

@@ -82,6 +82,7 @@ export interface Performing {
 export interface ProgressLines {
   readonly database: ProgressLine;
   readonly input: ProgressLine;
+  readonly character: ProgressLine;
   readonly analysis: ProgressLine;
 }
 

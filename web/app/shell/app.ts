@@ -61,6 +61,8 @@ export class App {
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
   #isExporting = false;
+  /** Says that what the link asks for is open. */
+  #started = () => {};
   /** Takes away what is said while there is no picture. */
   #pictureBack = () => {};
 
@@ -73,7 +75,7 @@ export class App {
     this.#root = root;
     this.#workspace = new Workspace(client, store, this.#toasts, this.#progress);
     this.#viewer = new SharedViewer(isDark(store.state.theme) ? "dark" : "light", (lost) => this.#onPicture(lost));
-    this.#characters = new Characters(this.#toasts, this.#progress.input, () => {
+    this.#characters = new Characters(this.#toasts, this.#progress.character, () => {
       this.#views.shown?.refresh?.();
       this.#files.changed();
     });
@@ -111,6 +113,9 @@ export class App {
         onClips: (files) => void this.#takeClips(files),
         onRefused: (sentence) => this.#toasts.error(sentence),
       },
+      new Promise((resolve) => {
+        this.#started = resolve;
+      }),
       signal,
     );
     // The boxes of index.html stay until there is a view.
@@ -162,7 +167,11 @@ export class App {
 
   /** Shows the view that the link asks for, opens what it asks for, and begins to play. */
   async start(): Promise<void> {
-    await Promise.all([this.#startWork(), this.#showFirstView()]);
+    try {
+      await Promise.all([this.#startWork(), this.#showFirstView()]);
+    } finally {
+      this.#started();
+    }
   }
 
   async #startWork(): Promise<void> {

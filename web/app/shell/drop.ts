@@ -109,9 +109,11 @@ export class DropZone {
   });
 
   readonly #listeners: FileListeners;
+  readonly #ready: Promise<void>;
 
-  constructor(listeners: FileListeners, signal: AbortSignal) {
-    this.#listeners = listeners;
+  /** @param ready settles when the page has opened what its link asks for: files wait for it, or it would take their place */
+  constructor(listeners: FileListeners, ready: Promise<void>, signal: AbortSignal) {
+    [this.#listeners, this.#ready] = [listeners, ready];
     this.element.append(this.#target, this.#picker);
     // Moving between two elements fires dragenter before dragleave: only the outermost dragleave leaves the page.
     let depth = 0;
@@ -157,7 +159,7 @@ export class DropZone {
         reset();
         if (!event.dataTransfer) return;
         filesOfDrop(event.dataTransfer).then(
-          (files) => take(files, asStyle, listeners),
+          (files) => void this.#take(files, asStyle),
           () => listeners.onRefused(strings.page.drop.oneUnreadable),
         );
       },
@@ -181,7 +183,12 @@ export class DropZone {
 
   /** Takes files that came in another way, as if they had been dropped. */
   take(files: Iterable<File>): void {
-    take(filesOfDialog(files), false, this.#listeners);
+    void this.#take(filesOfDialog(files), false);
+  }
+
+  async #take(files: DroppedFile[], asStyle: boolean): Promise<void> {
+    await this.#ready;
+    take(files, asStyle, this.#listeners);
   }
 
   /** Opens the browser's file dialog. */

@@ -1,4 +1,4 @@
-/** Progress lines of the engine's tasks: one each for databases and files, inputs, and the analysis. */
+/** Progress lines of the engine's tasks: one each for databases and files, inputs, the character, and the analysis. */
 import type { CallOptions } from "../../client/protocol";
 import type { SessionProgress, SessionTask } from "../../player/session";
 import { strings } from "../strings/strings";
@@ -17,6 +17,7 @@ const LABELS: Readonly<Record<SessionTask, (subject: string) => string>> = {
 export class SessionProgressLines implements SessionProgress, ProgressLines {
   readonly database = new ProgressLine();
   readonly input = new ProgressLine();
+  readonly character = new ProgressLine();
   readonly analysis = new ProgressLine();
 
   run<T>(task: SessionTask, subject: string, work: (options: CallOptions) => Promise<T>): Promise<T> {

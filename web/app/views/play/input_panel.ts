@@ -43,7 +43,7 @@ export class InputPanel {
   /** The reading of the next update; `undefined` where none is scheduled. */
   #newest: Reading | undefined;
 
-  constructor(listeners: InputListeners, top: HTMLElement) {
+  constructor(listeners: InputListeners, top: readonly HTMLElement[]) {
     this.#select.addEventListener("change", () => {
       const { value } = this.#select;
       const clip = clipIn(value);
@@ -59,7 +59,7 @@ export class InputPanel {
     this.element = html(
       "section",
       { class: "section input", "aria-labelledby": "input-heading" },
-      top,
+      ...top,
       html(
         "div",
         { class: "section-heading" },

@@ -104,7 +104,7 @@ class PlayView implements View {
         onFile: () => host.chooseFile(),
         onReading: () => void this.#toggleReading(),
       },
-      progress.input.element,
+      [progress.input.element, progress.character.element],
     );
     this.#model = new ModelPanel(store);
     this.#tabs = new Tabs((tab) => store.edit({ tab }));

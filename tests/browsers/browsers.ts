@@ -1,0 +1,8 @@
+/** The browsers beside Chromium in which tasks are done. */
+import { firefoxPath, launchFirefox } from "./firefox";
+import { launchWebkit, webkitPath } from "./webkit";
+
+export const BROWSERS = [
+  { name: "Firefox", path: firefoxPath, launch: launchFirefox },
+  { name: "WebKit", path: webkitPath, launch: launchWebkit },
+];
