@@ -16,6 +16,7 @@ import type { AppState } from "../state/state";
 import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
+import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
 import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
@@ -45,6 +46,7 @@ export class App {
   readonly #help = new Help(this.#singleKeys);
   readonly #address = new AddressBar(this.#store);
   readonly #listening = new AbortController();
+  readonly #guard = new LeaveGuard();
   readonly #root: HTMLElement;
   readonly #workspace: Workspace;
   readonly #viewer: SharedViewer;
@@ -98,6 +100,7 @@ export class App {
     this.#topBar.canExport = false;
     this.#files.onChange = () => {
       this.#topBar.kept = this.#files.size;
+      this.#guardWork();
     };
     this.#drop = new DropZone(
       {
@@ -213,6 +216,7 @@ export class App {
 
   dispose(): void {
     this.#listening.abort();
+    this.#guard.needed = false;
     this.#files.dispose();
     void this.#motions?.then((motions) => motions.dispose());
     this.#address.dispose();
@@ -241,6 +245,7 @@ export class App {
       borrowViewer: (container) => this.#viewer.borrow(container),
       singleKeys: () => this.#singleKeys.on,
       historyChanged: () => this.#showTopBar(),
+      workChanged: () => this.#guardWork(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
       chooseClip: (clip) => this.#workspace.chooseClip(clip),
       openBuilt: (database, kept, renamed) => databases.openBuilt(database, kept, renamed),
@@ -327,6 +332,11 @@ export class App {
     applyTheme(theme);
     this.#viewer.theme = isDark(theme) ? "dark" : "light";
     this.#showTopBar();
+  }
+
+  /** Has the browser ask before the page is left, while that would lose something. */
+  #guardWork(): void {
+    this.#guard.needed = this.#views.holdUnkept || this.#files.unkept;
   }
 
   get #history(): UndoRedo {
