@@ -16,6 +16,7 @@ import type { AppState } from "../state/state";
 import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
+import { focusView } from "../ui/focus_view";
 import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
 import { RELOAD, Toasts } from "../ui/toasts";
@@ -40,7 +41,7 @@ export class App {
   /** The link that the page was opened with. */
   readonly #hash = location.hash;
   readonly #store = new Store(stateOfLink(this.#hash));
-  readonly #toasts = new Toasts();
+  readonly #toasts = new Toasts(() => this.#views.shown?.element);
   readonly #progress = new SessionProgressLines();
   readonly #singleKeys = new SingleKeys();
   readonly #help = new Help(this.#singleKeys);
@@ -303,9 +304,7 @@ export class App {
     this.#showTopBar();
     if (first) return;
     announce(strings.page.viewShown(title));
-    const heading = view.element.querySelector<HTMLElement>("h1") ?? view.element;
-    heading.tabIndex = -1;
-    heading.focus({ preventScroll: true });
+    focusView(view.element);
   }
 
   #onRefused(name: ViewName, error: unknown): void {
