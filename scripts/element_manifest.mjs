@@ -24,7 +24,7 @@ export async function readTables() {
 }
 
 /** https://github.com/webcomponents/custom-elements-manifest, version 2. */
-export function manifestOf({ ATTRIBUTES, EVENTS, PARTS, PROPERTIES, SLOTS, METHODS }) {
+export function manifestOf({ ATTRIBUTES, EVENTS, PARTS, PROPERTIES, SLOTS, METHODS, propertyOf }) {
   const described = (list) => list.map(({ name, doc }) => ({ name, description: doc }));
   const attributes = Object.entries(ATTRIBUTES);
   const typed = ([name, { type, doc }]) => ({ name, type: { text: type }, description: doc });
@@ -35,11 +35,12 @@ export function manifestOf({ ATTRIBUTES, EVENTS, PARTS, PROPERTIES, SLOTS, METHO
     customElement: true,
     description: "A figure that walks in a style, live.",
     superclass: { name: "HTMLElement" },
-    attributes: attributes.map((attribute) => ({ ...typed(attribute), fieldName: attribute[0] })),
+    attributes: attributes.map((attribute) => ({ ...typed(attribute), fieldName: propertyOf(attribute[0]) })),
     members: [
       ...attributes.map((attribute) => ({
         kind: "field",
         ...typed(attribute),
+        name: propertyOf(attribute[0]),
         attribute: attribute[0],
         reflects: true,
       })),
@@ -63,7 +64,7 @@ export function manifestOf({ ATTRIBUTES, EVENTS, PARTS, PROPERTIES, SLOTS, METHO
 export function jsxTypesOf({ ATTRIBUTES, EVENTS }) {
   const attributes = Object.entries(ATTRIBUTES).map(([name, { type, isFlag, doc }]) => {
     const allowed = isFlag ? 'boolean | ""' : type === "number" ? "number | string" : type;
-    return `  /** ${doc} */\n  ${name}?: ${allowed} | undefined;`;
+    return `  /** ${doc} */\n  ${/\W/.test(name) ? JSON.stringify(name) : name}?: ${allowed} | undefined;`;
   });
   const events = EVENTS.map(({ name, detail, doc }) => {
     const type = detail ? `CustomEvent<${detail}>` : "Event";

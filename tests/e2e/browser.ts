@@ -268,6 +268,11 @@ export async function saved(page: Page, format: string): Promise<{ name: string;
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
+/** Whether the browser would ask before the page is left. */
+export function asksBeforeLeaving(page: Page): Promise<boolean> {
+  return page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
+}
+
 /** The input that is open, by the name the page gives it. */
 export function inputName(page: Page): Promise<string> {
   return page.getByLabel("Input motion").inputValue();

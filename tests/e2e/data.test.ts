@@ -9,7 +9,17 @@ import { everyNth, playedAt, walksIn } from "../clips";
 import { recordings } from "../recordings";
 import { zipOf } from "../zip";
 import { axeFaults } from "./axe";
-import { closePage, dropFile, eventually, launchBrowser, openPage, screenshot, serveSite, shown } from "./browser";
+import {
+  asksBeforeLeaving,
+  closePage,
+  dropFile,
+  eventually,
+  launchBrowser,
+  openPage,
+  screenshot,
+  serveSite,
+  shown,
+} from "./browser";
 import { showTheme, transitionsEnded } from "./rest";
 
 declare const window: { strut: StrutHook };
@@ -298,6 +308,26 @@ describe("a browser that keeps nothing", () => {
     expect(await openDatabase(), "no link could bring it back").toBe("");
     await page.getByRole("link", { name: "Data" }).click();
     await eventually(() => page.locator(".stored [aria-current]").textContent()).toContain("open · not kept");
+    await eventually(() => asksBeforeLeaving(page), "what it does not keep would be lost").toBe(true);
+  });
+});
+
+describe("clips of which no database is built", () => {
+  it("stay where the page goes home, and are asked about before it is left", async () => {
+    expect(await asksBeforeLeaving(page)).toBe(false);
+    await choose(written("small.zip", smallSet()));
+    await read();
+    await eventually(heading).toBe("5 clips, 3 styles");
+    expect(await asksBeforeLeaving(page)).toBe(true);
+    await page.evaluate(() => Object.assign(window, { same: true }));
+    await page.getByRole("link", { name: "Strut home" }).click();
+    await eventually(() => page.title()).toContain("Play");
+    expect(await page.evaluate(() => "same" in window), "the page was not loaded anew").toBe(true);
+    expect(await asksBeforeLeaving(page), "out of sight").toBe(true);
+    await page.getByRole("link", { name: "Data" }).click();
+    await eventually(heading).toBe("5 clips, 3 styles");
+    await build();
+    await eventually(() => asksBeforeLeaving(page), "the database is kept").toBe(false);
   });
 });
 

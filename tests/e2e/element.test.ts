@@ -15,7 +15,14 @@ import { axeFaults } from "./axe";
 import { drag, eventually, launchBrowser, middleOf, screenshot } from "./browser";
 
 /** What the pages of these tests note. */
-declare const window: { workers: number; contexts: number; chosen: Record<string, number>[]; player: StrutPlayer };
+declare const window: {
+  workers: number;
+  contexts: number;
+  chosen: Record<string, number>[];
+  /** Whether the player took each turn of the wheel. */
+  taken: boolean[];
+  player: StrutPlayer;
+};
 
 let browser: Browser;
 let folder: string;
@@ -123,6 +130,38 @@ describe("a player", () => {
       '<strut-player styles="proud:0.75,old:0.25" speed="2" ghost="off" autoplay=""></strut-player>',
     );
     expect(await stylesOf(page)).toEqual({ proud: 0.75, old: 0.25 });
+    await page.context().close();
+  });
+
+  test("lets the page scroll under the wheel, unless it has the focus or Ctrl is held; nothing zooms where that is switched off", async () => {
+    const page = await openPlayer('style="margin-bottom: 2000px"');
+    await page.evaluate(() => {
+      Object.assign(window, { taken: [] });
+      document.addEventListener("wheel", (event) => window.taken.push(event.defaultPrevented));
+    });
+    const { x, y } = await middleOf(page.locator("strut-player"));
+    /** Whether the picture takes a turn of the wheel for itself. */
+    const takes = async () => {
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.mouse.move(x, y);
+      await page.mouse.wheel(0, 100);
+      await eventually(() => page.evaluate(() => window.taken.length)).toBe(1);
+      return page.evaluate(() => window.taken.pop());
+    };
+    const scrolled = () => page.evaluate(() => scrollY);
+    expect(await takes()).toBe(false);
+    await eventually(scrolled).toBeGreaterThan(50);
+    await page.keyboard.down("Control");
+    expect(await takes(), "with Ctrl").toBe(true);
+    await page.keyboard.up("Control");
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.mouse.click(x, y);
+    expect(await takes(), "with the focus").toBe(true);
+    await page.evaluate(() => {
+      window.player.disableZoom = true;
+    });
+    expect(await takes(), "where it is switched off").toBe(false);
+    expect(await page.evaluate(() => window.player.getAttribute("disable-zoom"))).toBe("");
     await page.context().close();
   });
 

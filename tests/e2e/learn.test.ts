@@ -56,6 +56,17 @@ describe("a lesson", () => {
     expect(await faults()).toEqual([]);
   });
 
+  it("is scrolled by the wheel over a picture, which zooms while it has the focus", async () => {
+    const picture = page.locator("strut-figure:not([hidden]) canvas[role=application]").first();
+    await picture.waitFor();
+    const takes = () =>
+      picture.evaluate((e) => !e.dispatchEvent(new WheelEvent("wheel", { deltaY: 100, cancelable: true })));
+    expect(await takes()).toBe(false);
+    await picture.focus();
+    expect(await takes()).toBe(true);
+    await picture.blur();
+  });
+
   it("shows values of the engine, and symbols light their marks", async () => {
     await page.locator(".turn.next").click();
     await soon(part).toBe("look");

@@ -11,6 +11,7 @@ import { makeRig } from "../rigs/rig";
 import { zipOf } from "../zip";
 import { axeFaults } from "./axe";
 import {
+  asksBeforeLeaving,
   closePage,
   dropFile,
   eventually,
@@ -263,6 +264,21 @@ describe("a dropped file", () => {
     await tab.goto(opened.site.url);
     await shown(tab);
     expect(await tab.getByLabel("Input motion").locator("option", { hasText: "clip" }).count()).toBe(0);
+    await closePage(page);
+  });
+
+  it("is asked about before the page is left only where the browser does not keep it", async () => {
+    await dropFile(page, "clip.bvh", walks.old);
+    await eventually(() => inputName(page)).toBe("clip");
+    await eventually(() => asksBeforeLeaving(page)).toBe(false);
+    await page.evaluate(() => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException("refused", "SecurityError");
+      };
+    });
+    await dropFile(page, "other.bvh", walks.neutral);
+    await eventually(said).toContainEqual(expect.stringContaining("will not be here after a reload"));
+    expect(await asksBeforeLeaving(page)).toBe(true);
     await closePage(page);
   });
 

@@ -6,6 +6,7 @@ import { walksIn } from "../clips";
 import {
   closePage,
   dragHolding,
+  drawn,
   dropFile,
   eventually,
   inputName,
@@ -202,4 +203,20 @@ describe("playing", () => {
     await page.keyboard.press("Space");
     await eventually(frame).toBeLessThan(last * 0.5);
   });
+});
+
+it("a knob is scrolled past by the wheel, and turned by it while it has the focus", async () => {
+  await visit(page, PAUSED);
+  const k = page.locator(".knob-dial").first();
+  const value = () => k.getAttribute("aria-valuenow");
+  const before = await value();
+  await k.hover();
+  await page.mouse.wheel(0, -100);
+  await drawn(page, 10);
+  expect(await value()).toBe(before);
+  await k.focus();
+  // Its panel may have been scrolled.
+  await k.hover();
+  await page.mouse.wheel(0, -100);
+  await eventually(value).not.toBe(before);
 });

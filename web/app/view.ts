@@ -36,6 +36,8 @@ export interface ViewHost {
   singleKeys(): boolean;
   /** Says that {@link View.history} has other things to undo or redo. */
   historyChanged(): void;
+  /** Says that {@link View.holdsUnkept} may be another. */
+  workChanged(): void;
   /** The character that performs; undefined where the mannequin does. */
   performing(): Performing | undefined;
   /** Has the mannequin perform again. */
@@ -116,6 +118,8 @@ export interface View {
   readonly styleTarget?: Element | undefined;
   /** Whether disposing of the view would lose what a person made; other views are disposed of after a while out of sight. */
   readonly holdsWork?: boolean;
+  /** Whether leaving the page would lose what a person made: the browser does not keep it. */
+  readonly holdsUnkept?: boolean;
   show(): void;
   /** Another database or input is open, or another body performs. */
   refresh?(): void;

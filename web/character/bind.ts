@@ -138,7 +138,12 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
       rig.setSole(undefined);
       warnings.push("What is drawn of the feet does not end where soles can be; their height was guessed.");
     }
-    const left = joints.dropped > 0 ? [`${joints.dropped} joints of hair, face or clothes were left out.`] : [];
+    const left =
+      joints.dropped > 0
+        ? [
+            `${joints.dropped === 1 ? "1 joint of hair, face or clothes was" : `${joints.dropped} joints of hair, face or clothes were`} left out.`,
+          ]
+        : [];
     const notes = [...rig.notes, ...left, ...warnings];
     const hipsParent = joints.parents[roles[JOINT.hips]!]!;
     const hipsScale = hipsParent < 0 ? 1 : 1 / joints.scales[hipsParent]!;

@@ -96,6 +96,7 @@ export const ATTRIBUTES = {
   speed: number(1, 0.1, 4, "Speed of playing, 0.1 to 4."),
   camera: choice(CAMERA_PRESETS, "Where it is seen from."),
   ghost: choice(GHOST_MODES, "Where the input is drawn."),
+  "disable-zoom": flag("Nothing zooms. Else the wheel does with the focus in the picture, or with Ctrl or Cmd."),
   theme: choice(PLAYER_THEMES, "Colours; auto are those that the page has around it."),
   loading: choice(LOADING, "Whether it loads when it comes near the screen, or at once."),
   alt: text("", "What a screen reader calls the picture; by default it says what is performed."),
@@ -106,6 +107,13 @@ export type AttributeName = keyof typeof ATTRIBUTES;
 
 /** The value of an attribute. */
 export type ValueOf<K extends AttributeName> = (typeof ATTRIBUTES)[K] extends Attribute<infer T> ? T : never;
+
+/** The name that an attribute has as a property: that of `disable-zoom` is `disableZoom`. */
+export type PropertyName<K extends string> = K extends `${infer A}-${infer B}` ? `${A}${Capitalize<B>}` : K;
+
+export function propertyOf(name: string): string {
+  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
+}
 
 export const ATTRIBUTE_NAMES = Object.keys(ATTRIBUTES) as AttributeName[];
 

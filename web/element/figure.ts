@@ -128,6 +128,7 @@ export class Figure implements Drawing {
     this.#settings = settings;
     this.#playback.speed = settings.speed;
     this.viewer.ghost = settings.ghost;
+    this.viewer.zooming = settings.zooms ? "focused" : "never";
     if (this.viewer.view !== settings.camera) this.viewer.camera(settings.camera);
     this.invalidate();
   }

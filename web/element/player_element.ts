@@ -16,7 +16,15 @@ import { COMPACT, Polygon } from "../ui/polygon/polygon";
 import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/selection";
 import { graphics } from "../viewer";
 import { Announcer } from "./announcer";
-import { ATTRIBUTE_NAMES, type AttributeName, readAttribute, type ValueOf, writeProperty } from "./attributes";
+import {
+  ATTRIBUTE_NAMES,
+  type AttributeName,
+  type PropertyName,
+  propertyOf,
+  readAttribute,
+  type ValueOf,
+  writeProperty,
+} from "./attributes";
 import { Bar } from "./bar";
 import { Cast, type CastSource } from "./cast";
 import { ownColours, themeOf } from "./colours";
@@ -46,7 +54,7 @@ const SAID = 0.005;
 
 /** Properties that are attributes and nothing else. */
 type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
-type Properties = { -readonly [K in Plain]: ValueOf<K> };
+type Properties = { -readonly [K in Plain as PropertyName<K>]: ValueOf<K> };
 
 /** Where there is no document, as on a server, the class can be imported and not be used. */
 const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => PlayerTarget & Properties;
@@ -460,7 +468,9 @@ export class StrutPlayer extends ElementBase {
 
   /** Takes properties that were set before the element was defined. */
   #takeEarlyProperties(): void {
-    for (const name of [...ATTRIBUTE_NAMES, "accept", "currentTime"].filter((known) => Object.hasOwn(this, known))) {
+    for (const name of [...ATTRIBUTE_NAMES.map(propertyOf), "accept", "currentTime"].filter((known) =>
+      Object.hasOwn(this, known),
+    )) {
       const value: unknown = Reflect.get(this, name);
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);
@@ -634,8 +644,9 @@ export class StrutPlayer extends ElementBase {
 }
 
 for (const name of ATTRIBUTE_NAMES) {
-  if (Object.hasOwn(StrutPlayer.prototype, name)) continue;
-  Object.defineProperty(StrutPlayer.prototype, name, {
+  const property = propertyOf(name);
+  if (Object.hasOwn(StrutPlayer.prototype, property)) continue;
+  Object.defineProperty(StrutPlayer.prototype, property, {
     configurable: true,
     enumerable: true,
     get(this: StrutPlayer) {

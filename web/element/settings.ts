@@ -19,6 +19,8 @@ export interface Settings {
   frame: number;
   camera: ValueOf<"camera">;
   ghost: ValueOf<"ghost">;
+  /** Whether a visitor can zoom. */
+  zooms: boolean;
 }
 
 /** The addresses of motion and database: those of its attributes, or else the built-in motion that a link names. */
@@ -45,6 +47,7 @@ export function settingsOf(element: Element): Settings {
     frame: isGiven("frame") ? readAttribute(element, "frame") : linked.frame,
     camera: isGiven("camera") ? readAttribute(element, "camera") : linked.camera,
     ghost: isGiven("ghost") ? readAttribute(element, "ghost") : linked.ghost,
+    zooms: !readAttribute(element, "disable-zoom"),
   };
 }
 

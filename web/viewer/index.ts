@@ -4,7 +4,7 @@ export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";
 export { preparation } from "./prepare";
 export { graphics, setGraphics } from "./stage/graphics";
-export type { CameraView } from "./stage/orbit_camera";
+export type { CameraView, Zooming } from "./stage/orbit_camera";
 export { Screen } from "./stage/screen";
 export type { ThemeColours, ThemeName } from "./themes";
 export { type GhostMode, type MotionTrailMode, type Prop, VIEWER_DEFAULTS, Viewer, type ViewerOptions } from "./viewer";

@@ -19,7 +19,7 @@ import { BodyLook, GhostLook } from "./mannequin/materials";
 import { OnionSkin } from "./onion_skin";
 import { Actor, type Performer } from "./performer";
 import { MotionTrail } from "./stage/motion_trail";
-import type { CameraView } from "./stage/orbit_camera";
+import type { CameraView, Zooming } from "./stage/orbit_camera";
 import { Redraw } from "./stage/redraw";
 import type { Screen } from "./stage/screen";
 import { Stage } from "./stage/stage";
@@ -239,6 +239,11 @@ export class Viewer {
   /** Called when the user's hand turns a preset view into a free one. */
   set onViewChange(callback: ((view: CameraView) => void) | undefined) {
     this.#stage.view.onViewChange = callback;
+  }
+
+  /** What zooms; the wheel and all else unless told. */
+  set zooming(zooming: Zooming) {
+    this.#stage.view.zooming = zooming;
   }
 
   /** The present view. */

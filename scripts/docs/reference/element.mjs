@@ -19,7 +19,7 @@ A figure that moves in a style, as an HTML element. [Embedding](../embedding.md#
 
 ## Attributes
 
-Each attribute is a property of the same name.
+Each attribute is a property of the same name; that of \`disable-zoom\` is \`disableZoom\`.
 
 ${attributeTableOf(tables)}
 

@@ -6,6 +6,7 @@ import { button } from "../../ui/controls/buttons";
 import { html, saveFile, setAttributes, setText } from "../../ui/dom";
 import type { Store } from "../state/store";
 import { announce } from "../ui/announce";
+import { LeaveGuard } from "../ui/leave_guard";
 import type { ProgressLine } from "../ui/progress";
 import { taskCard } from "../ui/task_card";
 import type { Toasts } from "../ui/toasts";
@@ -39,7 +40,7 @@ export class BatchCard {
   readonly #reasons: HTMLDetailsElement;
   readonly #actions = html("div", { class: "dialog-actions" });
   readonly #element: HTMLElement;
-  readonly #life = new AbortController();
+  readonly #guard = new LeaveGuard();
   #running: AbortController | undefined;
   #began = 0;
   #doneBefore = 0;
@@ -55,14 +56,6 @@ export class BatchCard {
     this.#element = taskCard(words.name, this.#bar, this.#heading, this.#figures, this.#reasons, this.#actions);
     this.#element.classList.add("batch-card");
     place.root.append(this.#element);
-    // What is not saved would be lost with the page.
-    addEventListener(
-      "beforeunload",
-      (event) => {
-        if (this.#running || this.#unsaved > 0) event.preventDefault();
-      },
-      { signal: this.#life.signal },
-    );
   }
 
   /** Whether closing it would lose something. */
@@ -106,7 +99,7 @@ export class BatchCard {
 
   dispose(): void {
     this.#running?.abort();
-    this.#life.abort();
+    this.#guard.needed = false;
     this.#element.remove();
   }
 
@@ -117,6 +110,8 @@ export class BatchCard {
   #show(): void {
     const { done, files, clips, leftOut, fraction, ended } = this.#batch;
     const running = this.#running !== undefined;
+    // What is not saved would be lost with the page.
+    this.#guard.needed = this.busy;
     const heading = running ? words.running(clips.length) : ended ? words.done(done) : words.stopped(done, files);
     setText(this.#heading, heading);
     setAttributes(this.#bar, { "aria-label": heading, "aria-valuenow": Math.round(100 * fraction) });
@@ -190,5 +185,6 @@ export class BatchCard {
     this.#place.toasts.offer(words.discarded(unsaved), words.undo, () => this.#place.root.append(this.#element));
     // Nothing warns of what a person has closed.
     this.#saved = this.#batch.done;
+    this.#guard.needed = false;
   }
 }

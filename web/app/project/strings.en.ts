@@ -1,6 +1,6 @@
 /** What is said of project files and of files that are kept for a tab. It is loaded with the first of them. */
+import { counted } from "../strings/counted.en";
 
-const counted = (one: string) => (n: number) => `${n} ${n === 1 ? one : `${one}s`}`;
 const motions = counted("motion");
 const quoted = (name: string) => `“${name}”`;
 

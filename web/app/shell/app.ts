@@ -16,6 +16,8 @@ import type { AppState } from "../state/state";
 import { Store } from "../state/store";
 import { strings } from "../strings/strings";
 import { announce } from "../ui/announce";
+import { focusView } from "../ui/focus_view";
+import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
 import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
@@ -39,12 +41,13 @@ export class App {
   /** The link that the page was opened with. */
   readonly #hash = location.hash;
   readonly #store = new Store(stateOfLink(this.#hash));
-  readonly #toasts = new Toasts();
+  readonly #toasts = new Toasts(() => this.#views.shown?.element);
   readonly #progress = new SessionProgressLines();
   readonly #singleKeys = new SingleKeys();
   readonly #help = new Help(this.#singleKeys);
   readonly #address = new AddressBar(this.#store);
   readonly #listening = new AbortController();
+  readonly #guard = new LeaveGuard();
   readonly #root: HTMLElement;
   readonly #workspace: Workspace;
   readonly #viewer: SharedViewer;
@@ -100,6 +103,7 @@ export class App {
     this.#topBar.canExport = false;
     this.#files.onChange = () => {
       this.#topBar.kept = this.#files.size;
+      this.#guardWork();
     };
     this.#drop = new DropZone(
       {
@@ -222,6 +226,7 @@ export class App {
 
   dispose(): void {
     this.#listening.abort();
+    this.#guard.needed = false;
     this.#files.dispose();
     void this.#motions?.then((motions) => motions.dispose());
     this.#address.dispose();
@@ -250,6 +255,7 @@ export class App {
       borrowViewer: (container) => this.#viewer.borrow(container),
       singleKeys: () => this.#singleKeys.on,
       historyChanged: () => this.#showTopBar(),
+      workChanged: () => this.#guardWork(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
       chooseClip: (clip) => this.#workspace.chooseClip(clip),
       openBuilt: (database, kept, renamed) => databases.openBuilt(database, kept, renamed),
@@ -307,9 +313,7 @@ export class App {
     this.#showTopBar();
     if (first) return;
     announce(strings.page.viewShown(title));
-    const heading = view.element.querySelector<HTMLElement>("h1") ?? view.element;
-    heading.tabIndex = -1;
-    heading.focus({ preventScroll: true });
+    focusView(view.element);
   }
 
   #onRefused(name: ViewName, error: unknown): void {
@@ -336,6 +340,11 @@ export class App {
     applyTheme(theme);
     this.#viewer.theme = isDark(theme) ? "dark" : "light";
     this.#showTopBar();
+  }
+
+  /** Has the browser ask before the page is left, while that would lose something. */
+  #guardWork(): void {
+    this.#guard.needed = this.#views.holdUnkept || this.#files.unkept;
   }
 
   get #history(): UndoRedo {

@@ -5,7 +5,6 @@ import { isCancellation } from "../../client/protocol";
 import type { Session } from "../../player/session";
 import { allOf, type Selection } from "../../ui/polygon/selection";
 import type { Store } from "../state/store";
-import { grouped } from "../strings/numerals";
 import { strings } from "../strings/strings";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
@@ -279,7 +278,7 @@ export class Databases {
 
   #announce(): void {
     const { database } = this.#session;
-    if (database) this.#toasts.note(strings.page.engine.stylesReady(database.styles.length, grouped(database.frames)));
+    if (database) this.#toasts.note(strings.page.engine.stylesReady(database.styles.length, database.frames));
   }
 }
 

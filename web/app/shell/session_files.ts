@@ -34,7 +34,7 @@ interface Kept extends Pick<SessionFile, "kind" | "name"> {
 const RENEWED_MS = 24 * 3600 * 1000;
 
 export class SessionFiles {
-  /** Called when other files are kept, or may be forgotten. */
+  /** Called when there are other files, and when the browser has kept them or refused to. */
   onChange = () => {};
   readonly #sources: Sources;
   readonly #toasts: Toasts;
@@ -53,6 +53,11 @@ export class SessionFiles {
   get size(): { files: number; bytes: number } {
     const wanted = [...this.#wanted().values()];
     return { files: wanted.length, bytes: wanted.reduce((sum, { bytes }) => sum + bytes, 0) };
+  }
+
+  /** Whether the browser does not keep all of them, or not yet. */
+  get unkept(): boolean {
+    return [...this.#wanted()].some(([key, file]) => !this.#isKept(key, file));
   }
 
   /** Some of the files may be others now. */
@@ -108,7 +113,10 @@ export class SessionFiles {
   }
 
   #settle(): void {
-    this.#writing = this.#writing.then(() => this.#write()).catch((error: unknown) => this.#refused(error));
+    this.#writing = this.#writing
+      .then(() => this.#write())
+      .catch((error: unknown) => this.#refused(error))
+      .then(() => this.onChange());
     this.onChange();
   }
 
@@ -124,13 +132,17 @@ export class SessionFiles {
       this.#kept.delete(key);
     }
     for (const [key, next] of wanted) {
-      if (this.#kept.get(key)?.same.every((value, i) => value === next.same[i])) continue;
+      if (this.#isKept(key, next)) continue;
       await keepFile(session, next.make());
       this.#kept.set(key, next);
     }
     if (wanted.size > 0) store("local", LAST, String(Date.now()));
     else store("session", SESSION, undefined);
     await dropOld(session);
+  }
+
+  #isKept(key: string, file: Kept): boolean {
+    return this.#kept.get(key)?.same.every((value, i) => value === file.same[i]) ?? false;
   }
 
   async #refused(error: unknown): Promise<void> {

@@ -1,3 +1,8 @@
+import { counted } from "../strings/counted.en";
+
+const styles = counted("style");
+const frames = counted("frame");
+
 /** What is said everywhere: titles, menus, toasts, what went wrong. */
 export const page = {
   views: {
@@ -12,6 +17,7 @@ export const page = {
   title: (view: string) => `${view} · Strut`,
   viewShown: (view: string) => `${view} view`,
   reload: "Reload",
+  dismiss: "Dismiss",
   tryAgain: "Try again",
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
   viewOffline: "This view could not be loaded, as there is no network. Connect, then try again.",
@@ -140,9 +146,9 @@ export const page = {
     exporting: "Exporting.",
     registering: (name: string) => `Registering ${name}.`,
     noInput: (name: string) => `There is no input “${name}” here. Choose another or drop a BVH.`,
-    stylesReady: (styles: number, frames: string) => `${styles} styles ready. ${frames} frames.`,
-    made: (style: string, action: string, styles: number) =>
-      `“${style}” is made of the action “${action}” and changes no other. ${styles} styles ready.`,
+    stylesReady: (ofStyles: number, ofFrames: number) => `${styles(ofStyles)} ready. ${frames(ofFrames)}.`,
+    made: (style: string, action: string, ofStyles: number) =>
+      `“${style}” is made of the action “${action}” and changes no other. ${styles(ofStyles)} ready.`,
     change: "Change…",
     notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
     cancelled: "It was cancelled.",
@@ -180,8 +186,8 @@ export const page = {
     input: (name: string) => `${name} in`,
     steered: "you steer",
     live: "live",
-    styles: (n: number) => (n === 1 ? "1 style" : `${n} styles`),
-    stylesOf: (n: number, database: string) => `${n === 1 ? "1 style" : `${n} styles`} of ${database}`,
+    styles,
+    stylesOf: (n: number, database: string) => `${styles(n)} of ${database}`,
     parts: (n: number) => `${n === 1 ? "1 body part" : `${n} body parts`} styled separately`,
     keys: (n: number) => (n === 1 ? "1 key" : `${n} keys`),
     rate: (hz: number) => `${hz} Hz`,

@@ -71,13 +71,11 @@ export class TopBar {
       class: "menu-item",
     });
     const menuHelp = button(strings.page.bar.help, listeners.onHelp, { icon: "help", label: true, class: "menu-item" });
+    const home = html("a", { class: "wordmark", href: "./", "aria-label": strings.page.bar.home }, mark(), "Strut");
+    onPlainClick(home, () => listeners.onView("play"));
     const tabs = VIEWS.map(({ name, title }) => {
       const element = html("a", { href: `#view=${name}`, class: "tab" }, title);
-      element.addEventListener("click", (event) => {
-        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-        event.preventDefault();
-        listeners.onView(name);
-      });
+      onPlainClick(element, () => listeners.onView(name));
       for (const type of ["pointerenter", "focus"]) element.addEventListener(type, () => listeners.onReach(name));
       return { name, element };
     });
@@ -100,7 +98,7 @@ export class TopBar {
     this.element = html(
       "header",
       { class: "bar" },
-      html("a", { class: "wordmark", href: "./", "aria-label": strings.page.bar.home }, mark(), "Strut"),
+      home,
       html("nav", { "aria-label": strings.page.bar.views }, ...tabs.map(({ element }) => element)),
       html(
         "div",
@@ -139,4 +137,13 @@ export class TopBar {
     this.#export.enabled = can;
     for (const embed of this.#embeds) embed.disabled = !can;
   }
+}
+
+/** Acts on a click on a link in the place of following it; with a key held the browser opens the link elsewhere, as ever. */
+function onPlainClick(link: HTMLElement, act: () => void): void {
+  link.addEventListener("click", (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+    event.preventDefault();
+    act();
+  });
 }

@@ -103,6 +103,17 @@ describe("the views", () => {
     expect(take()).toContain("walk disposed");
   });
 
+  it("say whether any of them holds what the browser does not keep", async () => {
+    const { show, views, walk } = made();
+    await show("walk");
+    expect(views.holdUnkept).toBe(false);
+    Object.assign(walk, { holdsUnkept: true });
+    await show("play");
+    expect(views.holdUnkept).toBe(true);
+    await vi.advanceTimersByTimeAsync(61_000);
+    expect(views.holdUnkept).toBe(false);
+  });
+
   it("leave the one before where another cannot be loaded", async () => {
     const { show, views } = made();
     await show("play");

@@ -33,6 +33,8 @@ export class Views {
   /** Puts the element of a view into the page. */
   readonly #place: (element: HTMLElement) => void;
   readonly #made = new Map<ViewName, Made>();
+  /** The views that there are now. */
+  readonly #alive = new Set<View>();
   #wanted: ViewName | undefined;
   #shown: { name: ViewName; view: View } | undefined;
 
@@ -66,6 +68,11 @@ export class Views {
     return this.#shown?.view;
   }
 
+  /** Whether leaving the page would lose what a person made in any of the views. */
+  get holdUnkept(): boolean {
+    return [...this.#alive].some((view) => view.holdsUnkept);
+  }
+
   dispose(): void {
     this.#wanted = undefined;
     this.#shown = undefined;
@@ -85,6 +92,7 @@ export class Views {
     try {
       const entry = this.#table.find((view) => view.name === name)!;
       const view = (await entry.load()).createView(this.#listeners.host(life.signal));
+      this.#alive.add(view);
       // To make a view and to place it in the page take long enough for a task each.
       await otherTasks();
       return view;
@@ -116,7 +124,9 @@ export class Views {
     clearTimeout(made.timer);
     const view = await made.view;
     made.life.abort();
-    view?.dispose();
-    view?.element.remove();
+    if (!view) return;
+    this.#alive.delete(view);
+    view.dispose();
+    view.element.remove();
   }
 }

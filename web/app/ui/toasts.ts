@@ -1,9 +1,13 @@
-/** What the page says over the stage: errors and offers stay until dismissed, notes go by themselves. */
+/**
+ * What the page says over the stage: errors and offers stay until dismissed. Notes go by themselves, but not while they are pointed
+ * at or have the focus.
+ */
 
 import { isUnloaded } from "../../client/protocol";
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
+import { focusView } from "./focus_view";
 import { errorText } from "./words";
 
 const NOTE_MS = 6000;
@@ -25,9 +29,17 @@ export class Toasts {
   readonly #alerts = html("div", { role: "alert" });
   readonly #notes = html("div", { role: "status" });
   readonly #lasting = new WeakSet<Element>();
+  readonly #view: () => Element | undefined;
+  /** What had the focus before a toast got it. */
+  #focusedBefore: EventTarget | null = null;
 
-  constructor() {
+  /** @param view the view that is shown: it takes the focus of a toast that goes, where nothing had it before */
+  constructor(view: () => Element | undefined) {
+    this.#view = view;
     this.element.append(this.#alerts, this.#notes);
+    this.element.addEventListener("focusin", ({ relatedTarget }) => {
+      if (!this.element.contains(relatedTarget as Node | null)) this.#focusedBefore = relatedTarget;
+    });
   }
 
   /**
@@ -43,15 +55,12 @@ export class Toasts {
     if (says(this.#alerts, text)) return () => {};
     const toast = this.#add(this.#alerts, text, "error");
     if (lasts) this.#lasting.add(toast);
-    const take = () => toast.remove();
-    const offer = ({ label, act }: ToastAction) =>
-      addButton(toast, label, () => {
-        take();
-        act();
-      });
-    if (action instanceof Promise) action.then((known) => known && offer(known), console.error);
-    else if (action) offer(action);
-    return take;
+    if (action instanceof Promise)
+      action.then((known) => {
+        if (known) this.#addAction(toast, known);
+      }, console.error);
+    else if (action) this.#addAction(toast, action);
+    return () => this.#take(toast);
   }
 
   /** Something was thrown. Where a part of Strut could not be loaded, the page can be loaded again. */
@@ -62,7 +71,7 @@ export class Toasts {
   /** Shows a message. */
   note(text: string): void {
     const toast = this.#add(this.#notes, text, "note");
-    setTimeout(() => toast.remove(), NOTE_MS);
+    afterRest(toast, () => this.#take(toast));
   }
 
   /**
@@ -72,31 +81,59 @@ export class Toasts {
   offer(text: string, label: string, act: () => void): () => void {
     if (says(this.#notes, text)) return () => {};
     const toast = this.#add(this.#notes, text, "note");
-    const take = () => toast.remove();
-    addButton(toast, label, () => {
-      take();
-      act();
-    });
-    return take;
+    this.#addAction(toast, { label, act });
+    return () => this.#take(toast);
   }
 
   /** Takes errors away, after what they were about has worked. */
   clearErrors(): void {
-    for (const toast of [...this.#alerts.children]) if (!this.#lasting.has(toast)) toast.remove();
+    for (const toast of [...this.#alerts.children]) if (!this.#lasting.has(toast)) this.#take(toast);
   }
 
   #add(region: HTMLElement, text: string, kind: "error" | "note"): HTMLElement {
     const toast = html("div", { class: `toast ${kind}` }, html("p", {}, text));
-    toast.append(button("Dismiss", () => toast.remove(), { icon: "close", class: "plain" }));
+    const dismiss = button(strings.page.dismiss, () => this.#take(toast), { icon: "close", class: "plain" });
+    toast.append(dismiss);
     region.append(toast);
-    while (region.children.length > MOST) region.firstElementChild?.remove();
+    while (region.children.length > MOST) this.#take(region.firstElementChild!);
     return toast;
+  }
+
+  /** Puts a button before the one that dismisses. */
+  #addAction(toast: HTMLElement, { label, act }: ToastAction): void {
+    const done = () => {
+      this.#take(toast);
+      act();
+    };
+    toast.lastElementChild?.before(button(label, done, { label: true, class: "outlined" }));
+  }
+
+  /** Takes a toast away; its focus goes back to where it came from, or else to the view. */
+  #take(toast: Element): void {
+    const hadFocus = toast.contains(document.activeElement);
+    toast.remove();
+    if (!hadFocus) return;
+    const before = this.#focusedBefore;
+    if (before instanceof HTMLElement || before instanceof SVGElement) before.focus({ preventScroll: true });
+    const view = this.#view();
+    if (view && (document.activeElement ?? document.body) === document.body) focusView(view);
   }
 }
 
-/** Puts a button before the one that dismisses. */
-function addButton(toast: HTMLElement, label: string, act: () => void): void {
-  toast.lastElementChild?.before(button(label, act, { label: true, class: "outlined" }));
+/** Calls back when a note has been neither pointed at nor focused for a while. */
+function afterRest(note: HTMLElement, call: () => void): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const holds = { pointer: false, focus: false };
+  const hold = (by: keyof typeof holds, held: boolean) => {
+    holds[by] = held;
+    clearTimeout(timer);
+    if (!holds.pointer && !holds.focus) timer = setTimeout(call, NOTE_MS);
+  };
+  note.addEventListener("pointerenter", () => hold("pointer", true));
+  note.addEventListener("pointerleave", () => hold("pointer", false));
+  note.addEventListener("focusin", () => hold("focus", true));
+  note.addEventListener("focusout", () => hold("focus", false));
+  hold("pointer", false);
 }
 
 /** Whether a region has a toast with this text. */

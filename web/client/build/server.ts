@@ -151,7 +151,7 @@ class BuildServer {
     const tell = (done: number) => {
       const total = this.clips.length;
       caller.tell(event);
-      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: done / total });
+      caller.report({ label: `Reading ${clipsOf(total)}, ${done} done.`, fraction: done / total });
       event = { clips: [], skeletons: [] };
       told = performance.now();
     };
@@ -203,7 +203,7 @@ class BuildServer {
     const read: { name: string; bytes: Uint8Array }[] = [];
     const unread: RefusedFile[] = [];
     for (const [done, { path, read: bytes }] of clips.entries()) {
-      const label = `Reading ${clips.length} clips, ${done} done.`;
+      const label = `Reading ${clipsOf(clips.length)}, ${done} done.`;
       caller.report({ label, fraction: (KEY_STYLE_READING * done) / clips.length });
       const content = await bytes().catch((thrown) => reasonOf(thrown));
       if (typeof content === "string") unread.push({ path, reason: content });
@@ -235,7 +235,7 @@ class BuildServer {
     while (begun.read < build.order.length) {
       const done = begun.read;
       const path = build.order[done]!;
-      caller.report({ label: `Reading ${total} clips, ${done} done.`, fraction: (SHARES.reading * done) / total });
+      caller.report({ label: `Reading ${clipsOf(total)}, ${done} done.`, fraction: (SHARES.reading * done) / total });
       const { index, roles } = byPath.get(path)!;
       const bytes = await this.clips[index]!.read().catch((thrown) => reasonOf(thrown));
       await this.mayPause(begun);
@@ -326,14 +326,16 @@ function keyStyleProgress(done: number, total: number): Progress {
   return { label: `Learning, pass ${done} of ${total}.`, fraction };
 }
 
+const clipsOf = (n: number): string => (n === 1 ? "1 clip" : `${n} clips`);
+
 function buildProgress(stage: "preparing" | "registering" | "indexing", done: number, total: number): Progress {
   const { reading, preparing, registering } = SHARES;
   const share = total > 0 ? done / total : 1;
   if (stage === "preparing")
-    return { label: `Preparing ${total} clips, ${done} done.`, fraction: reading + preparing * share };
+    return { label: `Preparing ${clipsOf(total)}, ${done} done.`, fraction: reading + preparing * share };
   if (stage === "registering")
     return {
-      label: `Registering ${total} clips, ${done} done.`,
+      label: `Registering ${clipsOf(total)}, ${done} done.`,
       fraction: reading + preparing + registering * share,
     };
   return { label: "Sorting the frames for the search.", fraction: reading + preparing + registering };

@@ -1,5 +1,6 @@
 /**
- * A knob: 270° arc, turned by vertical drag, wheel, arrow keys or typing; a double click brings the default back.
+ * A knob: 270° arc, turned by vertical drag, arrow keys, typing, or the wheel while it has the focus; a double click brings the
+ * default back.
  * For assistive technology the dial is a slider and the number under it a text field.
  */
 import { formatNumber, html, setAttributes, svg } from "../dom";
@@ -130,6 +131,8 @@ export class Knob {
     dial.addEventListener(
       "wheel",
       (event) => {
+        // Who scrolls past it changes nothing.
+        if (!dial.matches(":focus")) return;
         event.preventDefault();
         this.#turn(stepped(this.#value, -Math.sign(event.deltaY) * STEP, this.#range));
       },

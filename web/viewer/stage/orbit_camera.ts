@@ -12,6 +12,12 @@ export interface OrbitState {
   distance: number;
 }
 
+/**
+ * What zooms: the wheel, wherever the focus is; or the wheel only while the picture has the focus or Ctrl or Cmd is held, so that a
+ * page can be scrolled with the pointer over the picture; or nothing.
+ */
+export type Zooming = "always" | "focused" | "never";
+
 /** Field of view, degrees, vertical. */
 const FIELD_OF_VIEW = 24;
 /** Height of the target, metres. */
@@ -68,6 +74,7 @@ export class OrbitCamera {
   above: number;
   /** Height of what is looked at as a share of the mannequin's: a giant is seen from farther away. */
   scale = 1;
+  zooming: Zooming = "always";
   readonly #range: CameraRange;
   readonly #state: OrbitState;
   /** The user's own orbit, to which "orbit" returns. */
@@ -221,6 +228,7 @@ export class OrbitCamera {
   }
 
   #zoomBy(factor: number): void {
+    if (this.zooming === "never") return;
     this.#glide = undefined;
     this.#state.distance = MathUtils.clamp(this.#state.distance * factor, ...this.#range.distances);
     this.#takeOver();
@@ -253,6 +261,9 @@ export class OrbitCamera {
   }
 
   #wheel(event: WheelEvent): void {
+    // Ctrl is also what browsers say of two fingers that spread on a touchpad.
+    const isMeant = event.ctrlKey || event.metaKey || this.#element.matches(":focus");
+    if (this.zooming === "never" || (this.zooming === "focused" && !isMeant)) return;
     event.preventDefault();
     this.#zoomBy(Math.exp(MathUtils.clamp(event.deltaY, -120, 120) * 0.0015));
   }

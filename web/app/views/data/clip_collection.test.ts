@@ -170,3 +170,19 @@ test("a style of two manners becomes two styles, of the same name in every actio
   clips.clear();
   expect(clips.manners).toEqual([]);
 });
+
+test("clips and labels that no database was built of are known", async () => {
+  expect(clips.isUnbuilt).toBe(false);
+  await clips.open(files("walk_old.bvh", "walk_neutral.bvh"), {}, {});
+  expect(clips.isUnbuilt).toBe(true);
+  await clips.build({});
+  expect(clips.isUnbuilt).toBe(false);
+  clips.rename("style", "old", "aged");
+  expect(clips.isUnbuilt).toBe(true);
+  clips.edits.undo();
+  expect(clips.isUnbuilt).toBe(false);
+  clips.edits.setNeutral("old");
+  expect(clips.isUnbuilt).toBe(true);
+  clips.clear();
+  expect(clips.isUnbuilt).toBe(false);
+});

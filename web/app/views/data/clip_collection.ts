@@ -54,6 +54,8 @@ export class ClipCollection {
   #twoManners: readonly TwoManners[] = [];
   /** The style of each clip of the last build, by its path. */
   #built: ReadonlyMap<string, string> = new Map();
+  /** The {@link ClipCollection.#labels} of the last build. */
+  #builtLabels = "";
   /** New names of styles, by their former ones: in the last build all their clips had another style than in the one before. */
   renamed: ReadonlyMap<string, string> = new Map();
 
@@ -77,6 +79,11 @@ export class ClipCollection {
   /** Styles that the last build found to be performed in two manners, as long as they are labelled as one. */
   get manners(): Manners[] {
     return mannersAmong(this.usable, this.#twoManners);
+  }
+
+  /** Whether there are clips, or labels of theirs, that no database was built of. */
+  get isUnbuilt(): boolean {
+    return this.rows.length > 0 && (this.#builtLabels === "" || this.#labels !== this.#builtLabels);
   }
 
   /** The style that the others are compared with. */
@@ -209,7 +216,9 @@ export class ClipCollection {
         roles: this.#rolesOf(row),
       }),
     );
+    const labels = this.#labels;
     const built = await this.#client.build(files, this.neutral, options);
+    this.#builtLabels = labels;
     const styles = new Map(files.map(({ path, style }) => [path, style]));
     this.renamed = renamedStyles(this.#built, styles);
     this.#built = styles;
@@ -217,6 +226,16 @@ export class ClipCollection {
     for (const row of this.rows) row.fault = reasons.get(row.path) ?? row.fault;
     this.#twoManners = built.twoManners;
     return built;
+  }
+
+  /** All that a person can say of the clips, to be compared. */
+  get #labels(): string {
+    const { rows, neutral, chosen } = this.#edited;
+    return JSON.stringify([
+      rows.map(({ path, action, style, take }) => [path, action, style, take]),
+      neutral,
+      [...chosen],
+    ]);
   }
 
   #rolesOf({ read }: Row): Roles | undefined {

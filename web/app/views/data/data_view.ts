@@ -58,6 +58,7 @@ class DatabaseView implements View {
     this.#clips = new ClipCollection(this.#client, () => {
       this.#show();
       host.historyChanged();
+      host.workChanged();
     });
     this.#preview = new ClipPreview((container) => host.borrowViewer(container));
     this.#clipsPanel = new ClipsPanel(this.#clips, {
@@ -102,6 +103,10 @@ class DatabaseView implements View {
 
   get holdsWork(): boolean {
     return this.#clips.rows.length > 0 || this.#cleared !== undefined || this.#databases.holdsUnkept;
+  }
+
+  get holdsUnkept(): boolean {
+    return this.#clips.isUnbuilt || this.#databases.hasUnkept;
   }
 
   show(): void {
@@ -330,6 +335,7 @@ class DatabaseView implements View {
   #listDatabases(): void {
     const { file } = this.#host.databaseFile();
     this.#databasesPanel.show(this.#databases, { name: this.#host.store.state.database, file });
+    this.#host.workChanged();
   }
 
   #show(): void {

@@ -64,7 +64,12 @@ export class DeviceDatabases {
 
   /** Whether something here would be lost with the view. */
   get holdsUnkept(): boolean {
-    return this.#unkept.size > 0 || this.#deleted.size > 0;
+    return this.hasUnkept || this.#deleted.size > 0;
+  }
+
+  /** Whether there are databases that the browser refused to keep. */
+  get hasUnkept(): boolean {
+    return this.#unkept.size > 0;
   }
 
   find(name: string): SavedDatabase | undefined {

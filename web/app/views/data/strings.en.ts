@@ -1,7 +1,7 @@
 /** What the Data view says. */
+import { counted } from "../../strings/counted.en";
 import { grouped } from "../../strings/numerals";
 
-const counted = (one: string) => (n: number) => `${grouped(n)} ${n === 1 ? one : `${one}s`}`;
 const [clips, styles] = [counted("clip"), counted("style")];
 const quoted = (name: string) => `“${name}”`;
 

@@ -169,6 +169,7 @@ class KeyStyleView implements View {
 
   takeFiles(files: DroppedFile[]): void {
     this.#trainer.files = files;
+    this.#host.workChanged();
     const { store } = this.#host;
     store.edit({ ...anotherSet("files"), playing: true });
     this.#trainer.request(store.state);
@@ -177,6 +178,10 @@ class KeyStyleView implements View {
   /** Dropped files are only here. */
   get holdsWork(): boolean {
     return this.#trainer.files.length > 0;
+  }
+
+  get holdsUnkept(): boolean {
+    return this.holdsWork;
   }
 
   dispose(): void {

@@ -1,4 +1,6 @@
 /** What the Key-style view says. */
+const components = (n: number) => (n === 1 ? "1 component" : `${n} components`);
+
 export const keyStyle = {
   heading: "Style pad",
   caption: (variables: string) => `${variables} in, a whole pose out`,
@@ -57,7 +59,7 @@ export const keyStyle = {
 
   // The model.
   reading: "Reading the motions.",
-  model: (components: number, secs: string) => `${components} components · trained in ${secs} s`,
+  model: (count: number, secs: string) => `${components(count)} · trained in ${secs} s`,
   modelSettings: "Model",
   componentCount: "Components",
   byRule: (n: number) => (n === 0 ? "by the data" : String(n)),
@@ -69,7 +71,7 @@ export const keyStyle = {
   hard: "Hard",
   smoothWhy: "Neighbouring components share the pose. Hard takes the winner alone, as published: it jumps at borders.",
   component: (n: number, home: string) => `Component ${n}: ${home}`,
-  components: (count: number, winner: number) => `${count} components; number ${winner} has most of the pose`,
+  components: (count: number, winner: number) => `${components(count)}; number ${winner} has most of the pose`,
 
   unexplained: (percent: string) =>
     `The style variables leave ${percent} % of the pose unexplained. Another variable may explain more.`,

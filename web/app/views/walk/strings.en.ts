@@ -11,7 +11,7 @@ export const walk = {
   reading: "Reading the walks.",
   training: "Training the walks.",
   trained: (styles: number, clips: number, secs: string) =>
-    `${styles} styles ready to walk, from ${clips} clips, ${secs} s.`,
+    `${styles === 1 ? "1 style" : `${styles} styles`} ready to walk, from ${clips === 1 ? "1 clip" : `${clips} clips`}, ${secs} s.`,
   nothing: "There is no walk model yet",
   noModel: (database: string) =>
     `${database} has no walks that a model can be trained on. Open a database with clips of walking, or use the built-in walks.`,

@@ -2,7 +2,6 @@
 import type { DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { Toggle } from "../../../../ui/controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "../../../../ui/dom";
-import { grouped } from "../../../strings/numerals";
 import { spoken } from "../../../ui/words";
 import { driveWords } from "./strings.en";
 
@@ -38,7 +37,7 @@ export class DrivePanel {
         "div",
         { class: "section-heading" },
         html("h2", { id: "drive-heading" }, words.heading),
-        html("span", { class: "caption" }, words.from(String(clips), grouped(frames))),
+        html("span", { class: "caption" }, words.from(clips, frames)),
       ),
       ...(note ? [html("p", { class: "caption drive-note" }, words.note(note))] : []),
       html(

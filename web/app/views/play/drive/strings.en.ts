@@ -1,4 +1,5 @@
 /** What is said while a character is driven. */
+import { counted } from "../../../strings/counted.en";
 
 export const driveWords = {
   help: {
@@ -47,7 +48,7 @@ export const driveWords = {
     ofClip: "of the clip",
     /** @param why how much walking the database has, a sentence */
     note: (why: string) => `${why} Built-in clips walk.`,
-    from: (clips: string, frames: string) => `${clips} neutral clips, ${frames} frames`,
+    from: (clips: number, frames: number) => `${counted("neutral clip")(clips)}, ${counted("frame")(frames)}`,
   },
   keep: "Keep",
   kept: (name: string, secs: string) => `Kept ${secs} s as ${name}.`,
