@@ -124,7 +124,7 @@ await main(async () => {
       await writeFile(join(pictures, "joint-curve.svg"), await jointCurve(trial));
       await writeFile(join(pictures, "time-warp.svg"), await timeWarp(trial));
     }
-    const machine = `Measured on ${cpus().length} × ${cpus()[0]?.model.trim() ?? "unknown processor"}; times hold for it only.`;
+    const machine = `Measured on ${cpus().length} × ${cpus()[0]?.model.trim() ?? "unknown processor"}; times are processor time and hold for it only.`;
     const bars = "![Errors by method and data set](evaluation/error-bars.svg)";
     const sections = await Promise.all(done.map(section));
     await writeFile(
