@@ -248,6 +248,7 @@ export class App {
       historyChanged: () => this.#showTopBar(),
       workChanged: () => this.#guardWork(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
+      removeInput: () => this.#workspace.removeInput(),
       chooseClip: (clip) => this.#workspace.chooseClip(clip),
       openBuilt: (database, kept, renamed) => databases.openBuilt(database, kept, renamed),
       showPlay: () => this.#store.edit({ view: "play" }),

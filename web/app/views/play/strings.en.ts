@@ -76,6 +76,8 @@ export const play = {
     builtIn: "Built in",
     clipsOf: (database: string) => `Clips of ${database}`,
     dropped: "Dropped here",
+    remove: "Remove this file from the inputs",
+    removed: (name: string) => `“${name}” is removed.`,
   },
 
   /** What a character does that is steered, as the title has it. */
