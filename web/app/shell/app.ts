@@ -19,6 +19,7 @@ import { announce } from "../ui/announce";
 import { focusView } from "../ui/focus_view";
 import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
+import { showTips } from "../ui/tips";
 import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";
@@ -161,6 +162,7 @@ export class App {
       },
       signal,
     );
+    showTips(signal);
     this.#showTopBar();
   }
 
