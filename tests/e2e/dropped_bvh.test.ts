@@ -60,4 +60,24 @@ describe("a BVH of another tool", () => {
     for (const [i, offset] of offsets(bytes.toString()).entries())
       for (const [axis, value] of offset.entries()) expect(value).toBeCloseTo(offsets(walk)[i]![axis]!, 2);
   });
+
+  it("is taken out of the inputs, and undo brings it back", async () => {
+    await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
+    await eventually(() => inputName(page)).toBe("mine");
+    const remove = page.getByRole("button", { name: "Remove this file from the inputs" });
+    const listed = () => page.getByLabel("Input motion").locator("option", { hasText: "mine" }).count();
+    await remove.click();
+    await eventually(listed).toBe(0);
+    expect(await inputName(page)).toBe("neutral walk");
+    expect(await remove.isVisible(), "a built-in input stays").toBe(false);
+    await page.locator(".toast").getByRole("button", { name: "Undo" }).click();
+    await eventually(() => inputName(page)).toBe("mine");
+    await page.waitForFunction(() => window.strut.analysed);
+    await remove.click();
+    await eventually(listed).toBe(0);
+    await page.keyboard.press("Control+z");
+    await eventually(() => inputName(page)).toBe("mine");
+    expect((await saved(page, "BVH")).name).toBe("mine-proud.bvh");
+    expect(await page.getByRole("alert").textContent()).toBe("");
+  });
 });

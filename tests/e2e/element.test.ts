@@ -368,6 +368,53 @@ describe("a player that is moved or taken away", () => {
     await page.context().close();
   });
 
+  test("rejects what waits for its first picture where it is taken away, and waits anew where it is put back", async () => {
+    const page = await open(`${SCRIPT}<strut-player></strut-player>`);
+    const codes = await page.evaluate(async () => {
+      const player = document.querySelector("strut-player") as StrutPlayer;
+      const codeOf = (ready: Promise<void>) =>
+        ready.then(
+          () => "ready",
+          (error: { code: string }) => error.code,
+        );
+      const place = player.parentElement!;
+      const codes: string[] = [];
+      // It is loaded, and no picture comes.
+      const draw = globalThis.requestAnimationFrame;
+      globalThis.requestAnimationFrame = () => 1;
+      const waiting = codeOf(player.load());
+      while (player.duration === 0) await new Promise((resolve) => setTimeout(resolve, 20));
+      player.remove();
+      codes.push(await waiting);
+      globalThis.requestAnimationFrame = draw;
+      place.append(player);
+      codes.push(await codeOf(player.ready));
+      // It is put back while it is loaded for its former place.
+      player.src = "strut:neutral-walk";
+      player.remove();
+      await new Promise((resolve) => setTimeout(resolve, 0));
+      place.append(player);
+      codes.push(await codeOf(player.ready));
+      return codes;
+    });
+    expect(codes).toEqual(["cancelled", "ready", "ready"]);
+    await page.context().close();
+  });
+
+  test("is loaded and exported on a page that is hidden", async () => {
+    const page = await open(`${SCRIPT}<strut-player></strut-player>`);
+    const motion = await page.evaluate(async () => {
+      // What a browser does to a tab in the background.
+      Object.defineProperty(document, "hidden", { value: true });
+      globalThis.requestAnimationFrame = () => 1;
+      const player = document.querySelector("strut-player") as StrutPlayer;
+      const late = new Promise<string>((resolve) => setTimeout(() => resolve("late"), 10_000));
+      return Promise.race([late, player.exportFile("bvh").then((file) => file.slice(0, 9).text())]);
+    });
+    expect(motion).toBe("HIERARCHY");
+    await page.context().close();
+  });
+
   test("takes what a framework set before the element was defined", async () => {
     const page = await open('<strut-player loading="eager"></strut-player>');
     const said = await page.evaluate(async () => {

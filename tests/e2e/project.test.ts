@@ -162,7 +162,7 @@ describe("a project", () => {
     page = await fresh("view=data", { width: 390, height: 844 });
     const file = await writeProject({
       state: "play=0&frame=20&styles=old:1&input=clip",
-      inputs: [{ name: "clip", bytes: new TextEncoder().encode(walks.old).buffer }],
+      inputs: [{ name: "clip", file: new Blob([walks.old]) }],
     });
     const payload = { name: "phone.strut", mimeType: "", buffer: Buffer.from(await file.arrayBuffer()) };
     await page.getByRole("button", { name: "Menu" }).click();
@@ -193,8 +193,8 @@ describe("a file that is no project of this page", () => {
     page = await fresh("play=0&frame=60&styles=proud:1");
     const pose = await settledPose(page);
     const before = await state();
-    const bytes = new TextEncoder().encode(walks.old).buffer;
-    const project: Project = { state: "play=1&view=crowd&styles=old:1", inputs: [{ name: "clip", bytes }] };
+    const file = new Blob([walks.old]);
+    const project: Project = { state: "play=1&view=crowd&styles=old:1", inputs: [{ name: "clip", file }] };
     const packed = async (changes: Partial<Project>) =>
       new Uint8Array(await (await writeProject({ ...project, ...changes })).arrayBuffer());
     const good = await packed({});
@@ -208,11 +208,7 @@ describe("a file that is no project of this page", () => {
       ["damaged", good.map((byte, i) => (i === 900 ? byte ^ 255 : byte)), /It is damaged/],
       ["newer", manifest({ format: "strut-project", version: 2 }), /A newer Strut saved it/],
       ["older", manifest({ format: "strut-project", version: 0 }), /does not read any more/],
-      [
-        "no motion",
-        await packed({ inputs: [{ name: "clip", bytes: await text("no").arrayBuffer() }] }),
-        /motion “clip” in it/,
-      ],
+      ["no motion", await packed({ inputs: [{ name: "clip", file: text("no") }] }), /motion “clip” in it/],
       ["no database", await packed({ database: { name: "bad", file: text("no") } }), /database “bad” in it/],
       ["no character", await packed({ character: { ...garbage, file: text("no") } }), /character “bot.glb” in it/],
     ];

@@ -46,6 +46,8 @@ export interface ViewHost {
   checkJoints(): void;
   /** Opens an input by its name in the library; whether it is open now. */
   chooseInput(name: string): Promise<boolean>;
+  /** Takes the dropped file that is open out of the inputs. */
+  removeInput(): Promise<void>;
   /** Opens a clip of the open database as the input, by its number; whether it is open now. */
   chooseClip(clip: number): Promise<boolean>;
   /**

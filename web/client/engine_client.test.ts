@@ -110,6 +110,8 @@ describe("handles", () => {
     const motion = await client.openMotion({ kind: "bvh", name: "mine", bytes: proudWalk });
     const other = await client.openDatabase({ kind: "demo" });
     expect((await motion.on(other)).poses).toEqual((await motion.on(database)).poses);
+    const blob = await client.openMotion({ kind: "bvh", name: "mine", bytes: new Blob([proudWalk]) });
+    expect((await blob.on(other)).poses, "a file that is held elsewhere").toEqual((await motion.on(other)).poses);
     database.dispose();
     const session = await client.createSession(other, motion);
     expect((await session.step(0)).pose).toHaveLength(POSE_FLOATS);

@@ -91,7 +91,7 @@ export class EngineClient {
     const id = connection.nextId();
     // The caller may use its bytes otherwise; they are needed again after a fault.
     const { exact, ...kept } =
-      source.kind === "bvh" ? { ...source, bytes: source.bytes.slice(0) } : { ...source, exact: undefined };
+      source.kind === "bvh" ? { ...source, bytes: source.bytes.slice() } : { ...source, exact: undefined };
     await connection.call("openMotion", [id, kept], options);
     return new ClientMotion(connection, id, kept, exact);
   }

@@ -26,6 +26,7 @@ import type {
   StyleWeights,
   StylizeOptions,
 } from "./protocol";
+import { sizeOf } from "./protocol";
 
 // What things take in WebAssembly's memory, bytes, as `docs/embedding.md` says it was measured.
 /** A frame of a database. */
@@ -134,7 +135,7 @@ export class ClientMotion extends ClientHandle {
   }
 
   get memory(): OpenMemory {
-    const file = this.source.kind === "bvh" ? this.source.bytes.byteLength : 0;
+    const file = this.source.kind === "bvh" ? sizeOf(this.source.bytes) : 0;
     const open = [...this.databases].filter(({ closed }) => !closed);
     const read = open.map((database) => POSE_BYTES * this.framesOn(database) + BVH_SHARE * file);
     return { kind: "motion", bytes: read.reduce((sum, bytes) => sum + bytes, file) };

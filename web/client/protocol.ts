@@ -78,10 +78,15 @@ export interface MemoryInfo extends WasmMemory {
 
 /** Where a database comes from. */
 export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strutdb"; name: string; file: Blob };
-/** Where a motion comes from. */
+/** Where a motion comes from. A file's bytes are held as they are given: a `Blob` is passed on by reference, and read where it is used. */
 export type InputSource =
   | { kind: "built-in"; name: string; set?: BuiltInSet }
-  | ({ kind: "bvh"; name: string; bytes: ArrayBuffer; exact?: ExactPoses } & Said);
+  | ({ kind: "bvh"; name: string; bytes: ArrayBuffer | Blob; exact?: ExactPoses } & Said);
+
+/** Bytes, held here or by reference. */
+export function sizeOf(bytes: ArrayBuffer | Blob): number {
+  return "size" in bytes ? bytes.size : bytes.byteLength;
+}
 
 /** The poses that a file was written from: it holds them rounded, and not the height of the hips. */
 export interface ExactPoses {

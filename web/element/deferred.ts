@@ -16,5 +16,7 @@ export class Deferred {
         reject(reason);
       };
     });
+    // Where nobody waits for it, nobody is to be told.
+    this.promise.catch(() => undefined);
   }
 }

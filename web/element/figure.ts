@@ -1,6 +1,6 @@
 /** What a player shows once it is loaded: a motion in a style, played and drawn. */
 import { changedOptions } from "../client/options";
-import { DEFAULT_OPTIONS, type LiveFrame, type StylizeOptions } from "../client/protocol";
+import { DEFAULT_OPTIONS, type LiveFrame, StrutError, type StylizeOptions } from "../client/protocol";
 import { engineOptions } from "../link/engine_options";
 import type { Database, Playback as EnginePlayback, Motion, Strut } from "../package/types";
 import { Playback } from "../player/playback";
@@ -11,6 +11,9 @@ import type { Settings } from "./settings";
 
 /** Drawing goes on for so long after the last change: glides and fades end within it. */
 const AFTERGLOW_MS = 1200;
+
+/** Why there is no picture of a figure that is taken away. */
+const CLOSED = { code: "cancelled", message: "The figure was taken away.", hint: "" } as const;
 
 export interface FigureListeners {
   onFrame: (frame: LiveFrame) => void;
@@ -46,6 +49,9 @@ export class Figure implements Drawing {
   #drawUntil = 0;
   #seeking: number | undefined;
   #running = false;
+  /** Aborts with the first picture. */
+  readonly #undrawn = new AbortController();
+  #isDisposed = false;
 
   /**
    * Opens a figure.
@@ -80,6 +86,7 @@ export class Figure implements Drawing {
     this.viewer.setProportions(info.proportions);
     this.viewer.onDraw = () => {
       this.viewer.onDraw = undefined;
+      this.#undrawn.abort();
       listeners.onDrawn();
     };
     for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
@@ -166,16 +173,34 @@ export class Figure implements Drawing {
     return this.viewer.render(now / 1000);
   }
 
-  /** The present picture, drawn for it if need be. */
+  /** The first picture does not wait until the page is seen: while it is hidden no animation frame comes. */
+  drawWhileHidden(): void {
+    const draw = () => {
+      if (document.hidden) void this.#drawNow();
+    };
+    document.addEventListener("visibilitychange", draw, { signal: this.#undrawn.signal });
+    draw();
+  }
+
+  /** The present picture, drawn for it if need be. @throws StrutError `cancelled` if it is disposed of meanwhile */
   async picture(): Promise<HTMLCanvasElement> {
-    for (;;) {
+    if (!(await this.#drawNow())) throw new StrutError(CLOSED);
+    return this.viewer.copy();
+  }
+
+  /** Draws as soon as that can be done; says whether it did before it was disposed of. */
+  async #drawNow(): Promise<boolean> {
+    while (!this.#isDisposed) {
       this.viewer.invalidate();
-      if (this.viewer.render(performance.now() / 1000)) return this.viewer.copy();
+      if (this.viewer.render(performance.now() / 1000)) return true;
       await new Promise((resolve) => setTimeout(resolve, 4));
     }
+    return false;
   }
 
   dispose(): void {
+    this.#isDisposed = true;
+    this.#undrawn.abort();
     this.#playback.dispose();
     this.#engine.dispose();
     this.viewer.dispose();

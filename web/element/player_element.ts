@@ -298,8 +298,9 @@ export class StrutPlayer extends ElementBase {
       this.#connected = false;
       for (const observer of this.#observers.splice(0)) observer.disconnect();
       if (this.#opened) this.#startSecs = this.currentTime;
-      // Nobody waits for ever for what is not on the page.
-      if (this.#opening && !this.#ready.isSettled) this.#ready.reject(new StrutError(TAKEN_AWAY));
+      // Nobody waits for ever for what is not on the page; where it is put back, it is waited for anew.
+      if (!this.#ready.isSettled) this.#ready.reject(new StrutError(TAKEN_AWAY));
+      this.#ready = new Deferred();
       this.#close();
       this.#failed = false;
       this.#poster.hidden = false;
@@ -347,8 +348,6 @@ export class StrutPlayer extends ElementBase {
     this.#opening = opening;
     this.#failed = false;
     if (this.#ready.isSettled) this.#ready = new Deferred();
-    const { promise } = this.#ready;
-    promise.catch(() => undefined);
     this.#message.hide();
     try {
       if (graphics() === "none") throw new StrutError({ code: "unsupported", message: strings.noWebGl, hint: "" });
@@ -402,6 +401,7 @@ export class StrutPlayer extends ElementBase {
     this.#recolour();
     this.#showStyles(false);
     schedule.add(figure);
+    figure.drawWhileHidden();
     this.#applyPlaying();
     if (fault) this.#complain(fault);
   }
@@ -457,7 +457,10 @@ export class StrutPlayer extends ElementBase {
   }
 
   #close(abort = true): void {
-    if (abort) this.#opening?.abort();
+    if (abort) {
+      this.#opening?.abort();
+      this.#opening = undefined;
+    }
     const opened = this.#opened;
     this.#opened = undefined;
     if (opened) closeFigure(opened);

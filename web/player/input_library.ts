@@ -15,6 +15,16 @@ export interface LibraryClip {
   name: string;
 }
 
+/** A file that was dropped. */
+export interface DroppedInput {
+  name: string;
+  file: Blob;
+  /** The poses that it was written from. */
+  exact?: ExactPoses;
+  /** What was said of how it is read. */
+  reading?: FileReading;
+}
+
 /** Most clips of a database that a list offers. */
 export const MOST_CLIPS = 60;
 
@@ -35,7 +45,8 @@ export class InputLibrary {
   builtInSet: BuiltInSet | undefined;
   /** Called when a file was added or removed, or something was said of how one is read. */
   onChange: () => void = () => {};
-  readonly #dropped = new Map<string, ArrayBuffer>();
+  /** The browser keeps what is in a blob outside of the page's memory; the engine reads it when it opens it. */
+  readonly #dropped = new Map<string, Blob>();
   /** Poses that a file was written from. */
   readonly #exact = new Map<string, ExactPoses>();
   /** What was said of how files are read. */
@@ -62,11 +73,12 @@ export class InputLibrary {
    * Adds a file and returns the name it goes by: its own, with a number where that belongs to another one. The same
    * file keeps its name.
    */
-  add(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses): string {
+  async add(fileName: string, bytes: BlobPart, exact?: ExactPoses): Promise<string> {
+    const file = bytes instanceof Blob ? bytes : new Blob([bytes]);
     const base = fileName.replace(/\.bvh$/i, "") || "motion";
     let name = base;
-    for (let n = 2; this.has(name) && !sameBytes(this.#dropped.get(name), bytes); n++) name = `${base} (${n})`;
-    this.#dropped.set(name, bytes);
+    for (let n = 2; this.has(name) && !(await sameBytes(this.#dropped.get(name), file)); n++) name = `${base} (${n})`;
+    this.#dropped.set(name, file);
     if (exact) this.#exact.set(name, exact);
     this.onChange();
     return name;
@@ -78,7 +90,21 @@ export class InputLibrary {
     this.onChange();
   }
 
-  /** Forgets a file that could not be opened. */
+  /** A dropped file, with what is known of it; `undefined` where there is none of that name. */
+  file(name: string): DroppedInput | undefined {
+    const file = this.#dropped.get(name);
+    const exact = this.#exact.get(name);
+    const reading = this.#readings.get(name);
+    return file && { name, file, ...(exact && { exact }), ...(reading && { reading }) };
+  }
+
+  /** Adds a file once more that was removed, as it was. */
+  async bringBack({ name, file, exact, reading }: DroppedInput): Promise<void> {
+    const added = await this.add(name, file, exact);
+    if (reading) this.say(added, reading);
+  }
+
+  /** Forgets a file. */
   remove(name: string): void {
     this.#dropped.delete(name);
     this.#readings.delete(name);
@@ -88,18 +114,19 @@ export class InputLibrary {
 
   /** What the engine opens for a name; `undefined` where there is no such input. */
   source(name: string): InputSource | undefined {
-    const bytes = this.#dropped.get(name);
-    const exact = this.#exact.get(name);
-    const reading = this.#readings.get(name);
-    if (bytes) return { kind: "bvh", name, bytes, ...(exact && { exact }), ...(reading && { reading }) };
+    const dropped = this.file(name);
+    if (dropped) {
+      const { file, ...said } = dropped;
+      return { kind: "bvh", bytes: file, ...said };
+    }
     if (!this.builtIn.includes(name)) return undefined;
     const set = this.builtInSet;
     return { kind: "built-in", name, ...(set && { set }) };
   }
 }
 
-function sameBytes(a: ArrayBuffer | undefined, b: ArrayBuffer): boolean {
-  if (!a || a.byteLength !== b.byteLength) return false;
-  const [left, right] = [new Uint8Array(a), new Uint8Array(b)];
-  return left.every((value, i) => value === right[i]);
+async function sameBytes(a: Blob | undefined, b: Blob): Promise<boolean> {
+  if (!a || a.size !== b.size) return false;
+  const [left, right] = (await Promise.all([a.arrayBuffer(), b.arrayBuffer()])).map((bytes) => new Uint8Array(bytes));
+  return left!.every((value, i) => value === right![i]);
 }

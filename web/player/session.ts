@@ -284,7 +284,7 @@ export class Session {
     { exact, reading }: { exact?: ExactPoses | undefined; reading?: FileReading | undefined } = {},
     onRefused?: (error: unknown) => void,
   ): Promise<string | undefined> {
-    const name = this.library.add(fileName, bytes, exact);
+    const name = await this.library.add(fileName, bytes, exact);
     if (reading) this.library.say(name, reading);
     const outcome = await this.#attempt(() => this.#open(name), onRefused);
     if (outcome === "failed") this.library.remove(name);

@@ -1,4 +1,4 @@
-//! Reading whole files within limits, and writing several or none.
+//! Reading whole files within limits, and writing several together or none.
 
 use crate::error::{Outcome, TaskError};
 use serde::Serialize;
@@ -30,7 +30,8 @@ pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
 }
 
 /// Output files of which each appears complete or not at all, and none before all are written: each is written beside its
-/// target under a temporary name; [`Outputs::commit`] renames them.
+/// target under a temporary name; [`Outputs::commit`] renames them. Where one cannot be renamed, those before it are taken back.
+/// A process that is killed between two renames leaves the first ones.
 #[derive(Debug, Default)]
 pub struct Outputs {
     staged: Vec<Staged>,
@@ -95,13 +96,61 @@ impl Outputs {
     /// Gives all files their names, one after the other.
     ///
     /// # Errors
-    /// What the system says; then files before the one that it says it of have their names, and the others do not appear.
+    /// What the system says; then all names are what they were, as far as the system lets them be.
     pub fn commit(mut self) -> Outcome {
-        while let Some(Staged { temporary, target }) = self.staged.first() {
-            fs::rename(temporary, target).map_err(|e| TaskError::io(target, &e))?;
-            self.staged.remove(0);
+        let keeps = self.staged.len() > 1;
+        let mut named: Vec<Named> = Vec::new();
+        while let Some(staged) = self.staged.first() {
+            match staged.give_name(keeps) {
+                Ok(former) => named.push(Named { target: self.staged.remove(0).target, former }),
+                Err(error) => {
+                    let error = TaskError::io(&staged.target, &error);
+                    named.into_iter().rev().for_each(Named::take_back);
+                    return Err(error);
+                }
+            }
+        }
+        for former in named.iter().filter_map(|named| named.former.as_deref()) {
+            // All files have their names. What is left over is a hidden file.
+            let _ = fs::remove_file(former);
         }
         Ok(())
+    }
+}
+
+impl Staged {
+    /// Gives the file its name. Where the file that had it is to be kept, returns the name that it is kept under.
+    fn give_name(&self, keeps: bool) -> io::Result<Option<PathBuf>> {
+        let Self { temporary, target } = self;
+        let former = (keeps && target.symlink_metadata().is_ok()).then(|| temporary.with_extension("old"));
+        if let Some(former) = &former {
+            // A second name costs nothing, but not every file system has them.
+            fs::hard_link(target, former).or_else(|_| fs::copy(target, former).map(|_| ()))?;
+        }
+        fs::rename(temporary, target).inspect_err(|_| {
+            if let Some(former) = &former {
+                let _ = fs::remove_file(former);
+            }
+        })?;
+        Ok(former)
+    }
+}
+
+/// A file that has its name.
+#[derive(Debug)]
+struct Named {
+    target: PathBuf,
+    /// The name that the file which had it before is kept under.
+    former: Option<PathBuf>,
+}
+
+impl Named {
+    /// The name is what it was. The failure that this follows is the one to report.
+    fn take_back(self) {
+        let _ = match &self.former {
+            Some(former) => fs::rename(former, &self.target),
+            None => fs::remove_file(&self.target),
+        };
     }
 }
 
@@ -144,6 +193,23 @@ mod tests {
         outputs.commit().unwrap();
         assert_eq!((fs::read(&a).unwrap(), fs::read(&b).unwrap()), (b"new".to_vec(), b"more".to_vec()));
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn outputs_are_taken_back_where_a_later_one_fails() {
+        let folder = tempfile::tempdir().unwrap();
+        let [old, new, blocked] = ["a.bvh", "b.bvh", "c.json"].map(|n| folder.path().join(n));
+        fs::write(&old, "old").unwrap();
+        let mut outputs = Outputs::default();
+        for target in [&old, &new, &blocked] {
+            outputs.stage(target, b"new").unwrap();
+        }
+        // Since the check a folder has got the name.
+        fs::create_dir_all(blocked.join("full")).unwrap();
+        let refused = outputs.commit().unwrap_err().to_string();
+        assert!(refused.contains("c.json"), "{refused}");
+        assert_eq!((fs::read(&old).unwrap(), new.exists()), (b"old".to_vec(), false));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "a.bvh and the folder");
     }
 
     #[test]

@@ -23,10 +23,10 @@ export async function checkProject(
     const source = own ? ({ kind: "strutdb", ...own } as const) : ({ kind: "demo", set: "first" } as const);
     const refused = own && ((why: string) => words.databaseRefused(own.name, why));
     const database = await said(engine.openDatabase(source, call), refused);
-    for (const [i, { name, bytes, exact, reading }] of inputs.entries()) {
+    for (const [i, { name, file, exact, reading }] of inputs.entries()) {
       onProgress?.({ label: words.checking(name), fraction: (i + 1) / (inputs.length + 1) });
       const read = { ...(exact && { exact }), reading: reading ?? {}, remembered };
-      const motion = await engine.openMotion({ kind: "bvh", name, bytes, ...read }, call);
+      const motion = await engine.openMotion({ kind: "bvh", name, bytes: file, ...read }, call);
       await said(motion.on(database, call), (why) => words.motionRefused(name, why));
       motion.dispose();
     }

@@ -57,8 +57,8 @@ async function show(
   await databases.nameUnnamed();
   const before = { state: store.state, file: characters.file, roles: characters.roles };
   const names = new Map<string, string>();
-  for (const { name, bytes, exact, reading } of project.inputs) {
-    const added = session.library.add(name, bytes, exact);
+  for (const { name, file, exact, reading } of project.inputs) {
+    const added = await session.library.add(name, file, exact);
     session.library.say(added, reading ?? {});
     names.set(name, added);
   }

@@ -13,10 +13,10 @@ const bytesOf = (text: string) => new TextEncoder().encode(text);
 const FULL: Project = {
   state: "input=walk&styles=old:1,proud:0.5",
   inputs: [
-    { name: "walk", bytes: bytesOf("HIERARCHY\n").buffer, reading: { up: "z" } },
+    { name: "walk", file: new Blob([bytesOf("HIERARCHY\n")]), reading: { up: "z" } },
     {
       name: "made",
-      bytes: bytesOf("HIERARCHY\n".repeat(50)).buffer,
+      file: new Blob([bytesOf("HIERARCHY\n".repeat(50))]),
       exact: {
         poses: Float32Array.from({ length: 2 * POSE_FLOATS }, (_, i) => i / 7),
         proportions: Float32Array.from({ length: 3 * ROLES.length }, (_, i) => i / 3),
@@ -51,7 +51,7 @@ async function plain(project: Project) {
   const { database, character } = project;
   return {
     ...project,
-    inputs: project.inputs.map((input) => ({ ...input, bytes: [...new Uint8Array(input.bytes)] })),
+    inputs: await Promise.all(project.inputs.map(async (input) => ({ ...input, file: await bytes(input.file) }))),
     database: database && { ...database, file: await bytes(database.file) },
     character: character && { ...character, file: await bytes(character.file) },
   };
@@ -82,7 +82,7 @@ describe("a project file", () => {
       fc.asyncProperty(inputs, fc.string({ maxLength: 200 }), name, async (all, state, database) => {
         const project: Project = {
           state,
-          inputs: all.map((one) => ({ name: one.name, bytes: Uint8Array.from(one.bytes).buffer })),
+          inputs: all.map((one) => ({ name: one.name, file: new Blob([Uint8Array.from(one.bytes)]) })),
           database: { name: database, file: new Blob([database]) },
         };
         expect(await plain(await readProject(await writeProject(project)))).toEqual(await plain(project));

@@ -5,9 +5,10 @@
  */
 import { Archive, readDirectory, readEntry, type ZipEntry, ZipError } from "../../client/build/zip";
 import { ZipWriter } from "../../client/build/zip_writer";
-import { type CallOptions, type ExactPoses, type FileReading, isCancellation } from "../../client/protocol";
+import { type CallOptions, type ExactPoses, isCancellation } from "../../client/protocol";
 import { POSE_FLOATS, ROLES, type Role } from "../../humanoid";
 import { decodeReading, encodeReading } from "../../link/reading";
+import type { DroppedInput } from "../../player/input_library";
 import { cancelled } from "../ui/words";
 import { projectWords as words } from "./strings.en";
 
@@ -38,15 +39,6 @@ export const LIMITS = {
 /** Numbers of a body: 21 × xyz. */
 const PROPORTIONS = 3 * ROLES.length;
 
-/** A motion in a project. */
-export interface ProjectInput {
-  name: string;
-  bytes: ArrayBuffer;
-  /** What was said of how it is read. */
-  reading?: FileReading;
-  exact?: ExactPoses;
-}
-
 /** A character: its file, or by what its file is known again. */
 export interface ProjectCharacter {
   /** Name of its file. */
@@ -62,7 +54,7 @@ export interface ProjectCharacter {
 export interface Project {
   /** The state as the text of a link, without `#`. */
   state: string;
-  inputs: readonly ProjectInput[];
+  inputs: readonly DroppedInput[];
   database?: { name: string; file: Blob };
   character?: ProjectCharacter;
 }
@@ -108,8 +100,8 @@ export async function writeProject(project: Project, { signal, onProgress }: Cal
   };
   // First, so that whoever looks into the file sees at once what it is.
   await add(MANIFEST, new TextEncoder().encode(JSON.stringify(manifest, undefined, 1)).buffer, true);
-  for (const [i, { bytes, exact }] of inputs.entries()) {
-    await add(`inputs/${i + 1}.bvh`, bytes, true);
+  for (const [i, { file, exact }] of inputs.entries()) {
+    await add(`inputs/${i + 1}.bvh`, file, true);
     if (exact) await add(`inputs/${i + 1}.poses`, Float32Array.from(exact.poses).buffer, true);
   }
   if (database) await add("database.strutdb", database.file, true);
@@ -158,7 +150,7 @@ class Reader {
     this.#files = listed.length + 2;
     const state = manifest.state ?? "";
     if (typeof state !== "string" || state.length > LIMITS.state) throw new ProjectError(words.wrong("state"));
-    const inputs: ProjectInput[] = [];
+    const inputs: DroppedInput[] = [];
     for (const [i, input] of listed.entries()) inputs.push(await this.#input(input, `inputs[${i}]`));
     if (new Set(inputs.map(({ name }) => name)).size < inputs.length) throw new ProjectError(words.wrong("inputs"));
     const { database, character } = manifest;
@@ -200,7 +192,7 @@ class Reader {
     return manifest;
   }
 
-  async #input(input: unknown, where: string): Promise<ProjectInput> {
+  async #input(input: unknown, where: string): Promise<DroppedInput> {
     if (!isRecord(input)) throw new ProjectError(words.wrong(where));
     const name = nameOf(input.name, `${where}.name`);
     const bytes = await this.#bytes(input.file, LIMITS.motion);
@@ -208,7 +200,7 @@ class Reader {
     if (input.reading !== undefined && !reading) throw new ProjectError(words.wrong(`${where}.reading`));
     return {
       name,
-      bytes: bytes.buffer,
+      file: new Blob([bytes]),
       ...(reading && { reading }),
       ...(input.exact !== undefined && { exact: await this.#exact(input.exact, `${where}.exact`) }),
     };

@@ -35,10 +35,7 @@ export class Projects {
     const before = store.state;
     const held = [...databases.held];
     const character = characters.file && { file: characters.file, roles: characters.roles };
-    const motions = library.dropped.flatMap((name) => {
-      const source = library.source(name);
-      return source?.kind === "bvh" ? [source] : [];
-    });
+    const motions = library.dropped.map((name) => library.file(name)!);
     const isOpen = library.isDropped(session.chosen);
     const isHeld = databases.held.has(before.database);
     if (isOpen || isHeld)
@@ -47,10 +44,7 @@ export class Projects {
     for (const [name] of held) databases.release(name);
     characters.leave();
     const bringBack = async (): Promise<void> => {
-      for (const { name, bytes, exact, reading } of motions) {
-        library.add(name, bytes, exact);
-        if (reading) library.say(name, reading);
-      }
+      for (const motion of motions) await library.bringBack(motion);
       for (const [name, file] of held) databases.keep(name, file);
       await arrive(before);
       if (character)

@@ -1,13 +1,14 @@
 /** Saves what is open as a project file. Loaded with the first one. */
 import "./project.css";
 import { isCancellation } from "../../client/protocol";
+import type { DroppedInput } from "../../player/input_library";
 import { button } from "../../ui/controls/buttons";
 import { html, saveFile } from "../../ui/dom";
 import { toHash } from "../state/state";
 import { askInDialog, dialogActions } from "../ui/dialog";
 import { exportName } from "../ui/words";
 import type { ProjectPlace } from "./place";
-import { type Project, type ProjectInput, sha256Of, writeProject } from "./project_file";
+import { type Project, sha256Of, writeProject } from "./project_file";
 import { projectWords as words } from "./strings.en";
 
 /** How a person wants a project to leave the page. */
@@ -38,13 +39,8 @@ export async function saveProject(place: ProjectPlace): Promise<void> {
 }
 
 /** The motions that were dropped. */
-function inputsOf({ session: { library } }: ProjectPlace): ProjectInput[] {
-  return library.dropped.flatMap((name) => {
-    const source = library.source(name);
-    if (source?.kind !== "bvh") return [];
-    const { bytes, reading, exact } = source;
-    return [{ name, bytes, ...(reading && { reading }), ...(exact && { exact }) }];
-  });
+function inputsOf({ session: { library } }: ProjectPlace): DroppedInput[] {
+  return library.dropped.map((name) => library.file(name)!);
 }
 
 /** What is open as a project. */
@@ -142,8 +138,8 @@ function item(what: string, bytes?: number): HTMLElement {
   return html("li", {}, html("span", {}, what), ...size);
 }
 
-const sizeOf = (inputs: readonly ProjectInput[]): number =>
-  inputs.reduce((sum, { bytes, exact }) => sum + bytes.byteLength + (exact?.poses.byteLength ?? 0), 0);
+const sizeOf = (inputs: readonly DroppedInput[]): number =>
+  inputs.reduce((sum, { file, exact }) => sum + file.size + (exact?.poses.byteLength ?? 0), 0);
 
 /** A name that every system takes for a file. */
 function fileName(text: string): string {

@@ -19,6 +19,7 @@ import { announce } from "../ui/announce";
 import { focusView } from "../ui/focus_view";
 import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
+import { showTips } from "../ui/tips";
 import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";
@@ -166,6 +167,7 @@ export class App {
       },
       signal,
     );
+    showTips(signal);
     this.#showTopBar();
   }
 
@@ -257,6 +259,7 @@ export class App {
       historyChanged: () => this.#showTopBar(),
       workChanged: () => this.#guardWork(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
+      removeInput: () => this.#workspace.removeInput(),
       chooseClip: (clip) => this.#workspace.chooseClip(clip),
       openBuilt: (database, kept, renamed) => databases.openBuilt(database, kept, renamed),
       showPlay: () => this.#store.edit({ view: "play" }),

@@ -37,7 +37,7 @@ describe("a link", () => {
   it("carries a small file, says that a large one is missing, and needs none for a built-in input", async () => {
     const library = new InputLibrary();
     const noise = Uint8Array.from({ length: 40_000 }, (_, i) => (i * i * 2_654_435_761) >>> 13).buffer;
-    const [small, large] = [library.add("small.bvh", bytes), library.add("large.bvh", noise)];
+    const [small, large] = [await library.add("small.bvh", bytes), await library.add("large.bvh", noise)];
     const link = (input: string) => linkTo({ ...initialState(), input }, library, "https://strut.example/#old");
     const carrying = await link(small);
     expect(carrying.carried).toBe(true);

@@ -178,9 +178,9 @@ export async function linkTo(
 ): Promise<{ href: string; carried: boolean | undefined }> {
   const url = new URL(page);
   url.hash = toHash(state);
-  const source = library.source(state.input);
-  if (source?.kind !== "bvh") return { href: url.href, carried: undefined };
-  const file = await linkFile({ name: state.input, bytes: source.bytes });
+  const dropped = library.file(state.input);
+  if (!dropped) return { href: url.href, carried: undefined };
+  const file = await linkFile({ name: state.input, bytes: await dropped.file.arrayBuffer() });
   if (file) url.hash += `&${file}`;
   return { href: url.href, carried: file !== undefined };
 }

@@ -87,7 +87,7 @@ export class SessionFiles {
         if (file.kind === "character") ofCharacter = file;
         else if (file.kind === "motion") {
           const { reading: text = "" } = file;
-          const name = library.add(file.name, await file.file.arrayBuffer(), file.exact);
+          const name = await library.add(file.name, await file.file.arrayBuffer(), file.exact);
           library.say(name, decodeReading(text) ?? {});
         } else if (file.named) databases.keep(file.name, file.file);
         else databases.unnamed = { name: file.name, file: file.file };
@@ -159,13 +159,11 @@ export class SessionFiles {
     const wanted = new Map<string, Kept>();
     const want = (kept: Kept) => wanted.set(`${kept.kind}/${kept.name}`, kept);
     for (const name of library.dropped) {
-      const source = library.source(name);
-      if (source?.kind !== "bvh") continue;
-      const { bytes, exact, reading: said = {} } = source;
+      const { file, exact, reading: said = {} } = library.file(name)!;
       const reading = saysNothing(said) ? "" : encodeReading(said);
-      const size = bytes.byteLength + (exact?.poses.byteLength ?? 0);
-      const make = () => ({ kind: "motion" as const, name, file: new Blob([bytes]), reading, ...(exact && { exact }) });
-      want({ kind: "motion", name, bytes: size, same: [bytes, exact, reading], make });
+      const size = file.size + (exact?.poses.byteLength ?? 0);
+      const make = () => ({ kind: "motion" as const, name, file, reading, ...(exact && { exact }) });
+      want({ kind: "motion", name, bytes: size, same: [file, exact, reading], make });
     }
     const wantFile = (file: SessionFile, ...same: unknown[]) =>
       want({ kind: file.kind, name: file.name, bytes: file.file.size, same: [file.file, ...same], make: () => file });

@@ -13,9 +13,10 @@ import { engineOptions } from "../../link/engine_options";
 import { linkedFile } from "../../link/linked_file";
 import { ENGINE_FIELDS } from "../../link/play";
 import { sameReading, saysNothing } from "../../link/reading";
-import { isLive } from "../../player/input_library";
+import { type DroppedInput, isLive } from "../../player/input_library";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
+import { offerUntilEdit } from "../project/offer";
 import { Playhead } from "../state/playhead";
 import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
@@ -47,6 +48,8 @@ export class Workspace {
   #pending = 0;
   /** Whether the state becomes that of a link: whatever a person had begun to open, the link says what is to be open. */
   #arriving = false;
+  /** The input that was removed last. */
+  #removed: DroppedInput | undefined;
   /** The file that a link was made with and does not hold, and the frame that it shows of it. */
   #awaited: { input: string; frame: number } | undefined;
 
@@ -133,6 +136,21 @@ export class Workspace {
     return opened;
   }
 
+  /** Takes the dropped file that is open out of the inputs. Undo brings it back. */
+  async removeInput(): Promise<void> {
+    const { library, chosen } = this.session;
+    const removed = library.file(chosen);
+    if (!removed) return;
+    library.remove(chosen);
+    if (!(await this.chooseInput(library.first))) {
+      await library.bringBack(removed);
+      return;
+    }
+    this.#removed = removed;
+    const place = { toasts: this.#toasts, store: this.#store };
+    offerUntilEdit(strings.play.input.removed(removed.name), strings.page.bar.undo, () => this.#store.undo(), place);
+  }
+
   /** Opens a clip of the open database and makes it the state's input; whether it is open now. */
   async chooseClip(clip: number): Promise<boolean> {
     const name = await this.session.openClip(clip);
@@ -200,7 +218,7 @@ export class Workspace {
   async takeMotions(motions: readonly { name: string; bytes: ArrayBuffer }[]): Promise<void> {
     const [first, ...others] = motions;
     if (!first) return;
-    for (const { name, bytes } of others) this.session.library.add(name, bytes);
+    for (const { name, bytes } of others) await this.session.library.add(name, bytes);
     await this.takeMotion(first.name, first.bytes);
   }
 
@@ -269,7 +287,10 @@ export class Workspace {
     const { reading } = this.#store.state;
     const reread = !sameReading(reading, session.reading);
     if (name === session.chosen && !reread && !this.#progress.input.busy) return;
-    if (!session.library.has(name)) await this.databases.complete;
+    if (!session.library.has(name)) {
+      if (this.#removed?.name === name) await session.library.bringBack(this.#removed);
+      else await this.databases.complete;
+    }
     if (this.#store.state.input !== wanted) return;
     if (name === session.chosen && reread) {
       // Undo and redo are a person's choices, too.
@@ -318,7 +339,7 @@ export class Workspace {
   async #carriedInput(hash: string, reading: FileReading): Promise<string | undefined> {
     const file = await linkedFile(hash);
     if (!file) return undefined;
-    const name = this.session.library.add(file.name, file.bytes);
+    const name = await this.session.library.add(file.name, file.bytes);
     // Even where it says nothing: a link shows the same to everybody.
     this.session.library.say(name, reading);
     return name;

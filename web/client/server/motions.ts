@@ -131,9 +131,11 @@ async function readInput(host: Host, caller: Caller, source: InputSource, databa
   return host.engine.openInput(host.open.get(OpenDatabase, database).database, file);
 }
 
-/** A source with the set of built-in motions that it is in. */
+/** A source with the bytes of its file, or with the set of built-in motions that it is in. */
 async function fileOf({ builtIn }: Host, caller: Caller, source: InputSource): Promise<EngineInputSource> {
-  return source.kind === "bvh" ? source : { ...source, motions: await builtIn.load(caller, source.set) };
+  if (source.kind === "built-in") return { ...source, motions: await builtIn.load(caller, source.set) };
+  const { bytes } = source;
+  return { ...source, bytes: "size" in bytes ? await bytes.arrayBuffer() : bytes };
 }
 
 /** What travels is transferred: the worker keeps its own arrays. */

@@ -32,6 +32,12 @@ export class Toggle {
     this.element = html("div", { class: "toggle-row" }, this.#button, label);
   }
 
+  /** What it is for: a tooltip, and a description for assistive technology. */
+  set description(description: string) {
+    this.element.title = description;
+    this.#button.setAttribute("aria-description", description);
+  }
+
   set on(on: boolean) {
     this.#button.setAttribute("aria-checked", String(on));
   }

@@ -73,6 +73,7 @@ export class Knob {
         role: "slider",
         tabindex: 0,
         "aria-label": text.name,
+        "aria-description": text.description,
         "aria-valuemin": range.min,
         "aria-valuemax": range.max,
       },

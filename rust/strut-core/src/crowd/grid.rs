@@ -1,11 +1,12 @@
 //! Who is near whom: places sorted into the cells of a grid.
 
+use super::steering::Figure;
 use crate::math::Vec2;
 
-/// Side of a cell, metres.
-const CELL: f32 = 4.0;
+/// Side of a cell, metres. Smaller cells hold fewer who are too far away; larger ones are fewer to go through.
+const CELL: f32 = 2.0;
 /// Cells a side: as many as the largest crowd needs, and those who are beyond are in the outermost.
-const SIDE: usize = 24;
+const SIDE: usize = 48;
 
 /// Places by cell; keeps its memory.
 #[derive(Clone, Debug)]
@@ -42,15 +43,40 @@ impl Grid {
         }
     }
 
-    /// Numbers of all places within a cell's side of one, and some more, in an order that depends on places alone.
-    pub(super) fn near(&self, place: Vec2) -> impl Iterator<Item = usize> + Clone {
-        let [x, z] = cells_of(place);
-        let rows = z.saturating_sub(1)..(z + 2).min(SIDE);
+    /// Numbers of all places within a reach of one along either axis, and some more, in an order that depends on places alone.
+    fn near(&self, place: Vec2, reach: f32) -> impl Iterator<Item = usize> + Clone {
+        let [least, greatest] = [-reach, reach].map(|by| cells_of(place + Vec2::splat(by)));
+        let rows = least[1]..=greatest[1];
         rows.flat_map(move |row| {
-            let (first, last) = (row * SIDE + x.saturating_sub(1), row * SIDE + (x + 1).min(SIDE - 1));
+            let (first, last) = (row * SIDE + least[0], row * SIDE + greatest[0]);
             &self.sorted[usize::from(self.begins[first])..usize::from(self.begins[last + 1])]
         })
         .map(|number| usize::from(*number))
+    }
+}
+
+/// The others of a crowd for one of it.
+#[derive(Debug)]
+pub(super) struct Others<'a> {
+    pub(super) grid: &'a Grid,
+    /// Everybody that `grid` was sorted by.
+    pub(super) figures: &'a [Figure],
+    /// The number of whom they are the others.
+    pub(super) of: usize,
+    /// Room for those who are found.
+    pub(super) found: &'a mut Vec<Figure>,
+}
+
+impl Others<'_> {
+    /// Those nearer than a reach, metres.
+    pub(super) fn within(&mut self, reach: f32) -> &[Figure] {
+        self.found.clear();
+        if let Some(me) = self.figures.get(self.of) {
+            let others = self.grid.near(me.at, reach).filter(|other| *other != self.of);
+            let figures = others.map(|other| self.figures[other]);
+            self.found.extend(figures.filter(|other| other.at.distance_squared(me.at) < reach * reach));
+        }
+        self.found
     }
 }
 
@@ -71,16 +97,23 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nobody_near_is_missed(places in prop::collection::vec((-60.0f32..60.0, -60.0f32..60.0), 1..200)) {
-            let places: Vec<Vec2> = places.iter().map(|(x, z)| Vec2::new(*x, *z)).collect();
+        fn who_is_found_depends_on_the_distance_alone(
+            places in prop::collection::vec((-60.0f32..60.0, -60.0f32..60.0), 1..200), reach in 0.1f32..12.0,
+        ) {
+            let at = |(x, z): &(f32, f32)| Figure { at: Vec2::new(*x, *z), ..Figure::default() };
+            let figures: Vec<Figure> = places.iter().map(at).collect();
             let mut grid = Grid::default();
-            grid.sort(places.iter().copied());
-            for place in &places {
-                let found: Vec<usize> = grid.near(*place).collect();
-                let near = (0..places.len()).filter(|i| places[*i].distance(*place) < CELL);
-                for i in near {
-                    prop_assert_eq!(found.iter().filter(|n| **n == i).count(), 1);
-                }
+            grid.sort(figures.iter().map(|figure| figure.at));
+            let mut found = Vec::new();
+            for (of, me) in figures.iter().enumerate() {
+                let mut others = Others { grid: &grid, figures: &figures, of, found: &mut found };
+                let near = |i: &usize| *i != of && figures[*i].at.distance_squared(me.at) < reach * reach;
+                let by_x = |a: &Vec2, b: &Vec2| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
+                let mut expected: Vec<Vec2> = (0..figures.len()).filter(near).map(|i| figures[i].at).collect();
+                let mut found: Vec<Vec2> = others.within(reach).iter().map(|figure| figure.at).collect();
+                expected.sort_by(by_x);
+                found.sort_by(by_x);
+                prop_assert_eq!(found, expected);
             }
         }
     }

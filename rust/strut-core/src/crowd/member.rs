@@ -2,7 +2,8 @@
 
 use super::errand::{Errand, Ground, Start};
 use super::field::Field;
-use super::steering::{self, Figure, Intention, Pace, facing};
+use super::grid::Others;
+use super::steering::{self, FORESEEN, Figure, Intention, OVERLAPPING, Pace, facing};
 use crate::hsmm::{RATE_HZ, RuntimeWalkModel, STRIDE, Walker};
 use crate::math::random::SplitMix64;
 use crate::math::{Vec2, Vec3};
@@ -82,19 +83,19 @@ impl Member {
     }
 
     /// Goes on by a frame among others; changes the weights that they walk with.
-    pub(super) fn tick(&mut self, ground: &Ground, others: &[Figure], weights: &mut [f32]) {
+    pub(super) fn tick(&mut self, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         self.frames += 1;
         if self.walker.next_step() != self.step {
             // As if nothing held them up: else whoever stands would never see that the way is free.
             let me = Figure { speed: self.cruise, ..self.figure() };
             self.begin_step(&me, ground, others, weights);
         }
-        self.walker.shift(steering::aside(&self.figure(), others));
+        self.walker.shift(steering::aside(&self.figure(), others.within(OVERLAPPING)));
         self.walker.advance();
     }
 
     /// Turns, and takes the styles of where the step leads.
-    fn begin_step(&mut self, me: &Figure, ground: &Ground, others: &[Figure], weights: &mut [f32]) {
+    fn begin_step(&mut self, me: &Figure, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         let length = me.at.distance(self.from);
         self.speed = length * RATE_HZ / self.frames as f32;
         if self.pace == Pace::Walks && length > LEAST_STEP_LENGTH {
@@ -103,7 +104,7 @@ impl Member {
         (self.step, self.from, self.frames) = (self.walker.next_step(), me.at, 0);
         let (wander, target) = self.errand.next(me.at, me.facing, ground, &mut self.random);
         let intention = Intention { wander, target, length: self.length, stood: self.stood, radius: ground.radius };
-        let (turn, pace) = steering::step(me, &intention, others);
+        let (turn, pace) = steering::step(me, &intention, others.within(FORESEEN));
         self.walker.set_turn(turn);
         self.set_pace(pace);
         if ground.field.write_weights(me.at + LOOK_AHEAD_SECS * self.speed * me.facing, weights) {

@@ -25,7 +25,7 @@ use crate::hsmm::RuntimeWalkModel;
 use crate::humanoid::{Pose, Proportions};
 use errand::{Ground, ROOM};
 use field::Field;
-use grid::Grid;
+use grid::{Grid, Others};
 use member::Member;
 use route::Route;
 use seen::{check_bones, write_shares, write_world};
@@ -56,7 +56,7 @@ pub struct Crowd {
     /// Everybody as they were before the tick.
     figures: Vec<Figure>,
     grid: Grid,
-    /// Those near one of them.
+    /// Room for those near one of them.
     near: Vec<Figure>,
     /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,
@@ -171,9 +171,8 @@ impl Crowd {
         let styles = model.styles();
         for (index, member) in members.iter_mut().enumerate() {
             let weights = &mut weights[index * styles..][..styles];
-            near.clear();
-            near.extend(grid.near(figures[index].at).filter(|other| *other != index).map(|other| figures[other]));
-            member.tick(&ground, near, weights);
+            let mut others = Others { grid, figures, of: index, found: near };
+            member.tick(&ground, &mut others, weights);
         }
         self.show();
     }
@@ -184,8 +183,10 @@ impl Crowd {
         let styles = self.model.styles();
         let mut weights = self.weights[index * styles..][..styles].to_vec();
         let ground = Ground { radius: self.radius(), count: self.count(), field: &self.field, route: &self.route };
+        let (grid, mut found) = (Grid::default(), Vec::new());
+        let mut others = Others { grid: &grid, figures: &[], of: 0, found: &mut found };
         let next = (0..frames).map(|_| {
-            member.tick(&ground, &[], &mut weights);
+            member.tick(&ground, &mut others, &mut weights);
             *member.walker.pose()
         });
         Some(next.collect())

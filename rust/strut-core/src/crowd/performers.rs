@@ -7,7 +7,7 @@
 
 use super::errand::Ground;
 use super::field::{Field, Vertex};
-use super::grid::Grid;
+use super::grid::{Grid, Others};
 use super::limits::{CrowdError, MAX_COUNT};
 use super::performing::Performing;
 use super::route::Route;
@@ -31,7 +31,7 @@ pub struct Performers {
     /// Everybody as they were before the tick.
     figures: Vec<Figure>,
     grid: Grid,
-    /// Those near one of them.
+    /// Room for those near one of them.
     near: Vec<Figure>,
     /// One a performer and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,
@@ -153,9 +153,8 @@ impl Performers {
         let styles = predictions.styles();
         for (index, member) in members.iter_mut().enumerate() {
             let weights = &mut weights[index * styles..][..styles];
-            near.clear();
-            near.extend(grid.near(figures[index].at).filter(|other| *other != index).map(|other| figures[other]));
-            member.tick(soles, predictions.proportions(), &ground, near, weights);
+            let mut others = Others { grid, figures, of: index, found: near };
+            member.tick(soles, predictions.proportions(), &ground, &mut others, weights);
         }
         self.show();
     }
@@ -166,8 +165,10 @@ impl Performers {
         let styles = self.predictions.styles();
         let mut weights = self.weights[index * styles..][..styles].to_vec();
         let ground = Ground { radius: self.radius(), count: self.count(), field: &self.field, route: &self.route };
+        let (grid, mut found) = (Grid::default(), Vec::new());
+        let mut others = Others { grid: &grid, figures: &[], of: 0, found: &mut found };
         let next = (0..ticks).map(|_| {
-            member.tick(&self.soles, self.predictions.proportions(), &ground, &[], &mut weights);
+            member.tick(&self.soles, self.predictions.proportions(), &ground, &mut others, &mut weights);
             *member.pose()
         });
         Some(next.collect())

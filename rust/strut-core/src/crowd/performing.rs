@@ -1,7 +1,8 @@
 //! One of those who perform: the motion carried over the ground.
 
 use super::errand::{Errand, Ground, Start};
-use super::steering::{self, Figure, Intention, facing};
+use super::grid::Others;
+use super::steering::{self, FORESEEN, Figure, Intention, OVERLAPPING, facing};
 use crate::hsmm::MAX_TURN;
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Soles, WorldPose, world_from_local};
@@ -154,14 +155,14 @@ impl Performing {
         soles: &Soles,
         proportions: &Proportions,
         ground: &Ground,
-        others: &[Figure],
+        others: &mut Others,
         weights: &mut [f32],
     ) {
         self.style(ground, weights);
         self.perform();
         let planted = self.performer.frame().planted;
         self.begin_step(planted, ground, others);
-        self.carried.by += steering::aside(&self.figure(), others);
+        self.carried.by += steering::aside(&self.figure(), others.within(OVERLAPPING));
         self.pose_on_ground(proportions);
         self.turn_on(planted, soles, proportions);
     }
@@ -198,7 +199,7 @@ impl Performing {
     }
 
     /// Decides where to turn when a foot is put down.
-    fn begin_step(&mut self, planted: [bool; 2], ground: &Ground, others: &[Figure]) {
+    fn begin_step(&mut self, planted: [bool; 2], ground: &Ground, others: &mut Others) {
         self.ticks += 1;
         let foot = match planted {
             [true, false] => Some(0),
@@ -219,7 +220,7 @@ impl Performing {
             // Who turns less on a short step needs as wide a circle as on a full one.
             let planned = length.max(FULL_STEP);
             let intention = Intention { wander, target, length: planned, stood: 0.0, radius: ground.radius };
-            self.turn = steering::turn(&me, &intention, others) * (length / FULL_STEP).min(1.0);
+            self.turn = steering::turn(&me, &intention, others.within(FORESEEN)) * (length / FULL_STEP).min(1.0);
         }
     }
 

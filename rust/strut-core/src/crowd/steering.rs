@@ -18,6 +18,9 @@ const TURNS: i16 = 3;
 /// Steps that are looked ahead, and of which so many turn alike.
 const FORESIGHT: usize = 5;
 const TURNING: usize = 2;
+/// Whoever is not nearer than this is not foreseen, metres: two who walk towards each other at 1.2 m/s meet within the steps that
+/// are looked ahead.
+pub(super) const FORESEEN: f32 = 8.0;
 /// Nobody wants others nearer than this, metres. It is found by trial, as the costs are: people walk at 0.86 of the speed they
 /// have alone where everybody has four square metres.
 const COMFORTABLE: f32 = 0.8;
@@ -34,7 +37,7 @@ const SHORT_SPEED: f32 = 0.7;
 const TOUCHING: f32 = 0.5;
 /// Whoever is nearer than this to others, metres, moves aside: by so many metres a frame from where the other is, and less by
 /// distance. Feet slide by it; it is the last resort.
-const OVERLAPPING: f32 = 0.4;
+pub(super) const OVERLAPPING: f32 = 0.4;
 const ASIDE: f32 = 0.025;
 /// Room for rounding where somebody is left out whose distance cannot count.
 const ROUNDING: f32 = 1.001;
@@ -81,7 +84,7 @@ pub(super) enum Pace {
 }
 
 /// The step that begins of somebody who walks with a speed that is not 0: its turn, radians to the left, at most [`MAX_TURN`]
-/// either way, and its pace.
+/// either way, and its pace. The others are those within [`FORESEEN`].
 pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f32, Pace) {
     let choice = Choice::new(me, intention, others);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
@@ -97,7 +100,7 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f3
 }
 
 /// The turn of the step that begins of somebody who cannot but go on, as they perform what others have chosen: radians to the
-/// left, at most [`MAX_TURN`] either way. Their speed is not 0.
+/// left, at most [`MAX_TURN`] either way. Their speed is not 0, and the others are those within [`FORESEEN`].
 pub(super) fn turn(me: &Figure, intention: &Intention, others: &[Figure]) -> f32 {
     let choice = Choice::new(me, intention, others);
     let costs = choice.turns().map(|turn| (choice.cost(turn, 1.0, 0.0), turn));
@@ -228,7 +231,7 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
     (left.min(right) + radius - EDGE * ground).max(0.0)
 }
 
-/// How far somebody moves aside in a frame, [x, z] in metres.
+/// How far somebody moves aside in a frame, [x, z] in metres, for others within [`OVERLAPPING`].
 pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
     others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;
@@ -269,6 +272,13 @@ mod tests {
         assert_eq!(alone(figure(0.0, 0.0, 0.0), &left), (MAX_TURN, Pace::Walks));
         let (turn, _) = alone(figure(0.0, 18.0, 0.5), &INTENTION);
         assert!(turn.abs() > 0.9 * MAX_TURN, "back from the edge: {turn}");
+    }
+
+    #[test]
+    fn whoever_walks_towards_somebody_is_foreseen_as_soon_as_they_can_meet() {
+        let (me, secs) = (figure(0.0, 0.0, 0.0), INTENTION.length / 1.2);
+        let away = |distance: f32| can_meet(&me, INTENTION.length, &figure(0.0, distance, 3.0), secs);
+        assert!(away(7.7) && !away(FORESEEN));
     }
 
     #[test]

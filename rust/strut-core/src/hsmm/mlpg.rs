@@ -129,32 +129,60 @@ impl<T: Number> Banded<T> {
     }
 
     /// cₜ is near a mean.
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn pose(&mut self, t: usize, of: Term<T>) {
-        self.couple(t, t, of.weight);
+        self.weigh_pose(t, of.weight);
+        self.pull_pose(t, of);
+    }
+
+    fn weigh_pose(&mut self, t: usize, weight: T) {
+        self.couple(t, t, weight);
+    }
+
+    fn pull_pose(&mut self, t: usize, of: Term<T>) {
         self.pull(t, of.weight * of.mean);
     }
 
     /// (cₜ₊₁ − cₜ₋₁) / 2 is near a mean.
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn velocity(&mut self, t: usize, of: Term<T>) {
-        let (quarter, half) = (of.weight * T::of(0.25), of.weight * T::of(0.5));
+        self.weigh_velocity(t, of.weight);
+        self.pull_velocity(t, of);
+    }
+
+    fn weigh_velocity(&mut self, t: usize, weight: T) {
+        let quarter = weight * T::of(0.25);
         self.couple(t - 1, t - 1, quarter);
         self.couple(t + 1, t + 1, quarter);
         self.couple(t - 1, t + 1, T::of(0.0) - quarter);
+    }
+
+    fn pull_velocity(&mut self, t: usize, of: Term<T>) {
+        let half = of.weight * T::of(0.5);
         self.pull(t + 1, half * of.mean);
         self.pull(t - 1, T::of(0.0) - half * of.mean);
     }
 
     /// cₜ₊₁ − 2cₜ + cₜ₋₁ is near a mean.
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn acceleration(&mut self, t: usize, of: Term<T>) {
-        let minus_two = T::of(-2.0) * of.weight;
-        self.couple(t - 1, t - 1, of.weight);
-        self.couple(t, t, T::of(4.0) * of.weight);
-        self.couple(t + 1, t + 1, of.weight);
+        self.weigh_acceleration(t, of.weight);
+        self.pull_acceleration(t, of);
+    }
+
+    fn weigh_acceleration(&mut self, t: usize, weight: T) {
+        let minus_two = T::of(-2.0) * weight;
+        self.couple(t - 1, t - 1, weight);
+        self.couple(t, t, T::of(4.0) * weight);
+        self.couple(t + 1, t + 1, weight);
         self.couple(t - 1, t, minus_two);
         self.couple(t, t + 1, minus_two);
-        self.couple(t - 1, t + 1, of.weight);
+        self.couple(t - 1, t + 1, weight);
+    }
+
+    fn pull_acceleration(&mut self, t: usize, of: Term<T>) {
         self.pull(t - 1, of.weight * of.mean);
-        self.pull(t, minus_two * of.mean);
+        self.pull(t, T::of(-2.0) * of.weight * of.mean);
         self.pull(t + 1, of.weight * of.mean);
     }
 
@@ -181,24 +209,45 @@ impl<T: Number> Banded<T> {
     /// The trajectory through the states of all frames, for terms by (side, state, part). The first frame and the last have
     /// no deltas.
     pub(super) fn through(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
+        self.weigh(states, |side, state, part| term(side, state, part).weight);
+        self.through_weighed(states, term)
+    }
+
+    /// Begins anew with the weights of the terms of all frames, by which the trajectories through any means are found.
+    pub(super) fn weigh(&mut self, states: &[FrameState], weight: impl Fn(usize, usize, Stream) -> T) {
         self.begin(states.len());
         for (t, &(side, state)) in states.iter().enumerate() {
-            self.pose(t, term(side, state, Stream::Static));
+            self.weigh_pose(t, weight(side, state, Stream::Static));
             if t > 0 && t + 1 < states.len() {
-                self.velocity(t, term(side, state, Stream::Delta));
-                self.acceleration(t, term(side, state, Stream::DeltaDelta));
+                self.weigh_velocity(t, weight(side, state, Stream::Delta));
+                self.weigh_acceleration(t, weight(side, state, Stream::DeltaDelta));
             }
         }
-        self.solve()
+        self.factorise();
+    }
+
+    /// The trajectory through states for terms whose weights are those of the last [`Banded::weigh`].
+    pub(super) fn through_weighed(
+        &mut self,
+        states: &[FrameState],
+        term: impl Fn(usize, usize, Stream) -> Term<T>,
+    ) -> &[T] {
+        self.right.fill(T::default());
+        for (t, &(side, state)) in states.iter().enumerate() {
+            self.pull_pose(t, term(side, state, Stream::Static));
+            if t > 0 && t + 1 < states.len() {
+                self.pull_velocity(t, term(side, state, Stream::Delta));
+                self.pull_acceleration(t, term(side, state, Stream::DeltaDelta));
+            }
+        }
+        self.substitute()
     }
 
     /// The trajectory. The matrix is positive definite where every frame's pose has a weight.
+    #[cfg(any(test, feature = "baselines"))]
     pub(super) fn solve(&mut self) -> &[T] {
         self.factorise();
-        let mut right = std::mem::take(&mut self.right);
-        self.substitute(&mut right);
-        self.right = right;
-        &self.right
+        self.substitute()
     }
 
     /// Replaces the diagonals by D and the two columns of L of the matrix's decomposition L D Lᵀ.
@@ -217,8 +266,10 @@ impl<T: Number> Banded<T> {
         }
     }
 
-    fn substitute(&self, y: &mut [T]) {
+    /// Replaces the right-hand side by the solution.
+    fn substitute(&mut self) -> &[T] {
         let [d, l1, l2] = &self.diagonals;
+        let y = &mut self.right;
         for t in 0..y.len() {
             if t >= 1 {
                 y[t] = y[t] - l1[t - 1] * y[t - 1];
@@ -238,6 +289,7 @@ impl<T: Number> Banded<T> {
                 y[t] = y[t] - l2[t] * y[t + 2];
             }
         }
+        y
     }
 }
 

@@ -43,28 +43,16 @@ pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVarianc
     chains
 }
 
-/// The trajectory of one degree of freedom through states, for means by (side, state, part).
-pub(super) fn trajectory<'a>(
-    states: &[FrameState],
-    d: usize,
-    shared: &SharedVariances,
-    mean: impl Fn(usize, usize, Stream) -> f64,
-    system: &'a mut Banded<f64>,
-) -> &'a [f64] {
-    let term = |side: usize, state: usize, part: Stream| Term {
-        mean: mean(side, state, part),
-        weight: 1.0 / shared.variances[side][state][part as usize][d],
-    };
-    system.through(states, term)
-}
-
 /// The trajectory of a style through states.
 #[cfg(any(test, feature = "baselines"))]
 pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &SharedVariances) -> Vec<RotationRow> {
     let (mut rows, mut system) = (vec![[0.0; ROTATION_DIMS]; states.len()], Banded::default());
     for d in 0..ROTATION_DIMS {
-        let mean = |side: usize, state: usize, part: Stream| means.means[side][state][part as usize][d];
-        let values = trajectory(states, d, shared, mean, &mut system);
+        let term = |side: usize, state: usize, part: Stream| Term {
+            mean: means.means[side][state][part as usize][d],
+            weight: 1.0 / shared.variances[side][state][part as usize][d],
+        };
+        let values = system.through(states, term);
         rows.iter_mut().zip(values).for_each(|(row, v)| row[d] = *v);
     }
     rows
@@ -89,12 +77,17 @@ fn refine_aligned(
     let mut system = Banded::default();
     for d in 0..ROTATION_DIMS {
         let (mut matrix, mut right) = ([0.0; MEANS * MEANS], [0.0; MEANS]);
+        let variance = |side: usize, state: usize, part: Stream| shared.variances[side][state][part as usize][d];
+        let weight = |side: usize, state: usize, part: Stream| 1.0 / variance(side, state, part);
         for (sample, chain) in &chains {
+            system.weigh(&chain.states, weight);
             let columns: Vec<Vec<f64>> = (0..MEANS)
                 .map(|i| {
-                    let unit =
-                        |side: usize, state: usize, part: Stream| f64::from(u8::from(index(side, state, part) == i));
-                    trajectory(&chain.states, d, shared, unit, &mut system).to_vec()
+                    let unit = |side: usize, state: usize, part: Stream| Term {
+                        mean: f64::from(u8::from(index(side, state, part) == i)),
+                        weight: weight(side, state, part),
+                    };
+                    system.through_weighed(&chain.states, unit).to_vec()
                 })
                 .collect();
             let recorded = &sample.rows[chain.begin..];
@@ -109,7 +102,6 @@ fn refine_aligned(
                 right[i] += a.iter().zip(recorded).map(|(a, row)| a * row[d]).sum::<f64>();
             }
         }
-        let variance = |side: usize, state: usize, part: Stream| shared.variances[side][state][part as usize][d];
         let poses = states().map(|(side, state)| variance(side, state, Stream::Static)).sum::<f64>();
         let mean_variance = poses / (SIDES * STATES) as f64;
         for part in Stream::ALL {

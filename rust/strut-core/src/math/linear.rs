@@ -1,29 +1,55 @@
 //! Small dense systems of linear equations.
 
-/// Solves A x = b for a symmetric positive definite A by its square-root-free Cholesky decomposition A = L D Lᵀ.
+/// Solves A x = b for a symmetric positive definite A: see [`Factors`].
 ///
 /// `matrix` holds A row by row and is overwritten; `right` holds b and becomes x. `None`, with both in an unspecified
-/// state, if a pivot is not positive and finite: A is not positive definite to working precision.
+/// state, if A is not positive definite to working precision.
 pub(crate) fn solve_positive_definite(matrix: &mut [f64], right: &mut [f64]) -> Option<()> {
-    let n = right.len();
-    for i in 0..n {
-        let pivot = matrix[i * n + i];
-        if !(pivot > 0.0 && pivot.is_finite()) {
-            return None;
-        }
-        for j in i + 1..n {
-            let factor = matrix[j * n + i] / pivot;
-            for k in i..n {
-                matrix[j * n + k] -= factor * matrix[i * n + k];
-            }
-            right[j] -= factor * right[i];
-        }
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| matrix[i * n + k] * right[k]).sum();
-        right[i] = (right[i] - known) / matrix[i * n + i];
-    }
+    Factors::of(matrix, right.len())?.solve(right);
     Some(())
+}
+
+/// The square-root-free Cholesky decomposition A = L D Lᵀ of a symmetric positive definite matrix.
+#[derive(Debug)]
+pub(crate) struct Factors<'a> {
+    /// Row by row: D Lᵀ on and above the diagonal, L below.
+    rows: &'a [f64],
+    n: usize,
+}
+
+impl<'a> Factors<'a> {
+    /// Decomposes the matrix of `n` rows in place. `None`, with it in an unspecified state, if a pivot is not positive and
+    /// finite: A is not positive definite to working precision.
+    pub(crate) fn of(matrix: &'a mut [f64], n: usize) -> Option<Self> {
+        for i in 0..n {
+            let pivot = matrix[i * n + i];
+            if !(pivot > 0.0 && pivot.is_finite()) {
+                return None;
+            }
+            for j in i + 1..n {
+                let factor = matrix[j * n + i] / pivot;
+                matrix[j * n + i] = factor;
+                for k in i + 1..n {
+                    matrix[j * n + k] -= factor * matrix[i * n + k];
+                }
+            }
+        }
+        Some(Self { rows: matrix, n })
+    }
+
+    /// Solves A x = b: `right` holds b and becomes x.
+    pub(crate) fn solve(&self, right: &mut [f64]) {
+        let Self { rows, n } = *self;
+        for i in 0..n {
+            for j in i + 1..n {
+                right[j] -= rows[j * n + i] * right[i];
+            }
+        }
+        for i in (0..n).rev() {
+            let known: f64 = (i + 1..n).map(|k| rows[i * n + k] * right[k]).sum();
+            right[i] = (right[i] - known) / rows[i * n + i];
+        }
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::learning::mean_of;
 use super::mixture::{Component, FIRST_VARIANCE, LEAST_RESPONSIBILITY, MAX_AXES, Samples, settle, squared_distance};
 use super::pose_space::{DIMS, Row};
-use crate::math::linear::solve_positive_definite;
+use crate::math::linear::Factors;
 use crate::math::random::SplitMix64;
 
 /// Rounds of k-means before the first em.
@@ -95,18 +95,19 @@ impl Sums {
 
     fn regress(&self, component: &mut Component, ridge: f64, axes: usize) {
         let count = axes + 1;
+        let mut matrix = [0.0; MAX_INPUTS * MAX_INPUTS];
+        for i in 0..count {
+            let diagonal = if i == 0 { LEAST_SUM } else { ridge + LEAST_SUM };
+            for j in 0..count {
+                matrix[i * count + j] = self.inputs[i][j] + if i == j { diagonal } else { 0.0 };
+            }
+        }
+        let Some(factors) = Factors::of(&mut matrix, count) else { return };
         for d in 0..DIMS {
-            let mut matrix = Vec::with_capacity(count * count);
-            for i in 0..count {
-                let diagonal = if i == 0 { LEAST_SUM } else { ridge + LEAST_SUM };
-                matrix.extend((0..count).map(|j| self.inputs[i][j] + if i == j { diagonal } else { 0.0 }));
-            }
-            let mut right: Vec<f64> = self.outputs[..count].iter().map(|row| row[d]).collect();
-            if solve_positive_definite(&mut matrix, &mut right).is_none() {
-                continue;
-            }
+            let mut right: [f64; MAX_INPUTS] = std::array::from_fn(|i| self.outputs[i][d]);
+            factors.solve(&mut right);
             component.mean[d] = right[0];
-            component.slopes.iter_mut().zip(&right[1..]).for_each(|(slope, w)| slope[d] = *w);
+            component.slopes.iter_mut().zip(&right[1..count]).for_each(|(slope, w)| slope[d] = *w);
         }
     }
 }

@@ -11,8 +11,12 @@ use crate::kinematics::{Limb, SOFT_SHARE, Sole, Soles, WorldPose, two_bone_ik, w
 use crate::math::Vec3;
 use crate::math::gaussian;
 use crate::math::interpolation::smooth_step;
-use std::ops::Range;
+use std::collections::VecDeque;
+use std::ops::{Add, Mul, Range, Sub};
 
+/// Weighted means over time are found at so many frames a second at least, and lie on straight lines between these: they hardly
+/// change within a frame of faster files, and each takes as many steps as its window has frames.
+const SMOOTH_HZ: f32 = 240.0;
 /// The correction of the slide fades in and out around a hold over this time, seconds.
 const EASE_SECS: f32 = 0.034;
 /// After a hold the foot returns to its own path within this time, or within the swing if that is shorter; seconds.
@@ -76,6 +80,11 @@ impl Steps {
 
     fn frames(&self, secs: f32) -> usize {
         ((secs * self.rate_hz).round() as usize).max(1)
+    }
+
+    /// Every how many frames weighted means are found.
+    fn stride(&self) -> usize {
+        ((self.rate_hz / SMOOTH_HZ) as usize).max(1)
     }
 
     /// The holds without frames in which the foot is in the air, and without fast frames at their ends, where holding
@@ -144,16 +153,20 @@ impl Steps {
         let sigma = ROOT_SIGMA_SECS * self.rate_hz;
         let reach = (3.0 * sigma) as usize;
         let kernel: Vec<f32> = (0..=reach).map(|i| gaussian::weight(i as f32, sigma)).collect();
+        let velocity = |f: usize| {
+            // The 1 keeps the root's own path where no foot is held for long.
+            let (mut sum, mut weights) = (Vec3::ZERO, 1.0);
+            for i in f.saturating_sub(reach)..(f + reach + 1).min(held.len()) {
+                sum += slides[i].0 * kernel[f.abs_diff(i)];
+                weights += slides[i].1 * kernel[f.abs_diff(i)];
+            }
+            sum / weights
+        };
         let mut path = Vec3::ZERO;
-        (0..held.len())
-            .map(|f| {
-                // The 1 keeps the root's own path where no foot is held for long.
-                let (mut sum, mut weights) = (Vec3::ZERO, 1.0);
-                for i in f.saturating_sub(reach)..(f + reach + 1).min(held.len()) {
-                    sum += slides[i].0 * kernel[f.abs_diff(i)];
-                    weights += slides[i].1 * kernel[f.abs_diff(i)];
-                }
-                path += sum / weights;
+        let velocities = between_found(held.len(), self.stride(), velocity).into_iter();
+        velocities
+            .map(|velocity| {
+                path += velocity;
                 path
             })
             .collect()
@@ -173,7 +186,7 @@ impl Steps {
             })
             .collect();
         let depths: Vec<f32> = self.soles[side].iter().map(|s| (-s.lowest() - TOLERATED_DEPTH).max(0.0)).collect();
-        let lift = envelope(&depths, self.frames(ENVELOPE_SECS));
+        let lift = envelope(&depths, self.frames(ENVELOPE_SECS), self.stride());
         let middles = self.middles(&holds, &slides);
         (0..held.len()).map(|f| root[f] + middles[f] - slides[f] + Vec3::Y * lift[f]).collect()
     }
@@ -246,27 +259,72 @@ impl Steps {
                 *needed = needed.max(-wanted.y - below).min(MAX_DROP);
             }
         }
-        envelope(&needed, self.frames(ENVELOPE_SECS))
+        envelope(&needed, self.frames(ENVELOPE_SECS), self.stride())
     }
 }
 
-/// A smooth upper envelope of the values.
-fn envelope(values: &[f32], reach: usize) -> Vec<f32> {
-    let around = |f: usize, n: usize| f.saturating_sub(n)..(f + n + 1).min(values.len());
-    let peaks: Vec<f32> =
-        (0..values.len()).map(|f| values[around(f, reach)].iter().copied().fold(0.0, f32::max)).collect();
-    (0..values.len())
-        .map(|f| {
-            let (mut sum, mut weights) = (0.0, 0.0);
-            for i in around(f, reach) {
-                // The window has the same width as the running maximum.
-                let weight = smooth_step(0.0, 1.0, 1.0 - f.abs_diff(i) as f32 / (reach + 1) as f32);
-                sum += weight * peaks[i];
-                weights += weight;
+/// A smooth upper envelope of the values, found at every so many of them.
+fn envelope(values: &[f32], reach: usize, stride: usize) -> Vec<f32> {
+    // What is between two that are found is as high as if it were found itself.
+    let peaks = peaks(values, reach + stride - 1);
+    let share = |distance: usize| smooth_step(0.0, 1.0, 1.0 - distance as f32 / (reach + 1) as f32);
+    let kernel: Vec<f32> = (0..=reach).map(share).collect();
+    between_found(values.len(), stride, |f| {
+        let (mut sum, mut weights) = (0.0, 0.0);
+        let around = f.saturating_sub(reach)..(f + reach + 1).min(peaks.len());
+        for (i, peak) in around.clone().zip(&peaks[around]) {
+            let weight = kernel[f.abs_diff(i)];
+            sum += weight * peak;
+            weights += weight;
+        }
+        sum / weights
+    })
+}
+
+/// The greatest value within a reach of each, or 0 if all are less.
+fn peaks(values: &[f32], reach: usize) -> Vec<f32> {
+    // Numbers of the values that may still become the greatest, descending values in ascending order.
+    let mut candidates: VecDeque<usize> = VecDeque::new();
+    let mut added = 0;
+    let of = |f: usize| {
+        let end = (f + reach + 1).min(values.len());
+        for i in added..end {
+            while candidates.back().is_some_and(|last| values[*last] <= values[i]) {
+                candidates.pop_back();
             }
-            sum / weights
-        })
-        .collect()
+            candidates.push_back(i);
+        }
+        added = end;
+        while candidates.front().is_some_and(|first| first + reach < f) {
+            candidates.pop_front();
+        }
+        candidates.front().map_or(0.0, |first| values[*first].max(0.0))
+    };
+    (0..values.len()).map(of).collect()
+}
+
+/// Values by number, of which every so many are found and the others lie on straight lines between them.
+fn between_found<T>(count: usize, stride: usize, value: impl Fn(usize) -> T) -> Vec<T>
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f32, Output = T>,
+{
+    let mut values = Vec::with_capacity(count);
+    if count == 0 {
+        return values;
+    }
+    let mut from = value(0);
+    for begin in (0..count).step_by(stride) {
+        values.push(from);
+        let end = (begin + stride).min(count - 1);
+        if end > begin {
+            let to = value(end);
+            let step = (to - from) * (1.0 / (end - begin) as f32);
+            let between = 1..stride.min(count - begin);
+            values.extend(between.map(|i| from + step * i as f32));
+            from = to;
+        }
+    }
+    values
 }
 
 /// Maximal runs of frames in which a foot is held.
@@ -319,9 +377,20 @@ mod tests {
 
         #[test]
         fn an_envelope_is_nowhere_below(values in prop::collection::vec(0.0f32..1.0, 0..40), reach in 1usize..8) {
-            for (e, v) in envelope(&values, reach).iter().zip(&values) {
-                prop_assert!(e + 1e-5 >= *v);
+            for stride in [1, 2, 5] {
+                let envelope = envelope(&values, reach, stride);
+                prop_assert_eq!(envelope.len(), values.len());
+                for (e, v) in envelope.iter().zip(&values) {
+                    prop_assert!(e + 1e-5 >= *v);
+                }
             }
+        }
+
+        #[test]
+        fn peaks_are_the_greatest_values_around(values in prop::collection::vec(-1.0f32..1.0, 0..40), reach in 0usize..8) {
+            let around = |f: usize| &values[f.saturating_sub(reach)..(f + reach + 1).min(values.len())];
+            let greatest: Vec<f32> = (0..values.len()).map(|f| around(f).iter().copied().fold(0.0, f32::max)).collect();
+            prop_assert_eq!(peaks(&values, reach), greatest);
         }
 
         #[test]
@@ -376,6 +445,52 @@ mod tests {
         stands[0] = [false; 2];
         let held = plant_feet(&mut motion, &stands);
         assert!(!held[2][0] && held[9][0], "{held:?}");
+    }
+
+    /// A body that rocks, dips into the ground and glides on both feet for some seconds at a rate.
+    fn rocking(rate_hz: f32, secs: f32) -> HumanoidMotion {
+        let mut motion = crouching((secs * rate_hz) as usize, |_, _| ());
+        motion.rate_hz = rate_hz;
+        for (f, pose) in motion.poses.iter_mut().enumerate() {
+            let t = f as f32 / rate_hz;
+            pose.root.z += 0.3 * t;
+            pose.root.y -= 0.02 * (1.0 - crate::math::float_funcs::cos(6.0 * t));
+        }
+        motion
+    }
+
+    #[test]
+    fn fast_files_are_planted_like_others() {
+        let planted = |rate_hz: f32| {
+            let mut motion = rocking(rate_hz, 2.0);
+            let stands = vec![[true; 2]; motion.poses.len()];
+            plant_feet(&mut motion, &stands);
+            motion.poses
+        };
+        let (usual, fast) = (planted(240.0), planted(1920.0));
+        for (f, pose) in usual.iter().enumerate() {
+            let off = (pose.root - fast[8 * f].root).length();
+            assert!(off < 5e-3, "{off} m at frame {f}");
+        }
+    }
+
+    #[test]
+    fn of_fast_files_as_many_means_are_found_as_of_others() {
+        let square = |f: usize| (f * f) as f32;
+        for (rate_hz, stride) in [(60.0, 1), (240.0, 1), (10_000.0, 41)] {
+            let steps = Steps { worlds: Vec::new(), soles: [Vec::new(), Vec::new()], rate_hz };
+            assert_eq!(steps.stride(), stride);
+            let found = std::cell::Cell::new(0);
+            let values = between_found(1000, stride, |f| {
+                found.set(found.get() + 1);
+                square(f)
+            });
+            assert_eq!(values.len(), 1000);
+            assert!(found.get() <= 1000 / stride + 2, "{} at {rate_hz} Hz", found.get());
+            for (f, value) in values.iter().enumerate().step_by(stride) {
+                assert_eq!(*value, square(f));
+            }
+        }
     }
 
     #[test]

@@ -17,6 +17,8 @@ export interface InputListeners {
   /** A clip of the open database is to be the input, by its number. */
   onClip: (clip: number) => void;
   onFile: () => void;
+  /** The dropped file that is open is to go from the list. */
+  onRemove: () => void;
   /** How the input's file was read is to be shown, or not any more. */
   onReading: () => void;
 }
@@ -29,6 +31,7 @@ export class InputPanel {
   readonly #barBox = html("div", { class: "weight-bar" }, this.#bar);
   // Not a live region: while a motion plays it changes all the time.
   readonly #weight = html("span", { class: "value" });
+  readonly #remove: HTMLButtonElement;
   readonly #note = html("p", { class: "caption input-note" });
   /** Opens the panel that shows how the input's file was read. */
   readonly howRead: HTMLButtonElement;
@@ -52,6 +55,8 @@ export class InputPanel {
     });
     const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
     file.title = strings.play.input.dropWhy;
+    this.#remove = button(strings.play.input.remove, listeners.onRemove, { icon: "remove", class: "outlined" });
+    this.#remove.hidden = true;
     this.howRead = button(strings.play.input.howRead, listeners.onReading, { label: true, class: "outlined how-read" });
     this.howRead.setAttribute("aria-haspopup", "dialog");
     this.howRead.hidden = true;
@@ -70,6 +75,7 @@ export class InputPanel {
         "div",
         { class: "input-row" },
         html("div", { class: "select outlined" }, this.#select, icon("chevron")),
+        this.#remove,
         file,
       ),
       html(
@@ -97,6 +103,7 @@ export class InputPanel {
       ...group(strings.play.input.dropped, library.dropped),
     );
     this.#select.value = chosen;
+    this.#remove.hidden = !library.isDropped(chosen);
   }
 
   #clips({ clips }: InputLibrary, databaseName: string): HTMLElement[] {

@@ -36,10 +36,16 @@ export class ModelPanel {
   readonly element: HTMLElement;
   readonly #knobs: { field: KnobField; knob: Knob }[];
   readonly #toggles: { field: (typeof TOGGLES)[number]; toggle: Toggle }[];
-  readonly #method = html("select", { "aria-label": strings.play.model.method });
+  readonly #method = html("select", {
+    "aria-label": strings.play.model.method,
+    "aria-description": strings.play.model.methodWhy,
+  });
   readonly #labels = LABELS.map((field) => ({
     field,
-    select: html("select", { "aria-label": strings.play.model.labels[field].name }),
+    select: html("select", {
+      "aria-label": strings.play.model.labels[field].name,
+      "aria-description": strings.play.model.labels.why,
+    }),
   }));
   readonly #reset: HTMLButtonElement;
 
@@ -59,7 +65,7 @@ export class ModelPanel {
     this.#toggles = TOGGLES.map((field) => {
       const { name, description } = strings.play.model.toggles[field];
       const toggle = new Toggle(name, (on) => store.edit({ [field]: on }));
-      toggle.element.title = description;
+      toggle.description = description;
       return { field, toggle };
     });
     this.#method.append(

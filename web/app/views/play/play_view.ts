@@ -102,6 +102,7 @@ class PlayView implements View {
         onChoose: (name) => void this.#choose(name),
         onClip: (clip) => void this.#chooseClip(clip),
         onFile: () => host.chooseFile(),
+        onRemove: () => void host.removeInput(),
         onReading: () => void this.#toggleReading(),
       },
       [progress.input.element, progress.character.element],

@@ -76,6 +76,8 @@ export const play = {
     builtIn: "Built in",
     clipsOf: (database: string) => `Clips of ${database}`,
     dropped: "Dropped here",
+    remove: "Remove this file from the inputs",
+    removed: (name: string) => `“${name}” is removed.`,
   },
 
   /** What a character does that is steered, as the title has it. */
@@ -197,6 +199,7 @@ export const play = {
       ["1 – 8", "all of one style, clockwise from the top"],
       ["Ctrl Z", "undo; with Shift redo"],
       ["Ctrl O, Ctrl S", "open a file; save the project"],
+      ["Tab", "to a control: what it does is shown; a finger that rests on it shows it too"],
       ["?", "this help"],
     ] as readonly (readonly [keys: string, does: string])[],
     singleKeys: "Letters, digits and ? act as keys",
