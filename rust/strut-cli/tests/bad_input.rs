@@ -126,8 +126,10 @@ fn too_few_frames() {
     let folder = folder();
     let at = folder.path();
     assert_bvh_refused(at, walk_of(0), "announces 0 frames; 1 to 1000000 were expected");
-    for (frames, expected) in [(1, "in.bvh: the motion has 1 frame (0.02 s); at least "), (2, "has 2 frames (0.03 s)")]
-    {
+    for (frames, expected) in [
+        (1, "in.bvh: the motion lasts 0.00 s from its first frame to its last; at least "),
+        (2, "lasts 0.02 s from its first frame to its last; at least "),
+    ] {
         fs::write(at.join("in.bvh"), walk_of(frames)).unwrap();
         assert_refused(at, &STYLIZE, expected);
         fs::write(at.join("labels.csv"), "file,action,style\nin.bvh,walk,old\n").unwrap();

@@ -141,11 +141,10 @@ pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
     let on_body = to_humanoid(&clip.motion, &clip.binding, &db.proportions);
     let input = ClipInput::new(on_body, db.rate_hz).map_err(|e| e.to_string())?;
     if input.motion.poses.len() < MIN_CLIP_FRAMES {
-        let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
         return Err(format!(
-            "the motion has {frames} ({:.2} s); at least {:.2} s are needed",
-            clip.motion.duration_secs(),
-            MIN_CLIP_FRAMES as f32 / db.rate_hz
+            "the motion lasts {:.2} s from its first frame to its last; at least {:.2} s are needed",
+            clip.motion.duration_secs() - clip.motion.frame_time_secs,
+            (MIN_CLIP_FRAMES - 1) as f32 / db.rate_hz
         ));
     }
     Ok(input)
