@@ -67,6 +67,11 @@ function whenIdle(call: () => void): void {
   else setTimeout(call, IDLE_MS);
 }
 
+/** Loads what need not be there at once. What cannot be loaded is missing, and all else works. */
+function loadTheRest(app: App): void {
+  whenIdle(() => app.showTips().catch(() => {}));
+}
+
 /** Has the built site kept; a browser that refuses shows it all the same. */
 function keepBuiltSite(app: App): void {
   if (import.meta.env.PROD && "serviceWorker" in navigator)
@@ -92,6 +97,7 @@ async function start(root: HTMLElement): Promise<void> {
     return;
   }
   window.strut = app.hook;
+  loadTheRest(app);
   // A page in the back-forward cache is not disposed of: it may be shown again.
   addEventListener("pagehide", ({ persisted }) => {
     if (!persisted) app.dispose();

@@ -394,10 +394,9 @@ class SingleSessionClient implements StrutClient {
     engine.onRestart = (restart) => this.restarted(restart);
   }
 
-  /** The page eases changes of styles itself. */
   private configureLive(): void {
     const { performer } = this;
-    performer?.configure(optionsKnownTo(performer.database.info, this.options), 0);
+    performer?.configure(optionsKnownTo(performer.database.info, this.options));
   }
 
   private async show(ask: (session: ClientSession) => Promise<LiveFrame>): Promise<LiveFrame> {

@@ -55,6 +55,8 @@ export interface StyledClip extends Analysis {
 
 /** Default half-life of a change of style. */
 export const STYLE_HALF_LIFE_SECS = 0.1;
+/** A weight that the engine eases is set to its target once it is nearer than this. */
+export const WEIGHT_EPSILON = 1e-3;
 
 /** Maximum number of poses of one `push` of a live stylizer. */
 export const MAX_PUSH_FRAMES = 4096;

@@ -4,7 +4,7 @@
  */
 
 import type { LiveFrame, ShownFrame, StylizeOptions } from "../client/protocol";
-import { isCancellation } from "../client/protocol";
+import { isCancellation, WEIGHT_EPSILON } from "../client/protocol";
 import { stepSecs } from "./clock";
 import type { Prelude } from "./prelude";
 import { approach, type Weights } from "./smoothing";
@@ -50,8 +50,13 @@ export class Playback {
   readonly #client: PlaybackEngine;
   readonly #listeners: PlaybackListeners;
   #target: StylizeOptions | undefined;
-  /** Weights that the engine has now; they follow the target's with a half-life. */
+  /**
+   * Weights that the engine has now; they follow the target's with a half-life. While it plays the engine does that by itself, and
+   * is told of a change once. What stands still it makes anew at once, so that each step of the way is told.
+   */
   #weights: Weights | undefined;
+  /** The options that the engine is easing the styles to. */
+  #told: StylizeOptions | undefined;
   #stale = false;
   #seek: number | undefined;
   #last = 0;
@@ -99,6 +104,7 @@ export class Playback {
   /** Options from the next frame on. Styles are eased to them; all other options act at once. */
   set options(options: StylizeOptions) {
     this.#target = options;
+    this.#told = undefined;
     this.#weights ??= options.styles;
     this.#stale = true;
   }
@@ -110,6 +116,7 @@ export class Playback {
 
   /** Requests the current pose again, after something other than the options changed it. */
   refresh(): void {
+    this.#told = undefined;
     this.#stale = true;
   }
 
@@ -131,7 +138,7 @@ export class Playback {
       return await task();
     } finally {
       this.#held -= 1;
-      this.#stale = true;
+      this.refresh();
       this.#last = performance.now();
     }
   }
@@ -169,7 +176,7 @@ export class Playback {
     // However long the engine takes to begin: the prelude goes on meanwhile.
     const dt = this.#opening ? elapsed : stepSecs(this.#last, now);
     this.#last = now;
-    const restyled = this.#configure(this.#target, elapsed);
+    const restyled = this.#configure(this.#target, this.playing ? dt * this.speed : elapsed);
     const seek = this.#seek;
     if (seek === undefined && !this.playing && !restyled) return;
     this.#seek = undefined;
@@ -219,7 +226,7 @@ export class Playback {
   /** Has the engine go on from the prelude, in its styles at first; the prelude is shown until the next frame is there. */
   #handOver({ prelude, continueFrom }: Opening, target: StylizeOptions, now: number): void {
     this.#weights = prelude.styles;
-    this.#configure(target, 0);
+    this.#send({ ...target, styles: approach(prelude.styles, target.styles, 0) });
     this.#last = now;
     this.#busy = true;
     continueFrom(prelude.shown)
@@ -233,12 +240,20 @@ export class Playback {
   /** Tells the engine of changed options; whether there were any. The step that follows is answered after it. */
   #configure(target: StylizeOptions, dt: number): boolean {
     if (!this.#stale) return false;
-    const weights = approach(this.#weights ?? target.styles, target.styles, dt);
+    // The engine is a frame or two behind.
+    const near = this.playing ? 0.5 * WEIGHT_EPSILON : undefined;
+    const weights = approach(this.#weights ?? target.styles, target.styles, dt, near);
     this.#weights = weights;
     this.#stale = weights !== target.styles;
-    this.#client.configure({ ...target, styles: { ...weights } }).catch((error: unknown) => this.#fail(error));
+    if (!this.playing) this.#told = undefined;
+    if (!this.#told) this.#send({ ...target, styles: { ...(this.playing ? target.styles : weights) } });
+    if (this.playing) this.#told = target;
     if (!this.#stale) this.#listeners.onSettled();
     return true;
+  }
+
+  #send(options: StylizeOptions): void {
+    this.#client.configure(options).catch((error: unknown) => this.#fail(error));
   }
 
   #fail(error: unknown): void {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { approach, STYLE_HALF_LIFE_SECS } from "./smoothing";
+import { STYLE_HALF_LIFE_SECS } from "../client/protocol";
+import { approach } from "./smoothing";
 
 describe("smoothing of weights", () => {
   it("goes half the way in its half-life, however the time is cut", () => {

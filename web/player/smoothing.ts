@@ -1,22 +1,24 @@
-/** Easing of the styles' weights, so that a jump of the handle is not a jump of the pose. Pure. */
+/**
+ * Easing of the styles' weights, so that a jump of the handle is not a jump of the pose (`design/tokens.md`: the handle has no
+ * easing, the style has). Pure.
+ */
+import { STYLE_HALF_LIFE_SECS } from "../client/protocol";
 
-/** Time in which half of the way to a new style is gone (`design/tokens.md`: the handle has no easing, the style has). */
-export const STYLE_HALF_LIFE_SECS = 0.1;
 /** Smaller differences are not visible. */
 const SETTLED = 5e-3;
 
 /** Weight of each style by name; a missing style weighs nothing. */
 export type Weights = Readonly<Record<string, number>>;
 
-/** `from` moved towards `to` for a time; exactly `to` once they cannot be told apart. */
-export function approach(from: Weights, to: Weights, dtSecs: number): Weights {
+/** `from` moved towards `to` for a time; exactly `to` once they differ by less than `near`. */
+export function approach(from: Weights, to: Weights, dtSecs: number, near = SETTLED): Weights {
   const share = 1 - 2 ** (-dtSecs / STYLE_HALF_LIFE_SECS);
   const names = [...new Set([...Object.keys(from), ...Object.keys(to)])];
   const next = names.map((name): [string, number] => {
     const [before, after] = [weightOf(from, name), weightOf(to, name)];
     return [name, before + (after - before) * share];
   });
-  const settled = next.every(([name, weight]) => Math.abs(weightOf(to, name) - weight) < SETTLED);
+  const settled = next.every(([name, weight]) => Math.abs(weightOf(to, name) - weight) < near);
   return settled ? to : Object.fromEntries(next);
 }
 

@@ -19,7 +19,6 @@ import { announce } from "../ui/announce";
 import { focusView } from "../ui/focus_view";
 import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
-import { showTips } from "../ui/tips";
 import { RELOAD, Toasts } from "../ui/toasts";
 import { errorText } from "../ui/words";
 import type { View, ViewHost } from "../view";
@@ -167,7 +166,6 @@ export class App {
       },
       signal,
     );
-    showTips(signal);
     this.#showTopBar();
   }
 
@@ -195,6 +193,12 @@ export class App {
   offerUpdate(update: () => void): void {
     const { ready, action } = strings.page.update;
     this.#toasts.offer(ready, action, update);
+  }
+
+  /** Shows what controls are for to those without a mouse, from when that is loaded. */
+  async showTips(): Promise<void> {
+    const { showTips } = await import("../ui/tips");
+    if (!this.#listening.signal.aborted) showTips(this.#listening.signal);
   }
 
   /** Says why there is no engine; the page stays as it is. */
@@ -259,7 +263,7 @@ export class App {
       historyChanged: () => this.#showTopBar(),
       workChanged: () => this.#guardWork(),
       chooseInput: (name) => this.#workspace.chooseInput(name),
-      removeInput: () => this.#workspace.removeInput(),
+      removeInput: () => this.#attempt(() => this.#workspace.removeInput()),
       chooseClip: (clip) => this.#workspace.chooseClip(clip),
       openBuilt: (database, kept, renamed) => databases.openBuilt(database, kept, renamed),
       showPlay: () => this.#store.edit({ view: "play" }),

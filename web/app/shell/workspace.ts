@@ -16,7 +16,6 @@ import { sameReading, saysNothing } from "../../link/reading";
 import { type DroppedInput, isLive } from "../../player/input_library";
 import { Session, UnknownInput } from "../../player/session";
 import { firstSelection } from "../../ui/polygon/selection";
-import { offerUntilEdit } from "../project/offer";
 import { Playhead } from "../state/playhead";
 import type { AppState } from "../state/state";
 import type { Store } from "../state/store";
@@ -141,6 +140,7 @@ export class Workspace {
     const { library, chosen } = this.session;
     const removed = library.file(chosen);
     if (!removed) return;
+    const { offerUntilEdit } = await import("../project/offer");
     library.remove(chosen);
     if (!(await this.chooseInput(library.first))) {
       await library.bringBack(removed);

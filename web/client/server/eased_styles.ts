@@ -1,10 +1,7 @@
 /** Style weights that approach their targets exponentially, so that a change of style fades in. */
 import { type WeightKey, weightsAt } from "../../engine/style_track";
 import type { Stylizer } from "../../engine/stylizer";
-import { BODY_PARTS, STYLE_HALF_LIFE_SECS, type StylizeOptions } from "../protocol";
-
-/** A weight that is nearer to its target than this is set to it. */
-const WEIGHT_EPSILON = 1e-3;
+import { BODY_PARTS, STYLE_HALF_LIFE_SECS, type StylizeOptions, WEIGHT_EPSILON } from "../protocol";
 
 /** As much of the engine's stylizer as this needs. */
 export type StyledStream = Pick<Stylizer, "setWeights" | "setPartWeights" | "weightsOf">;
