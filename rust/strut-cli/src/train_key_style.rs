@@ -6,11 +6,11 @@ use crate::progress::Bar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_core::somn::{KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options};
+use strut_core::somn::{EM_RIDGE, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, SEED};
 use strut_formats::key_style_model;
 use strut_tasks::corpus::{self, RefusedFile};
 use strut_tasks::files::Outputs;
-use strut_tasks::key_styles::{EM_RIDGE, parse_axes, train_key_styles};
+use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
 
 /// Learn poses from a few style variables that are measured on them
@@ -32,7 +32,7 @@ pub(crate) struct Args {
     #[arg(short, long, value_name = "M")]
     output: PathBuf,
     /// Random seed: the same seed gives the same model
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = SEED)]
     seed: u64,
     /// Number of linear maps [default: one for 40 frames, but 4 to 16]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=MAX_COMPONENTS as u64))]

@@ -15,12 +15,13 @@ use std::sync::Arc;
 use strut_core::contact;
 use strut_core::humanoid::POSE_FLOATS;
 use strut_core::somn::{
-    self, Interpolation, Key, KeyStyling, Learning, MAX_AXES, MAX_COMPONENTS, Method, Mode, Options, Style, Synthesis,
+    self, EM_RIDGE, Interpolation, Key, KeyStyling, Learning, MAX_AXES, MAX_COMPONENTS, Method, Mode, Options, Style,
+    Synthesis,
 };
 use strut_formats::{GENERATOR, key_style_model};
 use strut_tasks::corpus::RefusedFile;
 use strut_tasks::files::{self, Outputs};
-use strut_tasks::key_styles::{EM_RIDGE, parse_axes, train_key_styles};
+use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
 use strut_tasks::threads::with_threads;
 use strut_tasks::{Outcome, TaskError};

@@ -9,9 +9,6 @@ use strut_core::parallel::Sequential;
 use strut_core::somn::{Fault, KeyStyleModel, Measure, Options, Recording, Trainer};
 use strut_formats::quotation;
 
-/// Ridge of expectation and maximisation.
-pub const EM_RIDGE: f64 = 0.01;
-
 /// Greatest number of characters of a list in a message.
 const SHOWN: usize = 200;
 

@@ -7,16 +7,11 @@ use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::incremental::IncrementalJob;
 use strut_core::parallel::Sequential;
 use strut_core::retarget::to_humanoid;
-use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, Trainer};
+use strut_core::somn::{EM_RIDGE, KeyStyleModel, Learning, Measure, Options, Recording, SEED, Trainer};
 use strut_formats::corpus::Clip;
 use strut_formats::key_style_model;
 use strut_wasm_common::{EngineError, read_database};
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// Ridge of expectation maximisation, per sample.
-const RIDGE: f64 = 0.05;
-/// The same model for everybody.
-const SEED: u64 = 1;
 
 /// Clips that models may be trained on: those of a database, or BVH files.
 #[wasm_bindgen]
@@ -102,7 +97,7 @@ impl KeyStyleClips {
             Recording::new(name.clone(), &motion).map_err(|error| EngineError::bad_input(format!("{name}: {error}")))
         };
         let recordings = clips.iter().map(recording).collect::<Result<Vec<_>, _>>()?;
-        let learning = if em { Learning::Em { ridge: RIDGE } } else { Learning::Som };
+        let learning = if em { Learning::Em { ridge: EM_RIDGE } } else { Learning::Som };
         let options = Options { components: (components > 0).then_some(components), seed: SEED, learning };
         let borrowed: Vec<&Recording> = recordings.iter().collect();
         Ok(KeyStyleTraining { trainer: Trainer::new(&borrowed, &axes, options).map_err(EngineError::bad_input)? })

@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, Outcome};
 use std::path::PathBuf;
-use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, TrainError, train};
+use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, SEED, TrainError, train};
 use strut_tasks::progress::unwatched;
 use strut_tasks::recordings::read_recordings;
 
@@ -152,9 +152,9 @@ impl DataSet {
         train(&self.training.iter().collect::<Vec<_>>(), &self.axes, options)
     }
 
-    /// The model that is shown: as the page makes it, but of 16 components.
+    /// The model that is shown: as the page and the command make it, but of 16 components.
     pub(super) fn model(&self) -> Outcome<KeyStyleModel> {
-        self.train(Learning::Som, COMPONENTS, 0).map_err(Failure::new)
+        self.train(Learning::Som, COMPONENTS, SEED).map_err(Failure::new)
     }
 
     /// One for each seed.

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use std::time::Instant;
 use strut_core::somn::evaluation::{Baseline, Observed, largest_change, pose_error, third_difference};
 use strut_core::somn::{
-    DragCharacter, KeyStyleModel, Learning, MAX_AXES, Mode, Options, PoseSpace, RATE_HZ, Recording, Row, Style,
-    Synthesis, train,
+    DragCharacter, EM_RIDGE, KeyStyleModel, Learning, MAX_AXES, Mode, Options, PoseSpace, RATE_HZ, Recording, Row,
+    Style, Synthesis, train,
 };
 
 /// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames from one to the next.
@@ -51,9 +51,10 @@ pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome
          | data | method | ll learnt | ll held out | hard | smooth | | default | time |\n\
          | --- | --- | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
     );
+    let usual = format!("EM, ridge {EM_RIDGE}");
     for set in sets {
         let methods = [
-            ("EM, ridge 0.01", Learning::Em { ridge: 0.01 }, set.plan.published[1]),
+            (&*usual, Learning::Em { ridge: EM_RIDGE }, set.plan.published[1]),
             ("EM, ridge 0.3", Learning::Em { ridge: 0.3 }, [f64::NAN; 2]),
             ("SOMN", Learning::Som, set.plan.published[0]),
         ];

@@ -42,7 +42,7 @@ pub use pose_space::{DIMS, PoseSpace, Row};
 pub use recording::{Recording, RecordingError};
 pub use spline::Interpolation;
 pub use synthesis::{BLUR, Mode, ModeError, Synthesis, TEMPERATURE};
-pub use training::{Learning, MAX_COMPONENTS, Options, TrainError, TrainProgress, Trainer, train};
+pub use training::{EM_RIDGE, Learning, MAX_COMPONENTS, Options, SEED, TrainError, TrainProgress, Trainer, train};
 
 /// Frames per second of every recording that is learnt from, and of what is made with keys.
 pub const RATE_HZ: f32 = 30.0;
