@@ -53,6 +53,8 @@ it("by a finger that rests, which does nothing else; a tap acts", async () => {
   await press(800);
   await eventually(() => tip().textContent()).toContain("Whether the style has its own timing");
   expect(await tip().isVisible()).toBe(true);
+  const [said, about] = [(await tip().boundingBox())!, (await timing.boundingBox())!];
+  expect(about.y - (said.y + said.height), "next to the control").toBeLessThan(30);
   await screenshot(page, "access-tip-finger");
   await page.waitForTimeout(300);
   expect(await timing.getAttribute("aria-checked")).toBe(before);

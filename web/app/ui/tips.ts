@@ -44,6 +44,8 @@ export function showTips(signal: AbortSignal): void {
   const place = () => {
     if (!shown) return;
     setText(tip, shown.title);
+    // Measured where nothing narrows it.
+    tip.style.cssText = "left: 0; top: 0";
     const { left, top, bottom, width } = shown.getBoundingClientRect();
     const { offsetWidth, offsetHeight } = tip;
     const x = Math.max(GAP_PX, Math.min(innerWidth - offsetWidth - GAP_PX, left + (width - offsetWidth) / 2));
