@@ -4,6 +4,7 @@ use super::frames::style_frames;
 use super::summary::Summary;
 use super::trace::{StageTimer, TraceLog, class_names};
 use super::track::StyleTrack;
+use crate::counted;
 use crate::error::{Outcome, TaskError};
 use crate::progress::{Counter, OnProgress};
 use std::path::Path;
@@ -141,7 +142,7 @@ pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
     let on_body = to_humanoid(&clip.motion, &clip.binding, &db.proportions);
     let input = ClipInput::new(on_body, db.rate_hz).map_err(|e| e.to_string())?;
     if input.motion.poses.len() < MIN_CLIP_FRAMES {
-        let frames = if clip.file.frames == 1 { "1 frame".into() } else { format!("{} frames", clip.file.frames) };
+        let frames = counted(clip.file.frames, "frame");
         return Err(format!(
             "the motion has {frames} ({:.2} s); at least {:.2} s are needed",
             clip.motion.duration_secs(),
