@@ -1,20 +1,22 @@
 //! `strut add-style`: a clip becomes a style of a database.
 
 use crate::failure::{Failure, Outcome};
-use crate::print::print;
+use crate::print::{print, print_warnings};
 use std::path::PathBuf;
-use strut_core::database::build::add_style;
+use strut_core::database::build::add_style_of;
 use strut_core::registration;
 use strut_core::search::Index;
 use strut_formats::corpus::{Entry, Labels};
 use strut_formats::strutdb;
 use strut_tasks::clip::{read_clip, read_database};
 use strut_tasks::files::Outputs;
+use strut_tasks::suggestion::unknown;
 use strut_tasks::threads::ThreadPool;
 
 /// Make a single clip a style of a database
 ///
-/// The clip is registered with those of the action that it shows; all others stay as they are.
+/// The clip is registered with those of the action that it shows; all others stay as they are. An action that is given is
+/// taken though the clip moves differently from those of it, with a note.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
@@ -26,6 +28,9 @@ pub(crate) struct Args {
     /// Name of the style
     #[arg(long, value_name = "NAME")]
     style: String,
+    /// Action of the database that the clip shows [default: the one that it fits best]
+    #[arg(long, value_name = "NAME")]
+    action: Option<String>,
     /// The database to write
     #[arg(short, long, value_name = "DB")]
     output: PathBuf,
@@ -38,12 +43,20 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let path = args.input.display().to_string();
     let labels = Labels { action: String::new(), style: args.style.clone(), take: Some(1) };
     let clip = Entry { path, labels, licence: String::new() }.source_clip(&clip, &db.proportions);
-    let added = add_style(&db, &clip, &registration::Options::default(), &ThreadPool)
+    let index_of = |name: &String| {
+        let index = db.actions.iter().position(|known| known == name);
+        index.map(|index| index as u16).ok_or_else(|| Failure::new(unknown("action", name, &db.actions)))
+    };
+    let action = args.action.as_ref().map(index_of).transpose()?;
+    let added = add_style_of(&db, &clip, action, &registration::Options::default(), &ThreadPool)
         .map_err(|reason| Failure::in_file(&args.input, reason))?;
     let mut outputs = Outputs::default();
     let plan = Index::build(&added.database).plan();
     outputs.stage(&args.output, &strutdb::write(&added.database, &plan, strut_formats::GENERATOR))?;
     outputs.commit()?;
+    if let Some(doubt) = &added.doubt {
+        print_warnings(&format!("note: {}: {doubt}\n", args.input.display()));
+    }
     let action = &added.database.actions[usize::from(added.action)];
     print(&format!("{}: style '{}', from '{action}', cost {:.1}\n", args.output.display(), args.style, added.cost));
     Ok(())

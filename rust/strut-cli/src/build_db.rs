@@ -20,6 +20,7 @@ use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
 use strut_tasks::OnProgress;
 use strut_tasks::corpus::{self, ReadClips, RefusedFile};
+use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 use strut_tasks::gather::gather;
 use strut_tasks::note_report::NoteReport;
@@ -336,14 +337,14 @@ impl Report {
         let t = &self.totals;
         let refused = if t.refused > 0 { format!(" ({} refused)", t.refused) } else { String::new() };
         let built = format!(
-            "{}: {} clips{refused}, {} frames at {} Hz, {} gait cycles, {} actions, {} styles (neutral: {}), {:.1} MB, {:.1} s\n",
+            "{}: {}{refused}, {} at {} Hz, {}, {}, {} (neutral: {}), {:.1} MB, {:.1} s\n",
             self.database,
-            t.clips,
-            t.frames,
+            counted(t.clips, "clip"),
+            counted(t.frames, "frame"),
             self.rate_hz,
-            t.cycles,
-            self.actions.len(),
-            self.styles.len(),
+            counted(t.cycles, "gait cycle"),
+            counted(self.actions.len(), "action"),
+            counted(self.styles.len(), "style"),
             self.neutral,
             t.bytes as f64 / 1e6,
             self.seconds

@@ -8,6 +8,7 @@ use strut_core::search::Index;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb;
 use strut_tasks::TaskError;
+use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 
 /// Write the built-in procedural database
@@ -52,10 +53,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.stage(&args.output, &strutdb::write(&db, &Index::build(&db).plan(), strut_formats::GENERATOR))?;
     outputs.commit()?;
     print(&format!(
-        "{}: {} clips, {} frames at {} Hz, styles {}\n",
+        "{}: {}, {} at {} Hz, styles {}\n",
         args.output.display(),
-        db.clips.len(),
-        db.frames(),
+        counted(db.clips.len(), "clip"),
+        counted(db.frames(), "frame"),
         db.rate_hz,
         db.styles.join(", ")
     ));

@@ -16,6 +16,7 @@ use strut_core::humanoid::HumanoidMotion;
 use strut_core::transfer::{Model, Options, StyledFrame, StyledMotion, Stylizer};
 use strut_formats::bvh::{self, Bvh};
 use strut_tasks::clip::read_contents;
+use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 use strut_tasks::weights::StyleWeights;
 
@@ -94,9 +95,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     outputs.commit()?;
     let off = report.path_error_m.map_or(String::new(), |e| format!(", {:.1} cm off the path", 100.0 * e.mean));
     print(&format!(
-        "{}: {} frames, {:.1} s, {:.1} transitions a second{off}\n",
+        "{}: {}, {:.1} s, {:.1} transitions a second{off}\n",
         args.output.display(),
-        report.frames,
+        counted(report.frames, "frame"),
         report.secs,
         report.transitions_per_sec
     ));

@@ -16,6 +16,7 @@ use strut_core::retarget::{Binding, to_humanoid};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::joints::Reading;
 use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
+use strut_tasks::counted;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::note_report::NoteReport;
 
@@ -202,7 +203,12 @@ impl BvhReport {
         );
         line(
             &mut out,
-            format_args!("  length    {} frames at {:.5} Hz, {:.2} s", self.frames, self.rate_hz, self.duration_secs),
+            format_args!(
+                "  length    {} at {:.5} Hz, {:.2} s",
+                counted(self.frames, "frame"),
+                self.rate_hz,
+                self.duration_secs
+            ),
         );
         if let Some(h) = &self.humanoid {
             let roles = self.joints.iter().filter(|j| j.role.is_some()).count();
@@ -306,9 +312,9 @@ impl DatabaseReport {
         line(
             &mut out,
             format_args!(
-                "  length    {} clips, {} frames at {} Hz, {:.1} s",
-                self.clips.len(),
-                self.frames,
+                "  length    {}, {} at {} Hz, {:.1} s",
+                counted(self.clips.len(), "clip"),
+                counted(self.frames, "frame"),
                 self.rate_hz,
                 self.duration_secs
             ),

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use strut_core::somn::{Interpolation, KeyStyling, Method, Mode, Synthesis};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::{key_style_model, style_keys};
+use strut_tasks::counted;
 use strut_tasks::files::{self, Outputs};
 
 /// Greatest size of a table of keys, bytes.
@@ -58,6 +59,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     };
     let (output, frames) = (args.output.display(), motion.poses.len());
     let secs = frames as f32 / motion.rate_hz;
-    print(&format!("{output}: {} keys, {frames} frames, {secs:.1} s{remark}\n", keys.len()));
+    let made = format!("{}, {}", counted(keys.len(), "key"), counted(frames, "frame"));
+    print(&format!("{output}: {made}, {secs:.1} s{remark}\n"));
     Ok(())
 }

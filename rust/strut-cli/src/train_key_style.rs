@@ -9,6 +9,7 @@ use std::time::Instant;
 use strut_core::somn::{EM_RIDGE, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, SEED};
 use strut_formats::key_style_model;
 use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
@@ -109,11 +110,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     }
     let axes = report.axes.iter().map(|a| format!("{} {:.1} ± {:.1} {}", a.axis, a.mean, a.deviation, a.unit));
     print(&format!(
-        "{}: {} components from {} frames of {} clips in {:.1} s, {} kB; {}\n",
+        "{}: {} from {} of {} in {:.1} s, {} kB; {}\n",
         report.model,
-        report.components,
-        model.rows.len(),
-        report.clips.len(),
+        counted(report.components, "component"),
+        counted(model.rows.len(), "frame"),
+        counted(report.clips.len(), "clip"),
         report.seconds,
         bytes.len().div_ceil(1000),
         axes.collect::<Vec<_>>().join(", "),

@@ -9,6 +9,7 @@ use std::time::Instant;
 use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;
 use strut_tasks::corpus::{self, RefusedFile};
+use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 use strut_tasks::walks::train_walks;
 
@@ -81,11 +82,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let steps: usize = report.styles.iter().map(|s| s.steps).sum();
     let names: Vec<&str> = report.styles.iter().map(|s| s.style.as_str()).collect();
     print(&format!(
-        "{}: {} styles ({}) from {steps} steps of {} clips in {:.1} s, {} kB\n",
+        "{}: {} ({}) from {} of {} in {:.1} s, {} kB\n",
         report.model,
-        names.len(),
+        counted(names.len(), "style"),
         names.join(", "),
-        walks.len(),
+        counted(steps, "step"),
+        counted(walks.len(), "clip"),
         report.seconds,
         bytes.len().div_ceil(1000),
     ));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use strut_core::hsmm::{RATE_HZ, RuntimeWalkModel};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::walk_model;
+use strut_tasks::counted;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::progress::unwatched;
 use strut_tasks::walk::{Gait, MAX_STEPS, Transition, WalkOrder};
@@ -72,6 +73,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let way = motion.poses.iter().zip(&motion.poses[1..]).map(|(a, b)| (b.root - a.root).length()).sum::<f32>();
     let secs = motion.poses.len() as f32 / RATE_HZ;
     let output = args.output.display();
-    print(&format!("{output}: {} steps, {} frames, {way:.1} m in {secs:.1} s\n", args.steps, motion.poses.len()));
+    let walked = format!("{}, {}", counted(args.steps as usize, "step"), counted(motion.poses.len(), "frame"));
+    print(&format!("{output}: {walked}, {way:.1} m in {secs:.1} s\n"));
     Ok(())
 }

@@ -268,6 +268,24 @@ fn a_clip_becomes_a_style_that_others_can_be_given() {
 }
 
 #[test]
+fn an_action_that_is_given_is_taken_with_a_note_where_the_clip_fits_it_badly() {
+    let folder = folder();
+    let at = folder.path();
+    let clips = strut_demo::clips();
+    let walk = clips.iter().find(|clip| (clip.action.as_str(), clip.style.as_str()) == ("walk", "old")).unwrap();
+    fs::write(at.join("walk.bvh"), bvh::write(&bvh::Bvh::from_humanoid(&walk.motion).unwrap())).unwrap();
+    let args = ["add-style", "--db", "demo.strutdb", "--input", "walk.bvh", "--style", "weary", "--action"];
+    let output = strut(at, &[&args[..], &["run", "-o", "more.strutdb"]].concat());
+    let [said, noted] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    assert!(said.starts_with("more.strutdb: style 'weary', from 'run'"), "{said} {noted}");
+    let doubt = "it moves too differently from the clips of 'run' to look right; it fits 'walk'";
+    assert_eq!(noted.trim_end(), format!("note: walk.bvh: {doubt}"));
+    let refused = "it does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'";
+    assert_refused(at, &[&args[..], &["jump", "-o", "x.strutdb"]].concat(), refused);
+    assert_refused(at, &[&args[..], &["rnu", "-o", "x.strutdb"]].concat(), "'run'");
+}
+
+#[test]
 fn walks_are_learnt_and_walked_in_any_mixture() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();

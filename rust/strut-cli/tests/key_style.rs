@@ -47,7 +47,7 @@ fn a_few_numbers_walk() {
     let at = folder.path();
     let train = ["train-key-style", "walk.bvh", "--axes", AXES, "--seed", "3", "--json", "report.json"];
     let out = strut_ok(at, &[&train[..], &["-o", "m.strutkeys"]].concat());
-    assert!(out.starts_with("m.strutkeys: 4 components from 60 frames of 1 clips in "), "{out}");
+    assert!(out.starts_with("m.strutkeys: 4 components from 60 frames of 1 clip in "), "{out}");
     strut_ok(at, &[&train[..6], &["-o", "again.strutkeys"]].concat());
     assert_eq!(fs::read(at.join("m.strutkeys")).unwrap(), fs::read(at.join("again.strutkeys")).unwrap());
     let model = key_style_model::read(&fs::read(at.join("m.strutkeys")).unwrap()).unwrap();

@@ -33,5 +33,5 @@ pub fn add_style(
     let clip = Entry { path: path.to_owned(), labels, licence: String::new() }.source_clip(&clip, &db.proportions);
     let added = build::add_style_of(&db, &clip, action, &registration::Options::default(), &Sequential)
         .map_err(EngineError::unusable_file)?;
-    Ok(Built::new(added.database, Vec::new(), Vec::new()))
+    Ok(Built::new(added.database, Vec::new(), Vec::new()).with_doubt(added.doubt))
 }

@@ -1,8 +1,10 @@
 //! Handle of a database that was built.
 
+use strut_core::database::build::Doubt;
 use strut_core::database::{Database, TwoManners};
 use strut_core::search::Index;
 use strut_formats::strutdb;
+use strut_wasm_common::sentence;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A database that was built.
@@ -12,13 +14,19 @@ pub struct Built {
     file: Vec<u8>,
     refused: Vec<String>,
     two_manners: Vec<TwoManners>,
+    doubt: String,
 }
 
 impl Built {
     /// `two_manners` names clips by their paths.
     pub(crate) fn new(database: Database, refused: Vec<String>, two_manners: Vec<TwoManners>) -> Self {
         let file = strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
-        Self { database, file, refused, two_manners }
+        Self { database, file, refused, two_manners, doubt: String::new() }
+    }
+
+    /// With why the style of one clip may look wrong.
+    pub(crate) fn with_doubt(self, doubt: Option<Doubt>) -> Self {
+        Self { doubt: doubt.map_or_else(String::new, sentence), ..self }
     }
 }
 
@@ -58,6 +66,11 @@ impl Built {
     /// Path of and reason for every clip that the build left out, in turn.
     pub fn refused(&self) -> Vec<String> {
         self.refused.clone()
+    }
+
+    /// Why the style of one clip may look wrong, a sentence; empty if nothing is known against it.
+    pub fn doubt(&self) -> String {
+        self.doubt.clone()
     }
 
     /// The clips of styles that are performed in two manners: action, style, manner (0 or 1) and path of each, in turn.

@@ -216,7 +216,7 @@ export class Databases {
       if (!asked) return;
       const { style } = asked;
       const replaced = before?.style === style ? before.kept : undefined;
-      const { database, lost } = await progress.run(strings.page.engine.registering(clip.name), (options) =>
+      const { database, lost, doubt } = await progress.run(strings.page.engine.registering(clip.name), (options) =>
         styleOfClip(base, clip, asked, replaced, options),
       );
       const source = { kind: "strutdb" as const, name: database.name, file: database.file };
@@ -227,7 +227,8 @@ export class Databases {
       const action = classes.find((known) => known.style === style)?.action ?? "";
       const change = () => void this.#makeStyle(clip, base, progress, { style, action, ...(kept !== "" && { kept }) });
       const { made, change: label, notKept } = strings.page.engine;
-      this.#toasts.offer(made(style, spoken(action), database.styles.length), label, change);
+      const text = made(style, spoken(action), database.styles.length);
+      this.#toasts.offer(doubt === "" ? text : `${text} ${doubt}`, label, change);
       if (lost) this.#toasts.error(notKept(style, lost));
     } catch (error) {
       if (!isCancellation(error)) this.#toasts.failure(error);

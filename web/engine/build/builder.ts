@@ -79,6 +79,8 @@ export interface BuiltDatabase {
   refused: RefusedFile[];
   /** Styles that styling takes to the mean of two manners. */
   twoManners: TwoManners[];
+  /** Why the style of one clip may look wrong, a sentence; empty if nothing is known against it. */
+  doubt: string;
 }
 
 /** Frames per second of databases. */
@@ -142,6 +144,7 @@ export class DatabaseBuilder {
   /**
    * A database with one more style, of one clip.
    * @param database a `.strutdb` file or packed motions
+   * @param action what the clip shows, as a person says; without it the action that it fits best
    * @throws StrutError with why the clip is no style of it
    */
   addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array, action?: string): BuiltDatabase {
@@ -232,6 +235,7 @@ function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
           reason: refused[2 * i + 1]!,
         })),
         twoManners: twoMannersOf(built.twoManners()),
+        doubt: built.doubt(),
       };
     });
   } finally {

@@ -1,5 +1,6 @@
 //! What `strut stylize` says of a clip when it is styled.
 
+use crate::counted;
 use std::path::Path;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
@@ -37,9 +38,9 @@ impl Summary {
         ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
         let reads_as: Vec<String> = ranked.iter().take(3).map(|(name, w)| format!("{name} {w:.2}")).collect();
         format!(
-            "{}: {} frames, {out:.2} s ({:.2} of the input's); the input reads as {}\n",
+            "{}: {}, {out:.2} s ({:.2} of the input's); the input reads as {}\n",
             path.display(),
-            output.frames,
+            counted(output.frames, "frame"),
             out / before,
             reads_as.join(", ")
         )

@@ -298,7 +298,7 @@ class DatabaseView implements View {
     const started = performance.now();
     await this.#attempt(() =>
       this.#build.progress.run(words.build.progress, async (options) => {
-        const { refused, neutral: _, twoManners: __, ...built } = await this.#clips.build(options);
+        const { refused, neutral: _, twoManners: __, doubt: ___, ...built } = await this.#clips.build(options);
         const placed = await place({ name, ...built });
         this.#build.name = placed.name;
         const seconds = ((performance.now() - started) / 1000).toFixed(1);

@@ -11,6 +11,8 @@ export interface StyleOfClip {
   database: SavedDatabase;
   /** Why the browser does not keep it, a sentence; empty if it does. */
   lost: string;
+  /** Why the style may look wrong, a sentence; empty if nothing is known against it. */
+  doubt: string;
 }
 
 /** A database that a clip is added to. */
@@ -45,16 +47,17 @@ export async function styleOfClip(
       refused: _,
       neutral: __,
       twoManners: ___,
+      doubt,
       ...built
     } = await client.addStyle(file, clip, style, { ...options, action });
     const base = file ? known.name.replace(/\.strutdb$/i, "") : strings.data.saved.builtIn;
     const database = { name: strings.data.style.database(base, style), ...built };
     try {
-      if (replaced === undefined) return { database: { ...database, name: await addDatabase(database) }, lost: "" };
-      await replaceDatabase({ ...database, name: replaced });
-      return { database: { ...database, name: replaced }, lost: "" };
+      const name = replaced ?? (await addDatabase(database));
+      if (replaced !== undefined) await replaceDatabase({ ...database, name });
+      return { database: { ...database, name }, lost: "", doubt };
     } catch (error) {
-      return { database, lost: errorText(error) };
+      return { database, lost: errorText(error), doubt };
     }
   } finally {
     client.dispose();

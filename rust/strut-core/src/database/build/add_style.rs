@@ -6,6 +6,7 @@ use super::source::{MIN_CLIP_FRAMES, SourceClip};
 use crate::database::{Class, Clip, Database, DatabaseError, DatabaseParts};
 use crate::parallel::ParallelMap;
 use crate::registration::{self, Addition, Counterparts, Example, Job, MAX_COUNTERPARTS, time_steps};
+use std::fmt;
 use thiserror::Error;
 
 /// Clips that fit an action cost less to warp to it (squared feature distance a frame). With the built-in database
@@ -24,6 +25,28 @@ pub struct AddedStyle {
     pub action: u16,
     /// Mean cost of its warps to the clips of the action (squared feature distance a frame).
     pub cost: f32,
+    /// Why it may look wrong, where the action was given and the clip moves too differently from those of it.
+    pub doubt: Option<Doubt>,
+}
+
+/// A clip is unlike those of the action that it was said to show.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("it moves too differently from the clips of '{given}' to look right{better}")]
+pub struct Doubt {
+    /// The action that was given.
+    pub given: String,
+    /// The action that it fits.
+    pub better: Better,
+}
+
+/// The action that a clip fits in place of the one that was given, if there is one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Better(pub Option<String>);
+
+impl fmt::Display for Better {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.as_ref().map_or(Ok(()), |action| write!(f, "; it fits '{action}'"))
+    }
 }
 
 /// Why a clip cannot become a style of a database.
@@ -46,6 +69,16 @@ pub enum AddStyleError {
         /// Why it was refused for that action: of an action of the same kind if there is one, and of several the one for which
         /// most was in order.
         reason: Refusal,
+    },
+    /// It cannot be registered with the clips of the action that was given.
+    #[error("it does not fit '{given}': {reason}{better}")]
+    NotGiven {
+        /// The action that was given.
+        given: String,
+        /// Why it was refused.
+        reason: Refusal,
+        /// The action that it fits.
+        better: Better,
     },
     /// It is unlike all actions of the database.
     #[error("it fits none of the database's actions ({actions}): it moves too differently from all of them")]
@@ -73,7 +106,8 @@ pub fn add_style(
     add_style_of(db, clip, None, options, executor)
 }
 
-/// [`add_style`] for a clip whose action is known, an index of the database's; `None` for the one that fits best.
+/// [`add_style`] for a clip whose action is known, an index of the database's; `None` for the one that fits best. A clip that
+/// moves too differently from those of the action that was given is registered nevertheless, with a [`Doubt`].
 ///
 /// # Errors
 /// See [`AddStyleError`].
@@ -94,9 +128,49 @@ pub fn add_style_of(
     }
     let options =
         registration::Options { counterparts: db.counterparts_per_style.min(MAX_COUNTERPARTS), ..options.clone() };
+    let (best, refusal) = best_of(db, &example, &options, executor, |of| action.is_none_or(|known| known == of));
+    let actions = || db.actions.join(", ");
+    let better = |than: u16| {
+        let (best, _) = best_of(db, &example, &options, executor, |of| of != than);
+        Better(
+            best.filter(|(_, found)| found.cost <= MAX_COST).map(|(better, _)| db.actions[usize::from(better)].clone()),
+        )
+    };
+    match best {
+        Some((_, found)) if action.is_none() && found.cost > MAX_COST => {
+            Err(AddStyleError::Unlike { actions: actions() })
+        }
+        Some((action, found)) => {
+            let cost = found.cost;
+            let doubt = (cost > MAX_COST)
+                .then(|| Doubt { given: db.actions[usize::from(action)].clone(), better: better(action) });
+            let database = Database::new(joined(db, clip, action, &example, &found))?;
+            Ok(AddedStyle { database, action, cost, doubt })
+        }
+        None => match (refusal, action) {
+            (Some(reason), Some(given)) => Err(AddStyleError::NotGiven {
+                given: db.actions[usize::from(given)].clone(),
+                reason: reason.into(),
+                better: better(given),
+            }),
+            (Some(reason), None) => Err(AddStyleError::NoAction { actions: actions(), reason: reason.into() }),
+            (None, _) => Err(AddStyleError::Unlike { actions: actions() }),
+        },
+    }
+}
+
+/// The action that a clip fits best among some, and how it is registered there; and why the one that it comes nearest to refuses
+/// it, if one does.
+fn best_of(
+    db: &Database,
+    example: &Example,
+    options: &registration::Options,
+    executor: &impl ParallelMap,
+    among: impl Fn(u16) -> bool,
+) -> (Option<(u16, Addition)>, Option<registration::Refusal>) {
     let mut best: Option<(u16, Addition)> = None;
     let mut refusal = None;
-    for action in (0..db.actions.len() as u16).filter(|of| action.is_none_or(|known| known == *of)) {
+    for action in (0..db.actions.len() as u16).filter(|of| among(*of)) {
         let mut examples: Vec<Example> = clips_of(db, action).map(|i| existing(db, &db.clips[i])).collect();
         // Without a neutral clip of the action there is no canonical timeline.
         if !db.clips.iter().any(|c| c.action == action && c.style == db.neutral) {
@@ -104,7 +178,7 @@ pub fn add_style_of(
         }
         examples.push(example.clone());
         let (styles, rate_hz) = (db.styles.len() + 1, db.rate_hz);
-        let job = Job { examples: &examples, styles, neutral: db.neutral, rate_hz, options: &options };
+        let job = Job { examples: &examples, styles, neutral: db.neutral, rate_hz, options };
         match job.run_last(executor) {
             Ok(found) if best.as_ref().is_none_or(|(_, least)| found.cost < least.cost) => best = Some((action, found)),
             Ok(_) => {}
@@ -113,19 +187,7 @@ pub fn add_style_of(
             }
         }
     }
-    let actions = || db.actions.join(", ");
-    match best {
-        Some((_, found)) if found.cost > MAX_COST => Err(AddStyleError::Unlike { actions: actions() }),
-        Some((action, found)) => {
-            let cost = found.cost;
-            let database = Database::new(joined(db, clip, action, &example, &found))?;
-            Ok(AddedStyle { database, action, cost })
-        }
-        None => match refusal {
-            Some(reason) => Err(AddStyleError::NoAction { actions: actions(), reason: reason.into() }),
-            None => Err(AddStyleError::Unlike { actions: actions() }),
-        },
-    }
+    (best, refusal)
 }
 
 /// How much of a clip was in order before it was refused for an action: the order of the checks of [`Job::run_last`].

@@ -12,7 +12,7 @@ pub(crate) mod prepare;
 mod report;
 mod source;
 
-pub use add_style::{AddStyleError, AddedStyle, add_style, add_style_of};
+pub use add_style::{AddStyleError, AddedStyle, Better, Doubt, add_style, add_style_of};
 pub use error::BuildError;
 pub use job::{Build, Progress, Stage, build};
 pub use options::{BuildOptions, RATES_HZ};

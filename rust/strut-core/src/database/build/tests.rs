@@ -183,6 +183,25 @@ fn a_clip_that_fits_no_action_is_told_the_reason_of_the_one_that_it_comes_neares
     assert!(reason.contains("it turns the other way"), "{reason}");
 }
 
+#[test]
+fn an_action_that_a_person_gives_is_the_one_that_is_tried() {
+    let mut clips = vec![waving("neutral", 1.0, 2.0), waving("old", 0.8, 2.0)];
+    clips.extend(two_styles());
+    let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
+    assert_eq!(db.actions, ["walk", "wave"]);
+    let add = |action: Option<u16>| {
+        let clip = SourceClip { script: None, ..waving("weary", 0.9, 2.0) };
+        add_style_of(&db, &clip, action, &registration::Options::default(), &Sequential)
+    };
+    for action in [None, Some(1)] {
+        let added = add(action).unwrap();
+        assert_eq!((added.action, added.doubt), (1, None));
+    }
+    let refused = add(Some(0)).map(|_| ()).unwrap_err().to_string();
+    assert!(refused.starts_with("it does not fit 'walk': no left, right"), "{refused}");
+    assert!(refused.ends_with("; it fits 'wave'"), "{refused}");
+}
+
 /// Runs pieces in reverse order on as many threads as there are pieces.
 struct Backwards;
 
