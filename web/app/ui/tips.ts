@@ -21,7 +21,7 @@ export function showTips(signal: AbortSignal): void {
   signal.addEventListener("abort", () => tip.remove(), { once: true });
   let byKeys = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let pressed: { x: number; y: number } | undefined;
+  let pressed: { x: number; y: number; at: number } | undefined;
   /** Whether the present press of a finger has shown something: it does nothing else. */
   let asked = false;
 
@@ -77,20 +77,22 @@ export function showTips(signal: AbortSignal): void {
     hide();
     const titled = event.pointerType === "mouse" ? undefined : titledAt(event);
     if (!titled) return;
-    pressed = { x: event.clientX, y: event.clientY };
+    pressed = { x: event.clientX, y: event.clientY, at: event.timeStamp };
     timer = setTimeout(() => {
       asked = true;
       show(titled);
     }, LONG_PRESS_MS);
   });
-  listen("pointermove", ({ clientX, clientY }) => {
-    if (pressed && Math.hypot(clientX - pressed.x, clientY - pressed.y) > REST_PX) release();
+  listen("pointermove", (event) => {
+    if (pressed && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > REST_PX) release(event);
   });
-  const release = () => {
+  const release = ({ timeStamp }: PointerEvent) => {
     if (!pressed) return;
+    // On a page that is busy a tap is heard of late: it is one all the same.
+    if (timeStamp - pressed.at < LONG_PRESS_MS) asked = false;
     pressed = undefined;
-    clearTimeout(timer);
     if (asked) timer = setTimeout(hide, READ_MS);
+    else hide();
   };
   listen("pointerup", release);
   listen("pointercancel", release);
