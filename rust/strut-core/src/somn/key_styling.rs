@@ -45,7 +45,7 @@ pub enum KeysError {
     #[error("key {0} holds a number that is not finite")]
     NotFinite(usize),
     /// Times that do not ascend.
-    #[error("key {key} is at {secs} s, not after the one before; ascending times were expected")]
+    #[error("key {key} is at {secs:?} s, not after the one before; ascending times were expected")]
     Order {
         /// The key; the first is 1.
         key: usize,
@@ -53,7 +53,7 @@ pub enum KeysError {
         secs: f64,
     },
     /// Too far apart.
-    #[error("the keys span {0} s; at most {MAX_SECS} s are made")]
+    #[error("the keys span {0:?} s; at most {MAX_SECS} s are made")]
     TooLong(f64),
 }
 

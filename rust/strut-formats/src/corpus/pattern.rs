@@ -20,7 +20,7 @@ pub struct Labels {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum LabelError {
     /// The name does not match the pattern.
-    #[error("its name does not match '{0}'")]
+    #[error("its name does not match '{}'", quotation(.0, 80))]
     NoMatch(String),
     /// The take is not a number.
     #[error("its take is '{0}'; a number was expected")]
@@ -191,6 +191,7 @@ mod tests {
     #[test]
     fn other_names_do_not_match() {
         let no_match = Err(LabelError::NoMatch("{action}_{style}.bvh".to_owned()));
+        assert!(LabelError::NoMatch("x".repeat(5000)).to_string().len() < 200);
         for path in ["walk.bvh", "walk_.bvh", "_old.bvh", "walk_old_001.bvh"] {
             assert_eq!(labels("{action}_{style}.bvh", path), no_match, "{path}");
         }
