@@ -39,6 +39,18 @@ const BESIDE_MODULES = [
   "workbox-strategies",
 ];
 
+/** What a package of npm has in it of others and ships without their licence. three.js's decoder of Draco is that of this version. */
+const WITHIN_PACKAGES = [
+  {
+    name: "draco3dgltf",
+    version: "1.5.6",
+    licence: "Apache-2.0",
+    source: "https://github.com/google/draco",
+    text: readFileSync(join(root, "LICENSE-APACHE"), "utf8"),
+    purl: "pkg:npm/draco3dgltf@1.5.6",
+  },
+];
+
 /** Whether an SPDX expression lets us: one of its alternatives, or one of each of the groups in brackets that hold together. */
 export function isAllowed(expression) {
   const one = (licences) => licences.split(" OR ").some((licence) => ALLOWED.has(licence));
@@ -48,7 +60,7 @@ export function isAllowed(expression) {
 
 /** Writes both files from the site and the packages as they are built; says how many parts there are. */
 export async function writeNotices(env) {
-  const parts = [...npmPackages(), ...(await crates(env))];
+  const parts = [...npmPackages(), ...WITHIN_PACKAGES, ...(await crates(env))];
   const refused = parts.filter(({ licence }) => !isAllowed(licence));
   if (refused.length > 0) {
     const list = refused.map(({ name, licence }) => `${name} (${licence || "no licence"})`).join(", ");

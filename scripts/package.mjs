@@ -18,6 +18,7 @@ const ASSETS = {
   "strut_wasm_walk_bg.wasm": join(ENGINE, "walk", "pkg", "strut_wasm_walk_bg.wasm"),
   "strut_wasm_key_style_bg.wasm": join(ENGINE, "key_style", "pkg", "strut_wasm_key_style_bg.wasm"),
   "strut_wasm_character_bg.wasm": join(ENGINE, "character", "pkg", "strut_wasm_character_bg.wasm"),
+  "draco_decoder.wasm": join(root, "node_modules/three/examples/jsm/libs/draco/gltf/draco_decoder.wasm"),
   "strut_live_bg.wasm": join(ENGINE, "live", "pkg", "strut_live_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
   // The package begins with all walks.
@@ -40,6 +41,8 @@ const BUDGET_KB = {
   "assets/worker.js": 13.5,
   "assets/strut_wasm_bg.wasm": 330,
   "assets/strut_wasm_character_bg.wasm": 103,
+  // Only for files that are compressed with Draco.
+  "assets/draco_decoder.wasm": 64,
   "streams.js": 4,
   "assets/strut_live_bg.wasm": 146,
 };

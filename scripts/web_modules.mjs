@@ -27,7 +27,9 @@ export function importCircles(modules) {
 }
 
 function importsOf(folder, path) {
-  const specifiers = [...readFileSync(path, "utf8").matchAll(SPECIFIER)].map(([, specifier]) => specifier);
+  const all = [...readFileSync(path, "utf8").matchAll(SPECIFIER)].map(([, specifier]) => specifier);
+  // A file of a package is no more a module of web/ than the package is.
+  const specifiers = all.filter((specifier) => !specifier.includes("/node_modules/"));
   return new Map(specifiers.map((specifier) => [shown(folder, fileOf(resolve(dirname(path), specifier))), specifier]));
 }
 

@@ -1,4 +1,5 @@
 /** Damaged models: each loads, or is refused by a typed error in words within 5 s, and nothing of it is left behind. */
+import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";
@@ -26,6 +27,9 @@ const files = await (async () => {
     if (family === FAMILIES[2]) out.push({ name: "FBX", file: fbxFile(family, { clip: character.toClip(motion) }) });
     character.dispose();
   }
+  const packed = await loadCharacter(readFileSync(new URL("../rigs/mixamo_draco.glb", import.meta.url)));
+  out.push({ name: "Draco", file: packed.toGLB(motion) });
+  packed.dispose();
   out.push({ name: "VRMA", file: vrmAnimation({ ...moving, times }) });
   return out;
 })();

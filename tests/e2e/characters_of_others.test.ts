@@ -1,4 +1,5 @@
 /** Characters of other people on the page: textured, of other formats, of other sizes, with joints that are not found. */
+import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { othersAbsent, rigOfOthers } from "../rigs/others";
@@ -64,6 +65,13 @@ test.skipIf(othersAbsent).each(OTHERS)("%s performs", async (file, told) => {
   await eventually(heightOf).toBeLessThan(600);
   await drawn(page, 20);
   await screenshot(page, `others-${name}`);
+});
+
+test("a character that is compressed with Draco performs, under the page's own policy", async () => {
+  await dropFile(page, "mixamo_draco.glb", readFileSync(new URL("../rigs/mixamo_draco.glb", import.meta.url)));
+  await eventually(performer).toBe("mixamo_draco");
+  await drawn(page, 20);
+  await screenshot(page, "others-draco");
 });
 
 test.skipIf(othersAbsent)("a character with a walk among its motions begins with that", async () => {

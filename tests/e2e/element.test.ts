@@ -247,6 +247,28 @@ describe("a character", () => {
   const credit = (page: Page) => page.locator("strut-player p.credit");
   const alert = (page: Page) => page.locator("strut-player").getByRole("alert");
 
+  test("that is compressed with Draco performs where the decoder lies beside the script", async () => {
+    const packed = new Uint8Array(readFileSync(join(root, "tests", "rigs", "mixamo_draco.glb")));
+    writeFileSync(join(folder, "packed.glb"), packed);
+    const page = await openPlayer('character="packed.glb"');
+    await eventually(() => alert(page).innerText()).toContain("/assets/draco_decoder.wasm");
+    const decoder = join("assets", "draco_decoder.wasm");
+    cpSync(join(root, "dist", "package", decoder), join(folder, decoder));
+    await page.evaluate(() => window.player.setAttribute("character", "./packed.glb"));
+    await eventually(() => alert(page).isVisible()).toBe(false);
+    // What it exports is the character's own file.
+    const exported = () =>
+      page.evaluate(async () =>
+        Array.from(new Uint8Array(await (await window.player.exportFile("glb")).arrayBuffer())),
+      );
+    const own = chunksOf(packed).binary;
+    await eventually(async () => {
+      const { binary } = chunksOf(Uint8Array.from(await exported()));
+      return Buffer.compare(binary.subarray(0, own.length), own);
+    }).toBe(0);
+    await page.context().close();
+  });
+
   test("performs in the mannequin's place, is credited, and is exported", async () => {
     const page = await openPlayer('character="character.glb" styles="old" controls');
     await eventually(() => credit(page).innerText()).toBe("Mannequin by Strut");

@@ -19,6 +19,7 @@ import {
   writeSite,
 } from "../package/page";
 import { serveFolder } from "../package/server";
+import { root } from "../recordings";
 import { launchBrowser } from "./browser";
 
 const CORS = { "Access-Control-Allow-Origin": "*" };
@@ -300,7 +301,7 @@ test.each(["esbuild", "Vite"])("with a character of three.js, bundled by %s with
 
 /** What needs each of the package's files; the page's thread takes the place of a worker that is missing. */
 const USES = `import { loadStrut } from "strut-motion";
-import { bindCharacter } from "strut-motion/three";
+import { bindCharacter, loadCharacter } from "strut-motion/three";
 import * as THREE from "three";
 const clips = async () => Promise.all(["neutral", "old"].map(async (style) => {
   const name = "walk_" + style + "_001.bvh";
@@ -326,6 +327,7 @@ const uses = {
   "strut_wasm_key_style_bg.wasm": (strut) => strut.openKeyStyle("strut:walk"),
   "strut_live_bg.wasm": async (strut) => strut.live(await strut.openDatabase("strut:walk"), { start: async () => {} }),
   "strut_wasm_character_bg.wasm": () => bindCharacter(bones()),
+  "draco_decoder.wasm": () => loadCharacter("draco.glb"),
   "walk.bin": (strut) => strut.openDatabase("strut:walk"),
   "built_in.bin": (strut) => strut.openDatabase("strut:built-in"),
   "other origin": (strut) => strut.openMotion(OTHER + "/walk.bvh"),
@@ -360,6 +362,11 @@ test("without one of its files it says which one, and another origin that does n
   copyPackage(consumer, folder);
   for (const part of ["clips", "node_modules/three/build"])
     cpSync(join(consumer.folder, part), join(folder, part.includes("three") ? "three" : part), { recursive: true });
+  for (const part of ["loaders/GLTFLoader.js", "utils"])
+    cpSync(join(consumer.folder, "node_modules/three/examples/jsm", part), join(folder, "three/addons", part), {
+      recursive: true,
+    });
+  cpSync(join(root, "tests/rigs/mixamo_draco.glb"), join(folder, "draco.glb"));
   const server = await serveFolder(folder);
   try {
     const page = await browser.newPage();

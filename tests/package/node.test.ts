@@ -82,6 +82,16 @@ describe("characters", () => {
     expect(JSON.parse(run("characters.mjs", "character.glb"))).toEqual({ roles: 21, motions: 0 });
   });
 
+  test("that are compressed with Draco are bound, by the decoder where loadStrut says that it lies", () => {
+    copyFileSync(join(root, "tests/rigs/mixamo_draco.glb"), join(consumer.folder, "draco.glb"));
+    expect(JSON.parse(run("characters.mjs", "draco.glb"))).toEqual({ roles: 21, motions: 0 });
+    const nowhere = join(consumer.folder, "nowhere");
+    expect(JSON.parse(run("characters.mjs", "draco.glb", `${pathToFileURL(nowhere).href}/`))).toMatchObject({
+      code: "load",
+      message: expect.stringContaining("nowhere/draco_decoder.wasm"),
+    });
+  });
+
   test("are bound by the module where loadStrut says that it lies, and only there", () => {
     const [inside, elsewhere] = [join(consumer.installed, MODULE), join(consumer.folder, "elsewhere")];
     mkdirSync(elsewhere, { recursive: true });

@@ -19,7 +19,16 @@ describe.each(["", "package/"])("the files in dist/%s", (folder) => {
 
   test("name the libraries that draw, compute, keep and write", () => {
     const names = bill.components.map(({ name }) => name);
-    for (const name of ["three", "glam", "safetensors", "wgpu", "workbox-precaching", "mediabunny", "katex"])
+    for (const name of [
+      "three",
+      "glam",
+      "safetensors",
+      "wgpu",
+      "workbox-precaching",
+      "mediabunny",
+      "katex",
+      "draco3dgltf",
+    ])
       expect(names).toContain(name);
     // What only tests and builds need is not shipped.
     for (const name of ["vitest", "vite", "proptest", "criterion", "libfuzzer-sys", "syn"])

@@ -1,6 +1,6 @@
 /**
- * One more animation in a binary glTF: the document is written again, and the bytes of its buffer stay what they are, the
- * new ones behind them.
+ * Binary glTF, taken apart and put together; and one more animation in it: the document is written again, and the bytes of its
+ * buffer stay what they are, the new ones behind them.
  */
 import { StrutError } from "../engine/errors";
 import { BufferBuilder } from "../formats/glb";
@@ -50,6 +50,32 @@ export function chunksOf(file: Uint8Array): GlbChunks {
   return { json, binary };
 }
 
+/** A length rounded up to the 4 bytes at whose multiples everything in a file begins. */
+export const paddedLength = (bytes: number): number => bytes + (-bytes & 3);
+
+/**
+ * Puts a file together.
+ * @param parts the buffer, piece by piece; each begins at a multiple of 4 bytes
+ */
+export function glbOf(json: object, parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const textLength = paddedLength(text.length);
+  const length = parts.reduce((sum, part) => sum + paddedLength(part.length), 0);
+  const out = new Uint8Array(28 + textLength + length);
+  const view = new DataView(out.buffer);
+  for (const [i, word] of [MAGIC, 2, out.length, textLength, JSON_CHUNK].entries()) view.setUint32(4 * i, word, true);
+  out.fill(0x20, 20, 20 + textLength);
+  out.set(text, 20);
+  view.setUint32(20 + textLength, length, true);
+  view.setUint32(24 + textLength, BINARY_CHUNK, true);
+  let at = 28 + textLength;
+  for (const part of parts) {
+    out.set(part, at);
+    at += paddedLength(part.length);
+  }
+  return out;
+}
+
 function parsed(chunk: Uint8Array): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(chunk));
@@ -84,7 +110,7 @@ export function withAnimation(file: Uint8Array, animation: NewAnimation): Uint8A
     output: accessors + added.add(values, path === "rotation" ? "VEC4" : "VEC3"),
     interpolation: "LINEAR",
   }));
-  const start = binary.length + (-binary.length & 3);
+  const start = paddedLength(binary.length);
   const moved = added.views.map((each) => {
     const view = each as { byteOffset: number };
     return { ...view, byteOffset: start + view.byteOffset };
@@ -108,19 +134,9 @@ export function withAnimation(file: Uint8Array, animation: NewAnimation): Uint8A
       },
     ],
   };
-  const text = new TextEncoder().encode(JSON.stringify(document));
-  const textLength = text.length + (-text.length & 3);
-  const total = 12 + 8 + textLength + 8 + byteLength;
-  const out = new Uint8Array(total);
-  const view = new DataView(out.buffer);
-  for (const [i, word] of [MAGIC, 2, total, textLength, JSON_CHUNK].entries()) view.setUint32(4 * i, word, true);
-  out.fill(0x20, 20, 20 + textLength);
-  out.set(text, 20);
-  view.setUint32(20 + textLength, byteLength, true);
-  view.setUint32(24 + textLength, BINARY_CHUNK, true);
-  out.set(binary, 28 + textLength);
-  added.write(out, 28 + textLength + start);
-  return out;
+  const bytes = new Uint8Array(added.length);
+  added.write(bytes, 0);
+  return glbOf(document, [binary, bytes]);
 }
 
 function listOf(json: Record<string, unknown>, key: string): readonly unknown[] {

@@ -8,7 +8,7 @@ import { isRecord } from "./vrm_humanoid";
 /** Bytes of a component, by its type. */
 const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 /** Components of an element, by its type. */
-const COMPONENTS: Readonly<Record<string, number>> = {
+export const COMPONENTS: Readonly<Record<string, number>> = {
   SCALAR: 1,
   VEC2: 2,
   VEC3: 3,
@@ -28,16 +28,18 @@ const TYPE_OF_PATH: Readonly<Record<string, string>> = {
 };
 /** Most elements of an accessor: six indices a vertex of two million triangles. */
 const MAX_COUNT = 12_000_000;
-/** Most numbers of the arrays that have no data and are zero. */
-const MAX_ZEROS = 16_000_000;
+/** Most numbers of the arrays that have no data, which are zero or compressed, and most of those that are decoded. */
+export const MAX_NUMBERS = 16_000_000;
 /** Most nodes of a document: three.js takes seconds for more. */
 const MAX_NODES = 16_384;
 /** Most nodes that may lie in one another: more would exhaust the stack of whoever walks them. */
 const MAX_DEPTH = 1024;
 /** Largest side of an image, pixels. */
 const MAX_PIXELS = 8192;
-/** Compressions that three.js needs further files for. */
-const UNREADABLE = ["KHR_draco_mesh_compression", "KHR_texture_basisu"];
+/** The compression of meshes that `draco.ts` decodes. */
+export const DRACO = "KHR_draco_mesh_compression";
+/** Textures that three.js needs further files for. */
+const KTX2 = "KHR_texture_basisu";
 /** Compressions of arrays that three.js's own decoder reads. */
 const PACKED = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
@@ -48,11 +50,10 @@ const PACKED = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
  */
 export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): void {
   const required = Array.isArray(json.extensionsRequired) ? (json.extensionsRequired as unknown[]) : [];
-  const unreadable = required.find((name) => UNREADABLE.includes(String(name)));
-  if (unreadable !== undefined)
+  if (required.includes(KTX2))
     throw broken(
-      `This model is compressed with ${unreadable}, which cannot be read here.`,
-      "Export it without compression.",
+      `The textures of this model are KTX2 files (${KTX2}), which cannot be read here.`,
+      "Export it with textures of PNG, JPEG or WebP.",
     );
   // Others make three.js fail where nobody can catch it.
   for (const list of NAMED)
@@ -85,7 +86,7 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
     checkAccessor(accessor, views);
     if (accessor.bufferView === undefined) zeros += size(accessor.count) * COMPONENTS[String(accessor.type)]!;
   }
-  if (zeros > MAX_ZEROS) throw broken("The arrays of this model are too long.");
+  if (zeros > MAX_NUMBERS) throw broken("The arrays of this model are too long.");
   for (const animation of records(json, "animations")) checkAnimation(animation, accessors);
   checkNodes(records(json, "nodes"));
 }
@@ -191,7 +192,23 @@ function size(value: unknown): number {
   return typeof value === "number" && Number.isSafeInteger(value) && value >= 0 ? value : Number.NaN;
 }
 
-function records(json: Record<string, unknown>, key: string): Record<string, unknown>[] {
+/** Whether a document says of itself, or of one of its meshes, that it is compressed with Draco. */
+export function usesDraco(json: Record<string, unknown>): boolean {
+  const isListed = [json.extensionsUsed, json.extensionsRequired].some(
+    (list) => Array.isArray(list) && list.includes(DRACO),
+  );
+  return isListed || primitivesOf(json).some(({ extensions }) => isRecord(extensions) && DRACO in extensions);
+}
+
+/** The primitives of all meshes. */
+export function primitivesOf(json: Record<string, unknown>): Record<string, unknown>[] {
+  return records(json, "meshes").flatMap(({ primitives }) =>
+    Array.isArray(primitives) ? primitives.filter(isRecord) : [],
+  );
+}
+
+/** A list of a document, empty where it has none. @throws StrutError `bad-file` where it is no list of objects */
+export function records(json: Record<string, unknown>, key: string): Record<string, unknown>[] {
   const list = json[key];
   if (list === undefined) return [];
   if (!Array.isArray(list) || !list.every(isRecord)) throw broken(`The list of ${key} in this model is damaged.`);

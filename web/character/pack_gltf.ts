@@ -1,5 +1,6 @@
 /** A `.gltf` with files beside it as one binary glTF: what the rest of the room reads, checks and writes. */
 import { StrutError } from "../engine/errors";
+import { glbOf, paddedLength } from "./glb_patch";
 import { isRecord } from "./vrm_humanoid";
 
 /** A file by its path. */
@@ -8,7 +9,6 @@ export interface FileBeside {
   bytes(): Promise<Uint8Array>;
 }
 
-const [MAGIC, JSON_CHUNK, BINARY_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
 /** Most bytes of all files together. */
 const MAX_BYTES = 128 * 1024 * 1024;
 
@@ -28,9 +28,8 @@ export async function packedGltf(
   let length = 0;
   const add = (bytes: Uint8Array): number => {
     const start = length;
-    const padding = new Uint8Array(-bytes.length & 3);
-    parts.push(bytes, padding);
-    length += bytes.length + padding.length;
+    parts.push(bytes);
+    length += paddedLength(bytes.length);
     if (length > MAX_BYTES)
       throw new StrutError({
         code: "bad-file",
@@ -77,7 +76,6 @@ export async function packedGltf(
   return glbOf(
     { ...json, buffers: length > 0 ? [{ byteLength: length }] : [], bufferViews, images: images.map(withSource) },
     parts,
-    length,
   );
 }
 
@@ -138,21 +136,3 @@ function decoded(uri: string): string {
 const typeOf = (bytes: Uint8Array): string => (bytes[0] === 0x89 ? "image/png" : "image/jpeg");
 
 const records = (list: unknown): Record<string, unknown>[] => (Array.isArray(list) ? list.filter(isRecord) : []);
-
-function glbOf(json: Record<string, unknown>, parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(JSON.stringify(json));
-  const textLength = text.length + (-text.length & 3);
-  const out = new Uint8Array(28 + textLength + length);
-  const view = new DataView(out.buffer);
-  for (const [i, word] of [MAGIC, 2, out.length, textLength, JSON_CHUNK].entries()) view.setUint32(4 * i, word, true);
-  out.fill(0x20, 20, 20 + textLength);
-  out.set(text, 20);
-  view.setUint32(20 + textLength, length, true);
-  view.setUint32(24 + textLength, BINARY_CHUNK, true);
-  let at = 28 + textLength;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
-  }
-  return out;
-}

@@ -16,7 +16,7 @@ import { originOf } from "./bind";
 import { converted } from "./convert";
 import { checkFbx } from "./fbx_check";
 import { chunksOf } from "./glb_patch";
-import { checkGltf } from "./gltf_check";
+import { checkGltf, usesDraco } from "./gltf_check";
 import type { GltfLike, Origin, VrmLike } from "./types";
 import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
@@ -277,7 +277,8 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
     loader.setMeshoptDecoder((await import("three/addons/libs/meshopt_decoder.module.js")).MeshoptDecoder);
   const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
   if (plugin) loader.register(plugin as never);
-  const gltf: GltfLike = await reading(() => loader.parseAsync(file.buffer, ""));
+  const plain = usesDraco(json) ? await (await import("./draco")).withoutDraco({ json, binary }) : file;
+  const gltf: GltfLike = await reading(() => loader.parseAsync(plain.buffer, ""));
   if (!gltf.scene) throw badFile("There is no scene in this model.", "Export it again.");
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
   const notes = [...textureNotes(lost), ...materialNotes(document)];

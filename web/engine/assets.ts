@@ -12,6 +12,7 @@ export type AssetName =
   | "strut_live_bg.wasm"
   | "strut_wasm_key_style_bg.wasm"
   | "strut_wasm_character_bg.wasm"
+  | "draco_decoder.wasm"
   | "strut_wasm_gpu_bg.wasm"
   | "strut_compare_bg.wasm"
   | "strut_learn_bg.wasm"

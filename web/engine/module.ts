@@ -3,9 +3,6 @@ import type { Asset } from "./assets";
 import { download, readAsset } from "./download";
 import { StrutError } from "./errors";
 
-/** What a module is called in messages. */
-const WHAT = "engine";
-
 /** A module whose only function uses 128-bit vectors. */
 const SIMD_MODULE = new Uint8Array([
   ...[0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0],
@@ -14,13 +11,14 @@ const SIMD_MODULE = new Uint8Array([
 
 /**
  * The compiled module at a URL, or of these bytes.
+ * @param what what it is called in messages
  * @throws StrutError `unsupported` if WebAssembly or its SIMD instructions are missing, `load` if the module cannot be had
  */
-export async function compileModule(asset: Asset): Promise<WebAssembly.Module> {
+export async function compileModule(asset: Asset, what = "engine"): Promise<WebAssembly.Module> {
   requireSimd();
   if (!(asset instanceof URL)) return WebAssembly.compile(asset);
-  if (asset.protocol === "file:") return WebAssembly.compile(await readAsset(asset, WHAT));
-  const response = await download(asset, WHAT);
+  if (asset.protocol === "file:") return WebAssembly.compile(await readAsset(asset, what));
+  const response = await download(asset, what);
   const type = response.headers.get("Content-Type") ?? "";
   // Some static hosts do not send the MIME type that streaming compilation requires.
   return type.startsWith("application/wasm")

@@ -13,6 +13,11 @@ export const ENGINE_ASSETS = [
   "built_in.bin",
 ] as const satisfies AssetName[];
 
+/** What is loaded with the first character, and with the first that is compressed with Draco. */
+export const CHARACTER_ASSETS = ["strut_wasm_character_bg.wasm", "draco_decoder.wasm"] as const satisfies AssetName[];
+
+export type CharacterAsset = (typeof CHARACTER_ASSETS)[number];
+
 export type EngineAsset = (typeof ENGINE_ASSETS)[number];
 
 /** What the engine asks for: where the page begins with a few strides, the package has all walks. */

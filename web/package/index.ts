@@ -2,7 +2,7 @@
 import { download } from "../engine/download";
 import { StrutError } from "../engine/errors";
 import { baseAddress, placeIn, placesBy } from "./assets";
-import { placeCharacterModule } from "./character_module";
+import { placeCharacterFiles } from "./character_files";
 import { loadEngine } from "./load";
 import { startEngine } from "./start";
 import type { LoadOptions, Strut } from "./types";
@@ -16,7 +16,7 @@ export type * from "./public";
  */
 export async function loadStrut({ assets, worker = true, signal }: LoadOptions = {}): Promise<Strut> {
   const place = assets === undefined ? beside() : (file: string) => placeIn(assets, file, baseAddress());
-  if (assets !== undefined) placeCharacterModule(placeIn(assets, "strut_wasm_character_bg.wasm", baseAddress()));
+  if (assets !== undefined) placeCharacterFiles(assets, baseAddress());
   const workerUrl = place("worker.js");
   const entry = {
     workerUrl,

@@ -1,6 +1,6 @@
 /** `strut-motion/inline`: the engine in one file; built-in motions, and what builds and trains, lie beside it. */
-import { baseAddress, placeIn } from "./assets";
-import { placeCharacterModule } from "./character_module";
+import { baseAddress } from "./assets";
+import { placeCharacterFiles } from "./character_files";
 import { loadInlined } from "./load_inlined";
 import * as servers from "./servers";
 import type { LoadOptions, Strut } from "./types";
@@ -13,7 +13,7 @@ export type * from "./public";
  * @throws StrutError `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadStrut({ assets, ...options }: LoadOptions = {}): Promise<Strut> {
-  if (assets !== undefined) placeCharacterModule(placeIn(assets, "strut_wasm_character_bg.wasm", baseAddress()));
+  if (assets !== undefined) placeCharacterFiles(assets, baseAddress());
   return loadInlined(assets ?? new URL("assets/", addressOrPage()).href, options, servers);
 }
 

@@ -2,7 +2,7 @@
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import { cancelled } from "../engine/errors";
 import { placeIn, placesBy } from "./assets";
-import { placeCharacterModule } from "./character_module";
+import { placeCharacterFiles } from "./character_files";
 import { inflate } from "./inflate";
 import { loadEngine } from "./load";
 import * as servers from "./servers";
@@ -19,7 +19,7 @@ export type * from "./public";
 export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<Strut> {
   if (signal?.aborted) throw cancelled(signal.reason);
   // Not `new URL(…, import.meta.url)`: bundlers for servers would look for a module of that name.
-  if (assets !== undefined) placeCharacterModule(placeIn(assets, "strut_wasm_character_bg.wasm", import.meta.url));
+  if (assets !== undefined) placeCharacterFiles(assets, import.meta.url);
   const places = placesBy((file) => placeIn(assets ?? "assets", file, import.meta.url));
   const boot = { assets: { ...places, "strut_wasm_bg.wasm": await inflate(engine) } };
   return loadEngine(boot, { thread: "node", ...localPorts(servers) }, signal);

@@ -1,6 +1,7 @@
 /**
  * `strut-character.js`: what loads characters for `strut-player.js`, with three.js and its loaders, three-vrm and the module of
- * characters in one classic script: it needs nothing beside it, and runs in frames without an origin.
+ * characters in one classic script, which runs in frames without an origin. Only files that are compressed with Draco need
+ * something beside it, `assets/draco_decoder.wasm`: it is a fifth of this script, and few have such files.
  */
 import characters from "strut-inline:strut_wasm_character_bg.wasm";
 import { loadCharacter } from "../character/load";
@@ -8,8 +9,13 @@ import { placeAssets } from "../engine/assets";
 import { inflate } from "./inflate";
 import { RECEIVER } from "./script";
 
+const { src } = document.currentScript as HTMLScriptElement;
+
 const load: typeof loadCharacter = async (source, options) => {
-  placeAssets({ "strut_wasm_character_bg.wasm": await inflate(characters) });
+  placeAssets({
+    "strut_wasm_character_bg.wasm": await inflate(characters),
+    "draco_decoder.wasm": new URL("assets/draco_decoder.wasm", src),
+  });
   return loadCharacter(source, options, () => import("@pixiv/three-vrm"));
 };
 

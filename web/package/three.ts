@@ -7,7 +7,7 @@ import type { BindOptions, Character, CharacterMotion, GltfLike, VrmLike } from 
 import { placeAssets } from "../engine/assets";
 import { StrutError } from "../engine/errors";
 import type { CallOptions } from "../engine/types";
-import { placedCharacterModule } from "./character_module";
+import { placedCharacterFile } from "./character_files";
 
 export { JointsError } from "../character/joints_error";
 export type { Licence } from "../character/licence";
@@ -62,12 +62,21 @@ export function loadMotions(source: CharacterSource, call?: CallOptions & BindOp
   return readMotions(source, call);
 }
 
-/** Says where the module lies: where `loadStrut({ assets })` said, else beside this file, in the form that bundlers look for. @throws StrutError `load` where this file has no address */
+/**
+ * Says where the files lie: where `loadStrut({ assets })` said, else beside this file, in the form that bundlers look for.
+ * @throws StrutError `load` where this file has no address
+ */
 function place(): void {
   try {
-    const beside = new URL("./assets/strut_wasm_character_bg.wasm", import.meta.url);
-    const placed = placedCharacterModule();
-    placeAssets({ "strut_wasm_character_bg.wasm": placed === undefined ? beside : new URL(placed) });
+    const beside = {
+      "strut_wasm_character_bg.wasm": new URL("./assets/strut_wasm_character_bg.wasm", import.meta.url),
+      "draco_decoder.wasm": new URL("./assets/draco_decoder.wasm", import.meta.url),
+    };
+    const placed = (file: keyof typeof beside) => new URL(placedCharacterFile(file) ?? beside[file]);
+    placeAssets({
+      "strut_wasm_character_bg.wasm": placed("strut_wasm_character_bg.wasm"),
+      "draco_decoder.wasm": placed("draco_decoder.wasm"),
+    });
   } catch (cause) {
     const message = "The module of characters has no address: this one was loaded from a blob or as data.";
     throw new StrutError({ code: "load", message, hint: "Load it from a file." }, cause);

@@ -1,0 +1,131 @@
+/**
+ * Writes the meshes of a glTF document that are compressed with Draco as plain arrays. three.js's loader would have a worker of a
+ * blob decode them, which policies of pages forbid, and reads what is written here as it reads every other file.
+ */
+import { DracoDecoder, type DracoMesh } from "../engine/character/draco";
+import { StrutError } from "../engine/errors";
+import { type GlbChunks, glbOf, paddedLength } from "./glb_patch";
+import { COMPONENTS, DRACO, MAX_NUMBERS, primitivesOf, records } from "./gltf_check";
+import { isRecord } from "./vrm_humanoid";
+
+type Json = Record<string, unknown>;
+
+/** What glTF calls 32-bit whole numbers, and lists of triangles. */
+const [UINT32, TRIANGLES] = [5125, 4];
+
+/**
+ * The file without Draco.
+ * @param chunks what {@link checkGltf} has found to be sound
+ * @throws StrutError `bad-file` where a mesh cannot be decoded or all together are too long, `load` where the decoder cannot be had
+ */
+export async function withoutDraco({ json, binary }: GlbChunks): Promise<Uint8Array<ArrayBuffer>> {
+  const document = structuredClone(json);
+  const meshes = new Meshes(document, binary);
+  const isRequired = listed(json.extensionsRequired).includes(DRACO);
+  let decoder: DracoDecoder | undefined;
+  for (const primitive of primitivesOf(document)) {
+    const extensions = primitive.extensions as Json;
+    if (!isRecord(extensions) || !(DRACO in extensions)) continue;
+    // Files for programs that know no Draco have the plain arrays as well.
+    if (isRequired || !meshes.arePlain(primitive)) {
+      decoder ??= await DracoDecoder.load();
+      meshes.decode(primitive, extensions[DRACO], decoder);
+    }
+    delete extensions[DRACO];
+  }
+  for (const key of ["extensionsUsed", "extensionsRequired"])
+    if (key in document) document[key] = listed(document[key]).filter((name) => name !== DRACO);
+  return meshes.file();
+}
+
+/** A document whose meshes are decoded one by one, and what is added to its buffer. */
+class Meshes {
+  readonly #views: Json[];
+  readonly #accessors: Json[];
+  readonly #parts: Uint8Array[];
+  /** Primitives of the same arrays are decoded once. */
+  readonly #decoded = new Map<string, Json>();
+  #length: number;
+  #numbers = 0;
+
+  constructor(
+    private readonly document: Json,
+    private readonly binary: Uint8Array,
+  ) {
+    this.#views = records(document, "bufferViews");
+    this.#accessors = records(document, "accessors");
+    this.#parts = [binary];
+    this.#length = paddedLength(binary.length);
+  }
+
+  /** Whether all arrays of a primitive are in the file without compression, too. */
+  arePlain({ attributes, indices }: Json): boolean {
+    const all = [indices, ...Object.values(isRecord(attributes) ? attributes : {})];
+    return all.every((accessor) => this.#accessors[Number(accessor)]?.bufferView !== undefined);
+  }
+
+  /** Gives a primitive plain arrays. */
+  decode(primitive: Json, packed: unknown, decoder: DracoDecoder): void {
+    const { attributes, indices, mode = TRIANGLES } = primitive;
+    if (!isRecord(packed) || !isRecord(packed.attributes) || !isRecord(attributes)) throw damaged();
+    if (mode !== TRIANGLES)
+      throw new StrutError({
+        code: "bad-file",
+        message: "A compressed mesh of this model is no list of triangles.",
+        hint: "Export it without compression.",
+      });
+    const key = JSON.stringify([packed, attributes, indices]);
+    const decoded = this.#decoded.get(key) ?? this.#plain(packed, packed.attributes, attributes, decoder);
+    this.#decoded.set(key, decoded);
+    Object.assign(primitive, decoded);
+  }
+
+  #plain(packed: Json, ids: Json, attributes: Json, decoder: DracoDecoder): Json {
+    const wanted = Object.entries(ids).flatMap(([name, id]) => {
+      if (!(name in attributes)) return [];
+      const accessor = this.#accessors[Number(attributes[name])];
+      if (!accessor || !Number.isInteger(id)) throw damaged();
+      const width = COMPONENTS[String(accessor.type)]!;
+      return [{ name, accessor, id: Number(id), componentType: Number(accessor.componentType), width }];
+    });
+    const mesh: DracoMesh = decoder.decode(this.#stream(packed), wanted, MAX_NUMBERS - this.#numbers);
+    this.#numbers += mesh.indices.length + wanted.reduce((sum, { width }) => sum + mesh.points * width, 0);
+    const arrays = wanted.map(({ name, accessor }, i) => {
+      const plain = { ...accessor, byteOffset: 0, count: mesh.points };
+      return [name, this.#add(plain, mesh.attributes[i]!)];
+    });
+    const indices = { componentType: UINT32, type: "SCALAR", count: mesh.indices.length };
+    return {
+      attributes: { ...attributes, ...Object.fromEntries(arrays) },
+      indices: this.#add(indices, new Uint8Array(mesh.indices.buffer)),
+    };
+  }
+
+  /** The bytes that a primitive is compressed to. */
+  #stream({ bufferView }: Json): Uint8Array {
+    const view = this.#views[Number(bufferView)];
+    if (view?.buffer !== 0 || records(this.document, "buffers")[0]!.uri !== undefined) throw damaged();
+    const start = Number(view.byteOffset ?? 0);
+    return this.binary.subarray(start, start + Number(view.byteLength));
+  }
+
+  /** Adds an array. Gives the number of its accessor. */
+  #add(accessor: Json, bytes: Uint8Array): number {
+    const view = { buffer: 0, byteOffset: this.#length, byteLength: bytes.length };
+    this.#parts.push(bytes);
+    this.#length += paddedLength(bytes.length);
+    return this.#accessors.push({ ...accessor, bufferView: this.#views.push(view) - 1 }) - 1;
+  }
+
+  file(): Uint8Array<ArrayBuffer> {
+    if (this.#parts.length > 1) records(this.document, "buffers")[0]!.byteLength = this.#length;
+    return glbOf(this.document, this.#parts);
+  }
+}
+
+const listed = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
+
+function damaged(): StrutError {
+  const message = "A compressed mesh of this model is damaged.";
+  return new StrutError({ code: "bad-file", message, hint: "Export it again, or without compression." });
+}
