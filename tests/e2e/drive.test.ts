@@ -20,7 +20,7 @@ import {
   visit,
 } from "./browser";
 import { expectFitsNarrow } from "./narrow";
-import { showTheme } from "./rest";
+import { atRest, showTheme } from "./rest";
 
 declare const window: {
   strut: StrutHook & { frame: DriveFrame };
@@ -277,6 +277,8 @@ describe("a thumb", () => {
     await narrow.goto(`${site.site.url}#${STILL_CAMERA}`);
     await shown(narrow);
     await driving(narrow);
+    // While the camera glides, the arrow before the feet passes by where the thumb is put.
+    await atRest(narrow, () => narrow.evaluate(() => window.strut.groundScreenPosition(0, 0)));
     const cdp: CDPSession = await context.newCDPSession(narrow);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", places: Place[]) =>
       cdp.send("Input.dispatchTouchEvent", { type, touchPoints: places });
