@@ -277,13 +277,15 @@ describe("a thumb", () => {
     await narrow.goto(`${site.site.url}#${STILL_CAMERA}`);
     await shown(narrow);
     await driving(narrow);
-    // While the camera glides, the arrow before the feet passes by where the thumb is put.
+    // While the camera glides to who is driven, the arrow before the feet passes by where the thumb is put.
+    await narrow.waitForFunction(() => window.strut.frame.inputFrame > 40);
     await atRest(narrow, () => narrow.evaluate(() => window.strut.groundScreenPosition(0, 0)));
     const cdp: CDPSession = await context.newCDPSession(narrow);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", places: Place[]) =>
       cdp.send("Input.dispatchTouchEvent", { type, touchPoints: places });
     const box = (await narrow.locator(".stage-view").boundingBox())!;
-    const at = { x: box.x + 80, y: box.y + box.height - 100 };
+    // Beside the arrow.
+    const at = { x: box.x + 40, y: box.y + box.height - 180 };
     const from = await hips(narrow);
     await touch("touchStart", [at]);
     await touch("touchMove", [{ x: at.x, y: at.y - 54 }]);

@@ -373,8 +373,10 @@ export class Viewer {
     this.#redraw.request();
   }
 
-  /** Goes behind the character, gliding, from where the ground ahead is seen. */
+  /** Goes behind the character, gliding, from where the ground ahead is seen, and looks at it, whether it is followed or not. */
   cameraBehind(): void {
+    // The ghost changes sides on the way.
+    this.#stage.view.settle();
     this.#stage.setBehind(headingOf(this.#world, 0));
   }
 

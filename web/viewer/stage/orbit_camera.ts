@@ -151,7 +151,7 @@ export class OrbitCamera {
     this.#free = { ...this.#free, azimuth: wrap(this.#free.azimuth + by) };
   }
 
-  /** Goes to what is followed at once with the next update, as when the character jumps. */
+  /** Goes to what is followed at once, as when the character jumps: with the next update, and until a glide that runs is over. */
   settle(): void {
     this.#settled = false;
   }
@@ -162,7 +162,7 @@ export class OrbitCamera {
     if (follow || !this.#settled) {
       const far = Math.hypot(point.x - this.target.x, point.z - this.target.z) > JUMP;
       if (far || !this.#settled) this.target.set(point.x, 0, point.z);
-      this.#settled = true;
+      this.#settled = this.#glide === undefined;
       const share = 1 - 0.5 ** (dtSecs / FOLLOW_HALF_LIFE);
       this.target.x += (point.x - this.target.x) * share;
       this.target.z += (point.z - this.target.z) * share;
