@@ -45,7 +45,7 @@ pub enum KeysError {
     #[error("key {0} holds a number that is not finite")]
     NotFinite(usize),
     /// Times that do not ascend.
-    #[error("key {key} is at {secs:?} s, not after the one before; ascending times were expected")]
+    #[error("key {key} is at {} s, not after the one before; ascending times were expected", number(*.secs))]
     Order {
         /// The key; the first is 1.
         key: usize,
@@ -53,8 +53,13 @@ pub enum KeysError {
         secs: f64,
     },
     /// Too far apart.
-    #[error("the keys span {0:?} s; at most {MAX_SECS} s are made")]
+    #[error("the keys span {} s; at most {MAX_SECS} s are made", number(*.0))]
     TooLong(f64),
+}
+
+/// A number of a message, with an exponent where it would have too many digits.
+fn number(value: f64) -> String {
+    if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
 }
 
 /// Keys and the curves between them.
