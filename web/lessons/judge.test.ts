@@ -270,5 +270,5 @@ test("C refuses methods that tie inside and jitter outside", async () => {
   expect(await result("C", { source: "live", pick: "mar" })).toEqual({ result: "near", way: "other" });
   const said = saidIn("en", await measureOf("C", { source: "off", pick: "knn" }));
   const text = await TEXTS.en.lessons.judge!();
-  expect(text.exercises.C!.refuse(said)).toMatch(/^KNN keeps only 0\.42 of the content, at 3\.27 × the acceleration/);
+  expect(text.exercises.C!.refuse(said)).toMatch(/^KNN keeps only 0\.42 of the content, at 3\.31 × the acceleration/);
 });
