@@ -80,4 +80,21 @@ describe("a BVH of another tool", () => {
     expect((await saved(page, "BVH")).name).toBe("mine-proud.bvh");
     expect(await page.getByRole("alert").textContent()).toBe("");
   });
+
+  it("comes back by undo also after another was taken out", async () => {
+    await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
+    await dropFile(page, "other.bvh", walk);
+    await eventually(() => inputName(page)).toBe("other");
+    const remove = page.getByRole("button", { name: "Remove this file from the inputs" });
+    await remove.click();
+    await eventually(() => inputName(page)).toBe("neutral walk");
+    await page.getByLabel("Input motion").selectOption("mine");
+    await eventually(() => inputName(page)).toBe("mine");
+    await remove.click();
+    for (const name of ["mine", "neutral walk", "other"]) {
+      if (name === "mine") await eventually(() => inputName(page)).toBe("neutral walk");
+      await page.keyboard.press("Control+z");
+      await eventually(() => inputName(page)).toBe(name);
+    }
+  });
 });

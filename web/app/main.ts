@@ -67,7 +67,7 @@ function whenIdle(call: () => void): void {
   else setTimeout(call, IDLE_MS);
 }
 
-/** Loads what need not be there at once. What cannot be loaded is missing, and all else works. */
+/** Loads what the first picture does not need. The page works without it. */
 function loadTheRest(app: App): void {
   whenIdle(() => app.showTips().catch(() => {}));
 }

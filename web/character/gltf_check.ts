@@ -192,7 +192,7 @@ function size(value: unknown): number {
   return typeof value === "number" && Number.isSafeInteger(value) && value >= 0 ? value : Number.NaN;
 }
 
-/** Whether a document says of itself, or of one of its meshes, that it is compressed with Draco. */
+/** Whether a document, or one of its primitives, declares Draco compression. */
 export function usesDraco(json: Record<string, unknown>): boolean {
   const isListed = [json.extensionsUsed, json.extensionsRequired].some(
     (list) => Array.isArray(list) && list.includes(DRACO),

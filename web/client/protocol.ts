@@ -80,12 +80,12 @@ export interface MemoryInfo extends WasmMemory {
 
 /** Where a database comes from. */
 export type DatabaseSource = { kind: "demo"; set?: BuiltInSet } | { kind: "strutdb"; name: string; file: Blob };
-/** Where a motion comes from. A file's bytes are held as they are given: a `Blob` is passed on by reference, and read where it is used. */
+/** Where a motion comes from. The bytes of a `Blob` are not copied: it is passed by reference, and the worker reads it. */
 export type InputSource =
   | { kind: "built-in"; name: string; set?: BuiltInSet }
   | ({ kind: "bvh"; name: string; bytes: ArrayBuffer | Blob; exact?: ExactPoses } & Said);
 
-/** Bytes, held here or by reference. */
+/** Size in bytes. */
 export function sizeOf(bytes: ArrayBuffer | Blob): number {
   return "size" in bytes ? bytes.size : bytes.byteLength;
 }

@@ -96,7 +96,9 @@ export const ATTRIBUTES = {
   speed: number(1, 0.1, 4, "Speed of playing, 0.1 to 4."),
   camera: choice(CAMERA_PRESETS, "Where it is seen from."),
   ghost: choice(GHOST_MODES, "Where the input is drawn."),
-  "disable-zoom": flag("Nothing zooms. Else the wheel does with the focus in the picture, or with Ctrl or Cmd."),
+  "disable-zoom": flag(
+    "Disables zooming. Without it the wheel zooms while the picture has the focus, or with Ctrl or Cmd held.",
+  ),
   theme: choice(PLAYER_THEMES, "Colours; auto are those that the page has around it."),
   loading: choice(LOADING, "Whether it loads when it comes near the screen, or at once."),
   alt: text("", "What a screen reader calls the picture; by default it says what is performed."),

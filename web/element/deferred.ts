@@ -16,7 +16,7 @@ export class Deferred {
         reject(reason);
       };
     });
-    // Where nobody waits for it, nobody is to be told.
+    // A rejection that no caller awaits is not an unhandled rejection.
     this.promise.catch(() => undefined);
   }
 }

@@ -12,7 +12,7 @@ import type { Settings } from "./settings";
 /** Drawing goes on for so long after the last change: glides and fades end within it. */
 const AFTERGLOW_MS = 1200;
 
-/** Why there is no picture of a figure that is taken away. */
+/** The error of a figure that was disposed of before its picture was drawn. */
 const CLOSED = { code: "cancelled", message: "The figure was taken away.", hint: "" } as const;
 
 export interface FigureListeners {
@@ -49,7 +49,7 @@ export class Figure implements Drawing {
   #drawUntil = 0;
   #seeking: number | undefined;
   #running = false;
-  /** Aborts with the first picture. */
+  /** Aborted once the first picture is drawn. */
   readonly #undrawn = new AbortController();
   #isDisposed = false;
 
@@ -173,7 +173,7 @@ export class Figure implements Drawing {
     return this.viewer.render(now / 1000);
   }
 
-  /** The first picture does not wait until the page is seen: while it is hidden no animation frame comes. */
+  /** Draws the first picture also while the page is hidden, when the browser runs no animation frames. */
   drawWhileHidden(): void {
     const draw = () => {
       if (document.hidden) void this.#drawNow();

@@ -298,7 +298,7 @@ export class StrutPlayer extends ElementBase {
       this.#connected = false;
       for (const observer of this.#observers.splice(0)) observer.disconnect();
       if (this.#opened) this.#startSecs = this.currentTime;
-      // Nobody waits for ever for what is not on the page; where it is put back, it is waited for anew.
+      // A removed player does not become ready; if it is put back, there is a new promise.
       if (!this.#ready.isSettled) this.#ready.reject(new StrutError(TAKEN_AWAY));
       this.#ready = new Deferred();
       this.#close();

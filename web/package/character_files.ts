@@ -19,5 +19,5 @@ export function placeCharacterFiles(assets: Parameters<typeof placeIn>[0], base:
   (globalThis as Shared)[KEY] = Object.fromEntries(files) as Placed;
 }
 
-/** The absolute address of a file; `undefined` where nobody said so: beside the code. */
+/** The absolute address of a file; `undefined` if no folder was given: the file lies beside the code. */
 export const placedCharacterFile = (file: CharacterAsset): string | undefined => (globalThis as Shared)[KEY]?.[file];

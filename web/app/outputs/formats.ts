@@ -29,9 +29,6 @@ export async function makesMp4(): Promise<boolean> {
   return supported === true;
 }
 
-/** The container that most programs open: MP4 where this browser makes it. */
-export const commonContainer = async (): Promise<VideoContainer> => ((await makesMp4()) ? "mp4" : "webm");
-
 /** Sizes of a video in pixels, by their names in the menu; `undefined` is the size on screen. */
 export const VIDEO_SIZES = {
   "as on screen": undefined,

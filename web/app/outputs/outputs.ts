@@ -151,12 +151,12 @@ async function video(
             yield pictureAt(++count / VIDEO_RATE);
           }
         }
-        return makeVideo(frames(), size, container);
+        return makeVideo(frames(), size, [container]);
       },
       { signal, size: VIDEO_SIZES[size] },
     );
   try {
-    return await session.playback.hold(() => progress.run(label, film));
+    return (await session.playback.hold(() => progress.run(label, film)))?.blob;
   } finally {
     store.edit({ loop: before.loop, playing: before.playing, frame: before.frame });
     if (!before.playing) playhead.goTo(before.frame);

@@ -10,7 +10,7 @@ import {
   WebMOutputFormat,
 } from "mediabunny";
 import { saveFile } from "../../ui/dom";
-import { commonContainer, VIDEO_SIZES, type VideoContainer, type VideoSize } from "./formats";
+import { VIDEO_SIZES, type VideoContainer, type VideoSize } from "./formats";
 
 /** Frames per second. */
 export const VIDEO_RATE = 60;
@@ -18,45 +18,73 @@ const QUALITY = new Quality({ bitrate: 12_000_000 });
 /** Codecs of each container in the order of preference. */
 const CODECS: Record<VideoContainer, VideoCodec[]> = { webm: ["vp9", "vp8", "av1"], mp4: ["avc"] };
 
+interface Video {
+  readonly container: VideoContainer;
+  readonly blob: Blob;
+}
+
+/** A video that is being encoded. */
+interface Encoder {
+  readonly container: VideoContainer;
+  readonly output: Output<Mp4OutputFormat | WebMOutputFormat, BufferTarget>;
+  readonly source: CanvasSource;
+}
+
 /**
- * Makes a video at {@link VIDEO_RATE} frames per second; `undefined` where this browser has no encoder for it.
+ * Makes a video at {@link VIDEO_RATE} frames per second, in the first container for which this browser encodes pictures of this
+ * size; `undefined` if there is none.
  * @throws whatever `pictures` throws, after the encoder is freed
  */
 export async function makeVideo(
   pictures: AsyncIterable<HTMLCanvasElement>,
   size: VideoSize,
-  container: VideoContainer,
-): Promise<Blob | undefined> {
-  const format = container === "mp4" ? new Mp4OutputFormat({ fastStart: "in-memory" }) : new WebMOutputFormat();
-  const output = new Output({ format, target: new BufferTarget() });
+  containers: readonly VideoContainer[],
+): Promise<Video | undefined> {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d", { alpha: false })!;
-  let source: CanvasSource | undefined;
+  let encoder: Encoder | undefined;
   let count = 0;
   try {
     for await (const picture of pictures) {
-      if (!source) {
+      if (!encoder) {
         Object.assign(canvas, VIDEO_SIZES[size] ?? { width: even(picture.width), height: even(picture.height) });
-        const { width, height } = canvas;
-        const codec = await getFirstEncodableVideoCodec(CODECS[container], { width, height, quality: QUALITY });
-        if (!codec) return undefined;
-        source = new CanvasSource(canvas, { codec, quality: QUALITY });
-        output.addVideoTrack(source, { frameRate: VIDEO_RATE });
-        await output.start();
+        encoder = await startEncoder(canvas, containers);
+        if (!encoder) return undefined;
       }
       drawCovering(context, picture, canvas.width, canvas.height);
-      await source.add(count / VIDEO_RATE, 1 / VIDEO_RATE);
+      await encoder.source.add(count / VIDEO_RATE, 1 / VIDEO_RATE);
       count += 1;
     }
+    if (!encoder) return undefined;
+    const { container, output } = encoder;
     await output.finalize();
+    return { container, blob: new Blob([output.target.buffer!], { type: output.format.mimeType }) };
   } finally {
-    if (output.state !== "finalized") await output.cancel();
+    if (encoder && encoder.output.state !== "finalized") await encoder.output.cancel();
   }
-  return new Blob([output.target.buffer!], { type: format.mimeType });
+}
+
+/** Starts an encoder of what is drawn on a canvas, in the first container that this browser can write. */
+async function startEncoder(
+  canvas: HTMLCanvasElement,
+  containers: readonly VideoContainer[],
+): Promise<Encoder | undefined> {
+  const { width, height } = canvas;
+  for (const container of containers) {
+    const codec = await getFirstEncodableVideoCodec(CODECS[container], { width, height, quality: QUALITY });
+    if (!codec) continue;
+    const format = container === "mp4" ? new Mp4OutputFormat({ fastStart: "in-memory" }) : new WebMOutputFormat();
+    const output = new Output({ format, target: new BufferTarget() });
+    const source = new CanvasSource(canvas, { codec, quality: QUALITY });
+    output.addVideoTrack(source, { frameRate: VIDEO_RATE });
+    await output.start();
+    return { container, output, source };
+  }
+  return undefined;
 }
 
 /**
- * Makes a video in the container that most programs open, and saves it; its name, or `undefined` where this browser has no
+ * Makes an MP4 video, or WebM where this browser encodes no MP4 of this size, and saves it; its name, or `undefined` where this browser has no
  * encoder.
  * @throws whatever `pictures` throws
  */
@@ -65,11 +93,10 @@ export async function saveVideo(
   pictures: AsyncIterable<HTMLCanvasElement>,
   size: VideoSize,
 ): Promise<string | undefined> {
-  const container = await commonContainer();
-  const blob = await makeVideo(pictures, size, container);
-  if (!blob) return undefined;
-  const name = `${title}.${container}`;
-  saveFile(name, blob);
+  const video = await makeVideo(pictures, size, ["mp4", "webm"]);
+  if (!video) return undefined;
+  const name = `${title}.${video.container}`;
+  saveFile(name, video.blob);
   return name;
 }
 

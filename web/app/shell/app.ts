@@ -64,7 +64,7 @@ export class App {
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
   #isExporting = false;
-  /** Says that what the link asks for is open. */
+  /** Settles the promise for which dropped files wait. */
   #started = () => {};
   /** Takes away what is said while there is no picture. */
   #pictureBack = () => {};
@@ -195,7 +195,7 @@ export class App {
     this.#toasts.offer(ready, action, update);
   }
 
-  /** Shows what controls are for to those without a mouse, from when that is loaded. */
+  /** Loads and shows tooltips for keyboard and touch. */
   async showTips(): Promise<void> {
     const { showTips } = await import("../ui/tips");
     if (!this.#listening.signal.aborted) showTips(this.#listening.signal);
@@ -349,7 +349,7 @@ export class App {
     this.#showTopBar();
   }
 
-  /** Has the browser ask before the page is left, while that would lose something. */
+  /** Makes the browser ask before the page is left while that would lose something. */
   #guardWork(): void {
     this.#guard.needed = this.#views.holdUnkept || this.#files.unkept;
   }

@@ -111,7 +111,7 @@ export class DropZone {
   readonly #listeners: FileListeners;
   readonly #ready: Promise<void>;
 
-  /** @param ready settles when the page has opened what its link asks for: files wait for it, or it would take their place */
+  /** @param ready settles when the page has opened its first input; dropped files wait for it, as opening that input would cancel them */
   constructor(listeners: FileListeners, ready: Promise<void>, signal: AbortSignal) {
     [this.#listeners, this.#ready] = [listeners, ready];
     this.element.append(this.#target, this.#picker);

@@ -139,7 +139,7 @@ export class TopBar {
   }
 }
 
-/** Acts on a click on a link in the place of following it; with a key held the browser opens the link elsewhere, as ever. */
+/** Acts on a click on a link instead of following it. With Ctrl, Cmd or Shift held the browser opens the link as usual. */
 function onPlainClick(link: HTMLElement, act: () => void): void {
   link.addEventListener("click", (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;

@@ -47,8 +47,8 @@ export class Workspace {
   #pending = 0;
   /** Whether the state becomes that of a link: whatever a person had begun to open, the link says what is to be open. */
   #arriving = false;
-  /** The input that was removed last. */
-  #removed: DroppedInput | undefined;
+  /** Inputs that were removed, by their names: undo brings them back. */
+  readonly #removed = new Map<string, DroppedInput>();
   /** The file that a link was made with and does not hold, and the frame that it shows of it. */
   #awaited: { input: string; frame: number } | undefined;
 
@@ -146,7 +146,7 @@ export class Workspace {
       await library.bringBack(removed);
       return;
     }
-    this.#removed = removed;
+    this.#removed.set(removed.name, removed);
     const place = { toasts: this.#toasts, store: this.#store };
     offerUntilEdit(strings.play.input.removed(removed.name), strings.page.bar.undo, () => this.#store.undo(), place);
   }
@@ -288,7 +288,8 @@ export class Workspace {
     const reread = !sameReading(reading, session.reading);
     if (name === session.chosen && !reread && !this.#progress.input.busy) return;
     if (!session.library.has(name)) {
-      if (this.#removed?.name === name) await session.library.bringBack(this.#removed);
+      const removed = this.#removed.get(name);
+      if (removed) await session.library.bringBack(removed);
       else await this.databases.complete;
     }
     if (this.#store.state.input !== wanted) return;

@@ -1,11 +1,11 @@
 /**
- * Has the browser ask before the page is left. It listens only while that is needed: a page that always listens to
- * `beforeunload` is kept out of some browsers' back-forward cache.
+ * Makes the browser ask for confirmation before the page is left. It listens only while needed: some browsers do not put pages
+ * that listen to `beforeunload` into the back/forward cache.
  */
 export class LeaveGuard {
   #listening: AbortController | undefined;
 
-  /** Whether something would be lost. */
+  /** Whether leaving would lose something. */
   set needed(needed: boolean) {
     if (needed === (this.#listening !== undefined)) return;
     this.#listening?.abort();

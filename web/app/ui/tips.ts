@@ -1,31 +1,31 @@
 /**
- * What the `title` of a control says, for those without a mouse: it is shown while the keyboard's focus is on the control, and while
- * a finger rests on it. A mouse has the browser's own way.
+ * Tooltips for keyboard and touch: the `title` of a control is shown while it has the focus by Tab, and after a long press. For a
+ * mouse the browser shows it.
  */
 import { html, setText } from "../../ui/dom";
 
-/** A finger that rests for so long asks what it rests on, milliseconds. */
+/** Time after which a press is a long press, milliseconds. */
 const LONG_PRESS_MS = 500;
-/** A finger that moves so far does not rest, pixels. */
+/** A press that moves farther than this is a drag, pixels. */
 const REST_PX = 10;
-/** What a finger asked for stays for so long after it was lifted, milliseconds. */
+/** A tooltip stays for this time after a long press ends, milliseconds. */
 const READ_MS = 4000;
-/** Room between a control and what is said of it, and to the edge of the window, pixels. */
+/** Distance of a tooltip from its control and from the edge of the window, pixels. */
 const GAP_PX = 10;
 
-/** Shows them until the signal aborts. */
+/** Shows tooltips until the signal aborts. */
 export function showTips(signal: AbortSignal): void {
-  // What it says is the control's description already.
+  // Screen readers have the text as the description of the control.
   const tip = html("div", { class: "tip", popover: "manual", "aria-hidden": "true" });
   document.body.append(tip);
   signal.addEventListener("abort", () => tip.remove(), { once: true });
   let byKeys = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let pressed: { x: number; y: number; at: number } | undefined;
-  /** Whether the present press of a finger has shown something: it does nothing else. */
+  /** Whether the present press is a long press, which only shows the tooltip. */
   let asked = false;
 
-  /** What it is about, while it is shown. */
+  /** The control whose tooltip is shown. */
   let shown: HTMLElement | undefined;
 
   const changes = new MutationObserver(() => place());
@@ -44,12 +44,12 @@ export function showTips(signal: AbortSignal): void {
   const place = () => {
     if (!shown) return;
     setText(tip, shown.title);
-    // Measured where nothing narrows it.
+    // Its size is measured in the corner: at the right edge it would be narrower.
     tip.style.cssText = "left: 0; top: 0";
     const { left, top, bottom, width } = shown.getBoundingClientRect();
     const { offsetWidth, offsetHeight } = tip;
     const x = Math.max(GAP_PX, Math.min(innerWidth - offsetWidth - GAP_PX, left + (width - offsetWidth) / 2));
-    // Above, where neither the finger nor the list of a control is, if there is room.
+    // Above the control if there is room: a finger or an open list covers what is below.
     const above = top - GAP_PX - offsetHeight;
     tip.style.cssText = `left: ${x}px; top: ${above >= GAP_PX ? above : bottom + GAP_PX}px`;
   };
@@ -60,7 +60,7 @@ export function showTips(signal: AbortSignal): void {
     if (key === "Tab") byKeys = true;
     else if (key === "Escape") hide();
   });
-  // Browsers move the focus to what a finger has left.
+  // After a long press the browser moves the focus to the control.
   listen("focusin", (event) => {
     if (asked) return;
     hide();
@@ -88,7 +88,7 @@ export function showTips(signal: AbortSignal): void {
   });
   const release = ({ timeStamp }: PointerEvent) => {
     if (!pressed) return;
-    // On a page that is busy a tap is heard of late: it is one all the same.
+    // On a busy page the timer may run before the event of a short tap arrives: the event's own time decides.
     if (timeStamp - pressed.at < LONG_PRESS_MS) asked = false;
     pressed = undefined;
     if (asked) timer = setTimeout(hide, READ_MS);
@@ -96,7 +96,7 @@ export function showTips(signal: AbortSignal): void {
   };
   listen("pointerup", release);
   listen("pointercancel", release);
-  // Who asked what a control does has not used it.
+  // A long press does not activate the control.
   listen("click", (event) => {
     if (!asked) return;
     asked = false;
@@ -108,7 +108,7 @@ export function showTips(signal: AbortSignal): void {
   });
 }
 
-/** What has a title at an event, within figures too, and says more than it shows. */
+/** The element with a title at an event, in shadow roots too; none if its text is the title. */
 function titledAt(event: Event): HTMLElement | undefined {
   for (const node of event.composedPath())
     if (node instanceof HTMLElement && node.title !== "")

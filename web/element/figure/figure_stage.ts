@@ -77,7 +77,7 @@ export class FigureStage implements Drawing {
       const viewer = new Viewer(this.element, { ...options, screen: joinScreen() });
       for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
         this.element.addEventListener(type, () => this.invalidate(), { passive: true });
-      // Its page is scrolled with the pointer anywhere.
+      // The wheel scrolls the page of the lesson.
       viewer.zooming = "focused";
       viewer.onDraw = this.#listeners.drawn;
       this.element.append(this.overlay);

@@ -132,7 +132,7 @@ export class Knob {
     dial.addEventListener(
       "wheel",
       (event) => {
-        // Who scrolls past it changes nothing.
+        // Scrolling the page over a knob does not turn it.
         if (!dial.matches(":focus")) return;
         event.preventDefault();
         this.#turn(stepped(this.#value, -Math.sign(event.deltaY) * STEP, this.#range));

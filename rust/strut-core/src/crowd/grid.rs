@@ -3,7 +3,7 @@
 use super::steering::Figure;
 use crate::math::Vec2;
 
-/// Side of a cell, metres. Smaller cells hold fewer who are too far away; larger ones are fewer to go through.
+/// Side of a cell, metres. Smaller cells hold fewer figures beyond the reach; of larger cells fewer are searched.
 const CELL: f32 = 2.0;
 /// Cells a side: as many as the largest crowd needs, and those who are beyond are in the outermost.
 const SIDE: usize = 48;
@@ -55,20 +55,20 @@ impl Grid {
     }
 }
 
-/// The others of a crowd for one of it.
+/// Searches the neighbours of one figure of a crowd.
 #[derive(Debug)]
 pub(super) struct Others<'a> {
     pub(super) grid: &'a Grid,
-    /// Everybody that `grid` was sorted by.
+    /// All figures, as `grid` was sorted by their places.
     pub(super) figures: &'a [Figure],
-    /// The number of whom they are the others.
+    /// Index of the figure whose neighbours are searched.
     pub(super) of: usize,
-    /// Room for those who are found.
+    /// Buffer for the result.
     pub(super) found: &'a mut Vec<Figure>,
 }
 
 impl Others<'_> {
-    /// Those nearer than a reach, metres.
+    /// The other figures nearer than a reach, metres.
     pub(super) fn within(&mut self, reach: f32) -> &[Figure] {
         self.found.clear();
         if let Some(me) = self.figures.get(self.of) {

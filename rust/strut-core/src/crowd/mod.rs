@@ -56,7 +56,7 @@ pub struct Crowd {
     /// Everybody as they were before the tick.
     figures: Vec<Figure>,
     grid: Grid,
-    /// Room for those near one of them.
+    /// Buffer for the neighbours of one member.
     near: Vec<Figure>,
     /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,

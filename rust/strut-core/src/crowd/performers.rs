@@ -31,7 +31,7 @@ pub struct Performers {
     /// Everybody as they were before the tick.
     figures: Vec<Figure>,
     grid: Grid,
-    /// Room for those near one of them.
+    /// Buffer for the neighbours of one member.
     near: Vec<Figure>,
     /// One a performer and style: the weights, and their part from 0 to 1 in 255ths.
     weights: Vec<f32>,

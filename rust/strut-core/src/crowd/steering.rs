@@ -231,7 +231,7 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
     (left.min(right) + radius - EDGE * ground).max(0.0)
 }
 
-/// How far somebody moves aside in a frame, [x, z] in metres, for others within [`OVERLAPPING`].
+/// How far a walker moves aside in a frame, [x, z] in metres, for others within [`OVERLAPPING`].
 pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
     others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;

@@ -14,8 +14,8 @@ use crate::math::interpolation::smooth_step;
 use std::collections::VecDeque;
 use std::ops::{Add, Mul, Range, Sub};
 
-/// Weighted means over time are found at so many frames a second at least, and lie on straight lines between these: they hardly
-/// change within a frame of faster files, and each takes as many steps as its window has frames.
+/// Least rate at which smoothed values are computed; between these frames they are interpolated linearly. At the rate of a fast
+/// file each value would cost as many steps as its window has frames, and neighbours hardly differ.
 const SMOOTH_HZ: f32 = 240.0;
 /// The correction of the slide fades in and out around a hold over this time, seconds.
 const EASE_SECS: f32 = 0.034;

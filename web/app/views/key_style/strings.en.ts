@@ -1,5 +1,7 @@
 /** What the Key-style view says. */
-const components = (n: number) => (n === 1 ? "1 component" : `${n} components`);
+import { counted } from "../../strings/counted.en";
+
+const components = counted("component");
 
 export const keyStyle = {
   heading: "Style pad",

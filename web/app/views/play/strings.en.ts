@@ -199,7 +199,7 @@ export const play = {
       ["1 – 8", "all of one style, clockwise from the top"],
       ["Ctrl Z", "undo; with Shift redo"],
       ["Ctrl O, Ctrl S", "open a file; save the project"],
-      ["Tab", "to a control: what it does is shown; a finger that rests on it shows it too"],
+      ["Tab", "to a control shows what it does; so does a long press"],
       ["?", "this help"],
     ] as readonly (readonly [keys: string, does: string])[],
     singleKeys: "Letters, digits and ? act as keys",

@@ -94,9 +94,9 @@ export class Player {
     if (!walker) return;
     const { playing, speed } = this.#store.state;
     const secs = this.#secsOf(walker);
-    this.#passing = true;
     this.#store.edit({ playing: false });
     this.seek(0);
+    this.#passing = true;
     const frames = Math.round((this.#walk!.frames / this.#walk!.rateHz / speed) * rateHz);
     try {
       for (let frame = 0; frame < frames; frame++) {
@@ -117,7 +117,7 @@ export class Player {
   /** Puts the walk at the frame nearest to a time of the plan, seconds. */
   seek(secs: number): void {
     const walker = this.#ready();
-    if (!walker) return;
+    if (!walker || this.#passing) return;
     const { rateHz, frames } = this.#walk!;
     this.#put(walker, Math.min(Math.max(0, Math.round(secs * rateHz)), frames - 1));
     this.#listeners.onJump(walker.frame);

@@ -1,4 +1,6 @@
 /** What the Walk view says. */
+import { counted } from "../../strings/counted.en";
+
 export const walk = {
   title: (steps: string, styles: string) => `${steps}, ${styles}`,
   steps: (n: number, word: string) => `${word} ${n === 1 ? "step" : "steps"}`,
@@ -11,7 +13,7 @@ export const walk = {
   reading: "Reading the walks.",
   training: "Training the walks.",
   trained: (styles: number, clips: number, secs: string) =>
-    `${styles === 1 ? "1 style" : `${styles} styles`} ready to walk, from ${clips === 1 ? "1 clip" : `${clips} clips`}, ${secs} s.`,
+    `${counted("style")(styles)} ready to walk, from ${counted("clip")(clips)}, ${secs} s.`,
   nothing: "There is no walk model yet",
   noModel: (database: string) =>
     `${database} has no walks that a model can be trained on. Open a database with clips of walking, or use the built-in walks.`,
