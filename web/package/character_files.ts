@@ -1,6 +1,6 @@
 /**
- * Where the files of characters lie, where `loadStrut({ assets })` says so. The entries of the package are files of their own
- * that share nothing: what one of them is told another one finds under a name of the page's.
+ * The addresses of the files of characters that `loadStrut({ assets })` was given. The entries of the package are bundled apart and
+ * share no module, so the addresses are a global property under a registered symbol.
  */
 import { CHARACTER_ASSETS, type CharacterAsset, placeIn } from "./assets";
 
@@ -10,7 +10,7 @@ type Placed = Partial<Record<CharacterAsset, string>>;
 type Shared = { [KEY]?: Placed };
 
 /**
- * Says where the files lie.
+ * Sets the addresses of the files.
  * @param assets `LoadOptions.assets`
  * @param base what relative addresses are relative to
  */

@@ -51,8 +51,8 @@ export class Playback {
   readonly #listeners: PlaybackListeners;
   #target: StylizeOptions | undefined;
   /**
-   * Weights that the engine has now; they follow the target's with a half-life. While it plays the engine does that by itself, and
-   * is told of a change once. What stands still it makes anew at once, so that each step of the way is told.
+   * Weights that the engine has now; they approach the target's with a half-life. While it plays, the engine eases them, and is told
+   * of a change once. While it is paused, the engine applies weights at once, so the page sends every step.
    */
   #weights: Weights | undefined;
   /** The options that the engine is easing the styles to. */

@@ -89,7 +89,7 @@ export class DracoDecoder {
     const stop = () => {
       throw damaged();
     };
-    // It aborts, throws, asks for more memory, and copies in it.
+    // What the module imports: abort, throw, grow the memory, copy within it.
     const environment = {
       a: stop,
       b: stop,
