@@ -97,7 +97,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn who_is_found_depends_on_the_distance_alone(
+        fn neighbours_depend_on_the_distance_alone(
             places in prop::collection::vec((-60.0f32..60.0, -60.0f32..60.0), 1..200), reach in 0.1f32..12.0,
         ) {
             let at = |(x, z): &(f32, f32)| Figure { at: Vec2::new(*x, *z), ..Figure::default() };

@@ -18,8 +18,8 @@ const TURNS: i16 = 3;
 /// Steps that are looked ahead, and of which so many turn alike.
 const FORESIGHT: usize = 5;
 const TURNING: usize = 2;
-/// Whoever is not nearer than this is not foreseen, metres: two who walk towards each other at 1.2 m/s meet within the steps that
-/// are looked ahead.
+/// Range of avoidance, metres: walkers farther away are ignored. Two who approach each other at 1.2 m/s each cannot meet within the
+/// predicted steps from farther away.
 pub(super) const FORESEEN: f32 = 8.0;
 /// Nobody wants others nearer than this, metres. It is found by trial, as the costs are: people walk at 0.86 of the speed they
 /// have alone where everybody has four square metres.
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn whoever_walks_towards_somebody_is_foreseen_as_soon_as_they_can_meet() {
+    fn walkers_who_can_meet_are_within_the_range_of_avoidance() {
         let (me, secs) = (figure(0.0, 0.0, 0.0), INTENTION.length / 1.2);
         let away = |distance: f32| can_meet(&me, INTENTION.length, &figure(0.0, distance, 3.0), secs);
         assert!(away(7.7) && !away(FORESEEN));

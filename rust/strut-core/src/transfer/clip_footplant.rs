@@ -82,7 +82,7 @@ impl Steps {
         ((secs * self.rate_hz).round() as usize).max(1)
     }
 
-    /// Every how many frames weighted means are found.
+    /// Frames from one computed smoothed value to the next.
     fn stride(&self) -> usize {
         ((self.rate_hz / SMOOTH_HZ) as usize).max(1)
     }
@@ -163,7 +163,7 @@ impl Steps {
             sum / weights
         };
         let mut path = Vec3::ZERO;
-        let velocities = between_found(held.len(), self.stride(), velocity).into_iter();
+        let velocities = interpolated(held.len(), self.stride(), velocity).into_iter();
         velocities
             .map(|velocity| {
                 path += velocity;
@@ -263,13 +263,13 @@ impl Steps {
     }
 }
 
-/// A smooth upper envelope of the values, found at every so many of them.
+/// A smooth upper envelope of the values, computed at every `stride`-th of them.
 fn envelope(values: &[f32], reach: usize, stride: usize) -> Vec<f32> {
-    // What is between two that are found is as high as if it were found itself.
+    // The wider maximum keeps the interpolated values above the values, too.
     let peaks = peaks(values, reach + stride - 1);
     let share = |distance: usize| smooth_step(0.0, 1.0, 1.0 - distance as f32 / (reach + 1) as f32);
     let kernel: Vec<f32> = (0..=reach).map(share).collect();
-    between_found(values.len(), stride, |f| {
+    interpolated(values.len(), stride, |f| {
         let (mut sum, mut weights) = (0.0, 0.0);
         let around = f.saturating_sub(reach)..(f + reach + 1).min(peaks.len());
         for (i, peak) in around.clone().zip(&peaks[around]) {
@@ -283,7 +283,7 @@ fn envelope(values: &[f32], reach: usize, stride: usize) -> Vec<f32> {
 
 /// The greatest value within a reach of each, or 0 if all are less.
 fn peaks(values: &[f32], reach: usize) -> Vec<f32> {
-    // Numbers of the values that may still become the greatest, descending values in ascending order.
+    // Indices of the values that may still become the greatest: indices ascend, values descend.
     let mut candidates: VecDeque<usize> = VecDeque::new();
     let mut added = 0;
     let of = |f: usize| {
@@ -303,8 +303,8 @@ fn peaks(values: &[f32], reach: usize) -> Vec<f32> {
     (0..values.len()).map(of).collect()
 }
 
-/// Values by number, of which every so many are found and the others lie on straight lines between them.
-fn between_found<T>(count: usize, stride: usize, value: impl Fn(usize) -> T) -> Vec<T>
+/// `count` values: every `stride`-th is computed, and those between are interpolated linearly.
+fn interpolated<T>(count: usize, stride: usize, value: impl Fn(usize) -> T) -> Vec<T>
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f32, Output = T>,
 {
@@ -475,13 +475,13 @@ mod tests {
     }
 
     #[test]
-    fn of_fast_files_as_many_means_are_found_as_of_others() {
+    fn fast_files_need_no_more_smoothed_values_than_others() {
         let square = |f: usize| (f * f) as f32;
         for (rate_hz, stride) in [(60.0, 1), (240.0, 1), (10_000.0, 41)] {
             let steps = Steps { worlds: Vec::new(), soles: [Vec::new(), Vec::new()], rate_hz };
             assert_eq!(steps.stride(), stride);
             let found = std::cell::Cell::new(0);
-            let values = between_found(1000, stride, |f| {
+            let values = interpolated(1000, stride, |f| {
                 found.set(found.get() + 1);
                 square(f)
             });
