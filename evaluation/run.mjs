@@ -44,7 +44,7 @@ const commandOf = ({ id, args, curves }, places) => [
 
 /** Whether the results of this very command are there. */
 async function isDone(experiment, places) {
-  if (!existsSync(file(experiment.id, "md"))) return false;
+  if (!["md", "json"].every((kind) => existsSync(file(experiment.id, kind)))) return false;
   return (await json(file(experiment.id, "json"))).command === ["strut", ...commandOf(experiment, places)].join(" ");
 }
 
