@@ -10,14 +10,14 @@ export const versionedFiles = () => [...new Set([...PLACES.map(({ file }) => fil
 
 /** Files that state the version, and how: the first group is what stands before it, the second the version. */
 const PLACES = [
-  { file: "package.json", pattern: String.raw`(^  "version": ")(VERSION)` },
+  { file: "package.json", pattern: '(^  "version": ")(VERSION)' },
   // The first two are the project's own.
   { file: "package-lock.json", pattern: String.raw`("name": "strut-motion",\s+"version": ")(VERSION)`, times: 2 },
-  { file: "rust/Cargo.toml", pattern: String.raw`(^version = ")(VERSION)` },
-  { file: "rust/Cargo.toml", pattern: String.raw`(^strut-.* version = ")(VERSION)`, times: 5 },
+  { file: "rust/Cargo.toml", pattern: '(^version = ")(VERSION)' },
+  { file: "rust/Cargo.toml", pattern: '(^strut-.* version = ")(VERSION)', times: 5 },
   { file: "rust/Cargo.lock", pattern: String.raw`(^name = "(?:strut-.*|xtask)"\nversion = ")(VERSION)`, times: 19 },
-  { file: "blender/strut_motion/blender_manifest.toml", pattern: String.raw`(^version = ")(VERSION)` },
-  { file: "CITATION.cff", pattern: String.raw`(^version: )(VERSION)` },
+  { file: "blender/strut_motion/blender_manifest.toml", pattern: '(^version = ")(VERSION)' },
+  { file: "CITATION.cff", pattern: "(^version: )(VERSION)" },
   { file: "examples/jupyter/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },
   { file: "examples/plain/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },
   { file: "examples/react/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },

@@ -97,7 +97,9 @@ describe("a walk that falls on the polygon", () => {
     await action.selectOption("jump");
     await page.getByRole("button", { name: "Make it a style" }).click();
     // A walk is no jump: what was made stays.
-    await eventually(alert).toContain("does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'");
+    await eventually(alert).toContain(
+      "does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'",
+    );
     expect(await vertices()).toContain("stooping");
     await page.getByRole("button", { name: "Dismiss" }).first().click();
     await change.click();
