@@ -83,6 +83,20 @@ fn somebody_stops_turns_on_the_spot_and_jumps_when_asked_to() {
 }
 
 #[test]
+fn a_jump_from_a_run_keeps_its_speed() {
+    let folder = folder();
+    fs::write(folder.path().join("log.csv"), "time,gait,heading,action\n0,2,0,\n4,2,0,jump\n5,2,0,\n7,2,0,\n").unwrap();
+    let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh", "--json", "drive.json"];
+    strut_ok(folder.path(), &args);
+    let report: serde_json::Value =
+        serde_json::from_slice(&fs::read(folder.path().join("drive.json")).unwrap()).unwrap();
+    let jump = |of: &str| report["orders"][1][of].as_f64().unwrap();
+    // It takes off with the next step, flies, and runs on: braking for it took a second.
+    assert!(jump("action_secs") < 0.5 && (0.25..0.7).contains(&jump("acted_secs")), "{report}");
+    assert!(jump("moved_m") > 2.0, "{report}");
+}
+
+#[test]
 fn somebody_stops_within_a_step_and_a_half_whatever_foot_they_are_on() {
     let folder = folder();
     let mut log = String::from("time,gait,heading\n");

@@ -5,7 +5,7 @@ use super::control::Control;
 use super::features::{HORIZONS_SECS, Trajectory, ahead_of, features_of, query_of};
 use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
 use super::matching::Matching;
-use super::moves::Move;
+use super::moves::{Move, MoveRows};
 use super::path::Path;
 use super::query::{OnPath, RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world, to_the_right};
 use crate::humanoid::Pose;
@@ -13,6 +13,7 @@ use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
 use std::f32::consts::LN_2;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Time between searches, seconds: 10 frames at 60 Hz.
@@ -39,6 +40,10 @@ const SHARP_TURN: f32 = 60.0 * std::f32::consts::PI / 180.0;
 const MOVE_SPEED: f32 = 0.5;
 const MOST_BRAKING_SECS: f32 = 1.0;
 const MOVE_BEGINS_SECS: f32 = 1.0 / 6.0;
+/// A jump from a run begins when the run takes off, or after so many seconds, in so many rows before its own take-off or in
+/// that row.
+const MOST_APPROACH_SECS: f32 = 0.5;
+const TAKE_OFF_ROWS: usize = 2;
 /// How much of a style somebody takes who stands, where the database knows only people who walk, and the half-life with which
 /// it comes and goes, seconds.
 const STANDING_STYLE: f32 = 0.3;
@@ -102,13 +107,22 @@ struct Entry {
     extra: f32,
 }
 
-/// How far a move is.
+/// State of the move that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Acting {
-    /// Slows down for one, since so many seconds.
+    /// The character has slowed down for it since so many seconds.
     Braking { action: Move, secs: f32 },
-    /// Plays it up to this row.
-    Playing { action: Move, end: usize },
+    /// The character has run on to its next take-off since so many seconds: a jump from a run.
+    Approaching { action: Move, secs: f32 },
+    /// It plays up to the row `end`. In a jump from a run the root keeps `momentum`, its velocity in the world, m/s.
+    Playing { action: Move, end: usize, momentum: Option<Vec2> },
+}
+
+impl Acting {
+    /// Whether the character stops for the move; in a jump from a run it goes where it is steered.
+    fn stops(&self) -> bool {
+        matches!(self, Self::Braking { .. } | Self::Playing { momentum: None, .. })
+    }
 }
 
 /// Neutral motion that goes where it is asked to.
@@ -224,7 +238,7 @@ impl Driver {
         self.control = control.checked().unwrap_or(self.control);
         if self.control.action != held && self.state.acting.is_none() {
             let known = self.control.action.filter(|action| self.clips.moves().any(|of| of == *action));
-            self.state.acting = known.map(|action| Acting::Braking { action, secs: 0.0 });
+            self.state.acting = known.map(|action| self.request(action));
         }
         let dt = 1.0 / self.clips.rate_hz;
         self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
@@ -272,7 +286,7 @@ impl Driver {
     /// Where the root is asked to be, and the velocity and the heading that this comes from.
     fn asked(&mut self, now: &RootState, dt: f32) -> (Trajectory, (Vec2, f32)) {
         let Control { wish, gait, face, .. } = self.control;
-        if self.state.acting.is_some() {
+        if self.state.acting.as_ref().is_some_and(Acting::stops) {
             return (by_stick(now, Vec2::ZERO, now.heading), (Vec2::ZERO, now.heading));
         }
         let speed = speed_of(self.speeds, gait);
@@ -321,6 +335,14 @@ impl Driver {
                     return true;
                 }
             }
+            Some(Acting::Approaching { action, secs }) => {
+                *secs += dt;
+                if ends || takes_off(&self.clips, state.row) || *secs >= MOST_APPROACH_SECS {
+                    let action = *action;
+                    self.leap(action, now.velocity);
+                    return true;
+                }
+            }
             None => {}
         }
         let is_new =
@@ -365,21 +387,45 @@ impl Driver {
         self.path.is_none() && self.clips.knows_standing() && turn > SHARP_TURN
     }
 
-    /// Begins a move, where the body is most like the present one.
+    /// How a move that is asked for begins: a jump from a run at the next take-off, any other at rest.
+    fn request(&self, action: Move) -> Acting {
+        let flies = self.clips.move_rows().iter().any(|of| of.action == action && of.flight.is_some());
+        if flies && self.frame.speed >= RUNNING {
+            Acting::Approaching { action, secs: 0.0 }
+        } else {
+            Acting::Braking { action, secs: 0.0 }
+        }
+    }
+
+    /// Begins a move at one of its first rows.
     fn begin(&mut self, action: Move) {
         let first = (MOVE_BEGINS_SECS * self.clips.rate_hz).round() as usize;
+        self.play(action, None, |of| Some(of.rows.start..(of.rows.start + first).min(of.rows.end)));
+    }
+
+    /// Begins a jump at its take-off; the root keeps its velocity up to the landing.
+    fn leap(&mut self, action: Move, velocity: Vec2) {
+        self.play(action, Some(velocity), |of| {
+            let start = of.flight.as_ref()?.start;
+            Some(start.saturating_sub(TAKE_OFF_ROWS).max(of.rows.start)..start + 1)
+        });
+    }
+
+    /// Plays a move from that row of its entries at which the body is most like the present one.
+    fn play(&mut self, action: Move, momentum: Option<Vec2>, entries: impl Fn(&MoveRows) -> Option<Range<usize>>) {
         let row = self.state.row;
-        let mut best: Option<(f32, Acting, usize)> = None;
+        let mut best: Option<(f32, usize, usize)> = None;
         for of in self.clips.move_rows().iter().filter(|of| of.action == action) {
-            for to in of.rows.clone().take(first) {
+            let end = momentum.and(of.flight.as_ref()).map_or(of.rows.end, |flight| flight.end);
+            for to in entries(of).into_iter().flatten() {
                 let cost = self.matching.body_distance(row, to);
                 if best.is_none_or(|(least, ..)| cost < least) {
-                    best = Some((cost, Acting::Playing { action, end: of.rows.end }, to));
+                    best = Some((cost, end, to));
                 }
             }
         }
-        let Some((_, acting, to)) = best else { return };
-        self.state.acting = Some(acting);
+        let Some((_, end, to)) = best else { return };
+        self.state.acting = Some(Acting::Playing { action, end, momentum });
         self.switch(to);
     }
 
@@ -411,6 +457,9 @@ impl Driver {
         let steering = if is_acting { 0.0 } else { self.steering(asked, wanted) };
         let state = &mut self.state;
         let motion = self.clips.motion(state.row);
+        if let Some(Acting::Playing { momentum: Some(momentum), .. }) = state.acting {
+            state.velocity = in_world(-state.root.heading, momentum) / state.pace - motion.velocity;
+        }
         let velocity = (motion.velocity + state.velocity) * state.pace;
         let speed = velocity.length();
         let turn_rate = motion.turn_rate + state.turn_rate + steering;
@@ -491,6 +540,12 @@ impl State {
             gone: [0.0; 2],
         }
     }
+}
+
+/// Whether the last planted foot leaves the ground after a row.
+fn takes_off(clips: &DrivingClips, row: usize) -> bool {
+    let is_planted = |row: usize| clips.contact(row) != [false; 2];
+    row + 1 < clips.rows() && is_planted(row) && !is_planted(row + 1)
 }
 
 fn near_rows(clips: &DrivingClips) -> usize {

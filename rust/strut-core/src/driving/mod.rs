@@ -49,9 +49,9 @@ mod tests {
         NeutralClip { name: "circle".into(), action: "walk".into(), poses, contacts }
     }
 
-    /// A driver over straight and curved ways, slow and fast.
-    fn driver() -> Driver {
-        let ways = [
+    /// A driver over straight and curved paths, slow and fast, and with the moves of a clip.
+    fn driver_with(moves: &[NeutralClip]) -> Driver {
+        let paths = [
             (1.2, 0.0),
             (1.2, 0.3),
             (1.1, 0.7),
@@ -62,8 +62,13 @@ mod tests {
             (2.6, 0.0),
             (2.5, 0.5),
         ];
-        let clips: Vec<NeutralClip> = ways.iter().map(|&(speed, turn)| circle(400, speed, turn)).collect();
+        let circles = paths.iter().map(|&(speed, turn)| circle(400, speed, turn));
+        let clips: Vec<NeutralClip> = circles.chain(moves.iter().cloned()).collect();
         Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[], &[]).unwrap()))
+    }
+
+    fn driver() -> Driver {
+        driver_with(&[])
     }
 
     /// Places of the root over a drive.
@@ -179,6 +184,53 @@ mod tests {
             }
         }
         assert!(transitions > 5, "{transitions} transitions");
+    }
+
+    /// A jump on the spot: a second of rest, a crouch, half a second of flight 0.3 m up, a second of rest.
+    fn jump() -> NeutralClip {
+        let stand = Proportions::default().offsets[0].y;
+        let height = |frame: usize| match frame {
+            60..90 => -0.1 * ((frame - 60) as f32 / 30.0),
+            90..120 => {
+                let t = (frame - 90) as f32 / 15.0 - 1.0;
+                0.3 * (1.0 - t * t)
+            }
+            120..150 => -0.1 * ((150 - frame) as f32 / 30.0),
+            _ => 0.0,
+        };
+        let poses = (0..210).map(|frame| Pose { root: Vec3::Y * (stand + height(frame)), ..Pose::default() }).collect();
+        let contacts = (0..210).map(|frame| [!(90..120).contains(&frame); 2]).collect();
+        NeutralClip { name: "jump".into(), action: "jump".into(), poses, contacts }
+    }
+
+    #[test]
+    fn a_jump_from_a_run_takes_off_at_speed_and_runs_on() {
+        let mut driver = driver_with(&[jump()]);
+        let run = Control { wish: Vec2::Y, gait: 2.0, ..Control::default() };
+        driven(&mut driver, 180, &run);
+        let stand = Proportions::default().offsets[0].y;
+        let (mut highest, mut jumped) = (0.0_f32, 0);
+        for frame in 0..150 {
+            let action = (frame < 10).then_some(super::Move::Jump);
+            let shown = driver.next(&Control { action, ..run }, None);
+            assert!(shown.speed > 1.9, "frame {frame}: {} m/s", shown.speed);
+            assert!(shown.action.is_none() || frame <= 31 + 33, "the jump ends with its landing: frame {frame}");
+            highest = highest.max(shown.pose.root.y - stand);
+            jumped += usize::from(shown.action == Some(super::Move::Jump));
+        }
+        assert!((28..=33).contains(&jumped), "{jumped} frames of flight");
+        assert!(highest > 0.2, "{highest} m");
+    }
+
+    #[test]
+    fn a_jump_from_a_walk_begins_at_rest() {
+        let mut driver = driver_with(&[jump()]);
+        let walk = Control { wish: Vec2::Y, gait: 1.0, ..Control::default() };
+        driven(&mut driver, 180, &walk);
+        let jump = Control { action: Some(super::Move::Jump), ..walk };
+        let shown: Vec<_> = (0..300).map(|_| driver.next(&jump, None).clone()).collect();
+        let highest = shown.iter().max_by(|a, b| a.pose.root.y.total_cmp(&b.pose.root.y)).unwrap();
+        assert!(highest.action == Some(super::Move::Jump) && highest.speed < 0.2, "{} m/s", highest.speed);
     }
 
     #[test]

@@ -17,6 +17,9 @@ const REST_DISTANCE: f32 = 0.2;
 const LEAST_SECS: f32 = 1.0 / 3.0;
 const LEAST_PEAK: f32 = 1.0;
 
+/// A shorter time without a planted foot is not the flight of a jump, seconds.
+const LEAST_FLIGHT_SECS: f32 = 0.1;
+
 /// What can be asked of somebody besides going.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Move {
@@ -58,17 +61,25 @@ impl Move {
 pub(super) struct MoveRows {
     pub(super) action: Move,
     pub(super) rows: Range<usize>,
+    /// The rows of a jump from take-off to landing: no foot is planted.
+    pub(super) flight: Option<Range<usize>>,
 }
 
 impl MoveRows {
     /// The same where the clip begins at a row.
     pub(super) fn after(&self, first: usize) -> Self {
-        Self { action: self.action, rows: first + self.rows.start..first + self.rows.end }
+        let shifted = |rows: &Range<usize>| first + rows.start..first + rows.end;
+        Self { action: self.action, rows: shifted(&self.rows), flight: self.flight.as_ref().map(shifted) }
     }
 }
 
-/// The moves of a clip, by its frames.
-pub(super) fn moves_in(action: Move, proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<MoveRows> {
+/// The moves of a clip, by its frames; `contacts` has one entry per pose.
+pub(super) fn moves_in(
+    action: Move,
+    proportions: &Proportions,
+    (poses, contacts): (&[Pose], &[[bool; 2]]),
+    rate_hz: f32,
+) -> Vec<MoveRows> {
     let points: Vec<[Vec3; POINTS.len()]> = poses
         .iter()
         .map(|pose| {
@@ -85,11 +96,19 @@ pub(super) fn moves_in(action: Move, proportions: &Proportions, poses: &[Pose], 
         let rows = before.end - 1..rest.start + 1;
         let peak = speeds[rows.clone()].iter().copied().fold(0.0, f32::max);
         if rows.len() as f32 >= LEAST_SECS * rate_hz && peak > LEAST_PEAK {
-            found.push(MoveRows { action, rows });
+            let flight = (action == Move::Jump).then(|| flight_in(&contacts[rows.clone()], rate_hz)).flatten();
+            let flight = flight.map(|flight| rows.start + flight.start..rows.start + flight.end);
+            found.push(MoveRows { action, rows, flight });
         }
         before = rest;
     }
     found
+}
+
+/// The longest run of frames without a planted foot, if it is long enough for a jump.
+fn flight_in(contacts: &[[bool; 2]], rate_hz: f32) -> Option<Range<usize>> {
+    let flights = runs_of(contacts.len(), |frame| contacts[frame] == [false; 2]);
+    flights.into_iter().max_by_key(ExactSizeIterator::len).filter(|of| of.len() as f32 >= LEAST_FLIGHT_SECS * rate_hz)
 }
 
 /// Greatest distance of corresponding points, by height and by how far they are from the hips: wherever the body is and
@@ -155,7 +174,8 @@ mod tests {
                 pose
             })
             .collect();
-        let moves = moves_in(Move::Punch, &Proportions::default(), &poses, 60.0);
+        let contacts = vec![[true; 2]; poses.len()];
+        let moves = moves_in(Move::Punch, &Proportions::default(), (&poses, &contacts), 60.0);
         assert_eq!(moves.len(), 2, "{moves:?}");
         for (number, of) in moves.iter().enumerate() {
             let begin = 60 + 120 * number;
