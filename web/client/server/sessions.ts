@@ -8,6 +8,7 @@ import type { Host } from "./host";
 import { CarriedMotion, carriedMotion, styleClip } from "./motions";
 import type { Key, OpenThing } from "./registry";
 import { LiveSession } from "./session";
+import { SharedWork } from "./shared_work";
 import type { Caller } from "./time_slices";
 
 /** A motion playing in a database: nothing that changes while it plays is shared with another session. */
@@ -16,6 +17,8 @@ export class OpenSession implements OpenThing {
   readonly uses: readonly Key[];
   /** The last clip that was styled as a whole, and the options it was styled with. */
   styled: { options: StylizeOptions; job: ClipJob } | undefined;
+  /** The same while it is being styled. */
+  styling: { options: StylizeOptions; work: SharedWork<ClipJob> } | undefined;
 
   constructor(
     readonly database: number,
@@ -95,8 +98,21 @@ async function styledClip(host: Host, caller: Caller, id: number): Promise<ClipJ
   const session = host.open.get(OpenSession, id);
   const { options } = session;
   if (session.styled?.options === options) return session.styled.job;
-  const { job } = await styleClip(host, caller, session.carried, session.database, options, session);
-  session.styled?.job.dispose();
-  session.styled = { options, job };
-  return job;
+  if (session.styling?.options !== options) {
+    const work = new SharedWork((all) => style(host, all, session, options), caller);
+    session.styling = { options, work };
+  }
+  return session.styling.work.for(caller);
+}
+
+/** Styles the session's whole motion; the session keeps the job. */
+async function style(host: Host, caller: Caller, session: OpenSession, options: StylizeOptions): Promise<ClipJob> {
+  try {
+    const { job } = await styleClip(host, caller, session.carried, session.database, options, session);
+    session.styled?.job.dispose();
+    session.styled = { options, job };
+    return job;
+  } finally {
+    if (session.styling?.options === options) session.styling = undefined;
+  }
 }
