@@ -39,9 +39,9 @@ function measure(name, styles, memory, make) {
 /** The first built-in input in every style of the built-in database, as the page's engine gives it to its crowd. */
 function recorded() {
   load(engine, "pkg/strut_wasm_bg.wasm");
-  const motions = gunzipSync(read("motions/first.bin"));
+  const motions = new engine.PackedMotions(gunzipSync(read("motions/first.bin")));
   const database = engine.Database.fromPacked(motions);
-  const input = engine.Input.fromPacked(database, motions, engine.packedInputs(motions)[0]);
+  const input = engine.Input.fromPacked(database, motions, motions.inputs()[0]);
   const recording = new engine.Recording(new engine.Stylizer(database), input, 0, input.frames());
   const begin = performance.now();
   const frames = recording.run(input.frames());

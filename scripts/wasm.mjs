@@ -340,9 +340,10 @@ async function writeMotions() {
 }
 
 /** The input of a set of motions as the page shows it until its engine is there. */
-function firstSteps(glue, motions) {
+function firstSteps(glue, bytes) {
+  const motions = new glue.PackedMotions(bytes);
   const database = glue.Database.fromPacked(motions);
-  const input = glue.Input.fromPacked(database, motions, glue.packedInputs(motions)[0]);
+  const input = glue.Input.fromPacked(database, motions, motions.inputs()[0]);
   return packFirstSteps(input.poses(), database.rateHz());
 }
 

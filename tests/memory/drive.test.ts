@@ -17,7 +17,9 @@ test("memory does not grow while a character is driven", { timeout: 600_000 }, a
   const { memory } = glue.initSync({ module: moduleOf("drive/pkg", "strut_drive") });
   const engine: typeof import("../../web/engine/pkg/strut_wasm.js") = await glueOf("pkg", "strut_wasm");
   engine.initSync({ module: moduleOf("pkg", "strut_wasm") });
-  const takes = engine.Database.fromPacked(gunzipSync(readFileSync(new URL("motions/drive.bin", ENGINE))));
+  const takes = engine.Database.fromPacked(
+    new engine.PackedMotions(gunzipSync(readFileSync(new URL("motions/drive.bin", ENGINE)))),
+  );
   const [proportions, rateHz] = [takes.proportions(), takes.rateHz()];
   const clips = new glue.Clips(proportions, rateHz);
   for (const clip of takes.neutralClips())

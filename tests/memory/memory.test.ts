@@ -19,9 +19,9 @@ test("memory does not grow while frames are styled", { timeout: 3_600_000 }, asy
   const folder = new URL("../../web/engine/pkg/", import.meta.url);
   const glue: Glue = await import(/* @vite-ignore */ new URL("strut_wasm.js", folder).href);
   const { memory } = glue.initSync({ module: readFileSync(new URL("strut_wasm_bg.wasm", folder)) });
-  const motions = await loadBuiltIn();
+  const motions = new glue.PackedMotions(await loadBuiltIn());
   const database = glue.Database.fromPacked(motions);
-  const input = glue.Input.fromPacked(database, motions, glue.packedInputs(motions)[0]!);
+  const input = glue.Input.fromPacked(database, motions, motions.inputs()[0]!);
   const poses = input.poses();
   const stylizer = new glue.Stylizer(database);
   stylizer.setStyles(Float32Array.from(database.styles(), (_, style) => (style < 3 ? 1 / 3 : 0)));

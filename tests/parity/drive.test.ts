@@ -90,7 +90,7 @@ async function byPackages(asked: (styles: number) => readonly Asked[]): Promise<
   const database = engine.Database.fromBytes(readFileSync(join(folder, "demo.strutdb")));
   const clips = new driving.Clips(database.proportions(), database.rateHz());
   const { Own, Takes } = driving.Among;
-  const others = engine.Database.fromPacked(takes());
+  const others = engine.Database.fromPacked(new engine.PackedMotions(takes()));
   for (const [among, of] of [[Own, database] as const, [Takes, others] as const])
     for (const clip of of.neutralClips())
       clips.add(

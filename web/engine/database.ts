@@ -1,7 +1,7 @@
 /** An open database. */
 import type { PackedMotions } from "./built_in";
 import { Handle } from "./handle";
-import type { Database as RawDatabase } from "./pkg/strut_wasm.js";
+import type { Database as RawDatabase, PackedMotions as RawPackedMotions } from "./pkg/strut_wasm.js";
 import type { DatabaseInfo } from "./types";
 import { type Glue, guarded } from "./wasm";
 
@@ -14,9 +14,14 @@ export interface SlicedFile {
 }
 
 /** Where a database comes from. */
-export type DatabaseSource =
-  | { kind: "demo"; motions: PackedMotions }
-  | { kind: "strutdb"; name: string; bytes: ArrayBuffer | SlicedFile };
+export type DatabaseSource = { kind: "demo"; motions: PackedMotions } | DatabaseFile;
+
+/** A `.strutdb` file. */
+interface DatabaseFile {
+  kind: "strutdb";
+  name: string;
+  bytes: ArrayBuffer | SlicedFile;
+}
 
 /** A database with its search index. */
 export class Database extends Handle<RawDatabase> {
@@ -27,16 +32,22 @@ export class Database extends Handle<RawDatabase> {
     this.info = guarded(() => describe(raw, name));
   }
 
+  /** The built-in database. @throws StrutError `bad-file` with what is wrong with the bytes */
+  static packed(glue: Glue, motions: RawPackedMotions): Database {
+    return new Database(
+      guarded(() => glue.Database.fromPacked(motions)),
+      "built-in",
+    );
+  }
+
   /** @throws StrutError `bad-file` with what is wrong with the bytes */
-  static open(glue: Glue, source: DatabaseSource): Database {
-    const raw = guarded(() => {
-      if (source.kind === "demo") return glue.Database.fromPacked(source.motions);
-      const { bytes } = source;
-      return bytes instanceof ArrayBuffer
+  static open(glue: Glue, { name, bytes }: DatabaseFile): Database {
+    const raw = guarded(() =>
+      bytes instanceof ArrayBuffer
         ? glue.Database.fromBytes(new Uint8Array(bytes))
-        : glue.Database.fromSlices(bytes, bytes.size);
-    });
-    return new Database(raw, source.kind === "demo" ? "built-in" : source.name);
+        : glue.Database.fromSlices(bytes, bytes.size),
+    );
+    return new Database(raw, name);
   }
 
   /** Takes charge of a database that another package made. */

@@ -2,13 +2,17 @@
 import type { PackedMotions } from "./built_in";
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
-import { Input, type InputSource, readMotion } from "./input";
+import { Input, type InputSource, packedFacts, readMotion } from "./input";
+import type { PackedMotions as RawPackedMotions } from "./pkg/strut_wasm.js";
 import { Stylizer } from "./stylizer";
 import type { MotionFacts, StyleKey, StylizeOptions, WasmMemory } from "./types";
 import { type Glue, guarded, loadWasm, wasmBytes } from "./wasm";
 
 /** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
 export class Engine {
+  /** Packed motions in the module's memory, each set once for all that is opened of it. */
+  private readonly packed = new WeakMap<PackedMotions, RawPackedMotions>();
+
   private constructor(private readonly glue: Glue) {}
 
   /**
@@ -20,21 +24,27 @@ export class Engine {
   }
 
   openDatabase(source: DatabaseSource): Database {
-    return Database.open(this.glue, source);
+    return source.kind === "demo"
+      ? Database.packed(this.glue, this.packedOf(source.motions))
+      : Database.open(this.glue, source);
   }
 
   /** Names of the inputs among packed motions, the default first. */
   inputsOf(motions: PackedMotions): string[] {
-    return guarded(() => this.glue.packedInputs(motions));
+    return guarded(() => this.packedOf(motions).inputs());
   }
 
   /** What a motion's file says. @throws StrutError `bad-file` or `bad-input` */
   readMotion(source: InputSource): MotionFacts {
-    return readMotion(this.glue, source);
+    return source.kind === "built-in"
+      ? packedFacts(this.glue, source, this.packedOf(source.motions))
+      : readMotion(this.glue, source);
   }
 
   openInput(database: Database, source: InputSource): Input {
-    return Input.open(this.glue, database, source);
+    return source.kind === "built-in"
+      ? Input.packed(this.glue, database, source, this.packedOf(source.motions))
+      : Input.open(this.glue, database, source);
   }
 
   /** What all that is open on this thread takes. */
@@ -53,5 +63,13 @@ export class Engine {
   /** The pose between two, `t` from 0 to 1: the root linearly, rotations spherically. */
   interpolate(a: Float32Array, b: Float32Array, t: number): Float32Array {
     return guarded(() => this.glue.interpolatePoses(a, b, t));
+  }
+
+  private packedOf(motions: PackedMotions): RawPackedMotions {
+    const known = this.packed.get(motions);
+    if (known) return known;
+    const raw = guarded(() => new this.glue.PackedMotions(motions));
+    this.packed.set(motions, raw);
+    return raw;
   }
 }

@@ -3,14 +3,24 @@ import type { PackedMotions } from "./built_in";
 import type { Database } from "./database";
 import { noteOf, readingOf, type Said, Saying } from "./file_read";
 import { Handle } from "./handle";
-import type { Input as RawInput } from "./pkg/strut_wasm.js";
+import type {
+  Input as RawInput,
+  MotionFacts as RawMotionFacts,
+  PackedMotions as RawPackedMotions,
+} from "./pkg/strut_wasm.js";
 import type { InputInfo, MotionFacts } from "./types";
 import { type Glue, guarded } from "./wasm";
 
 /** Where an input comes from. */
-export type InputSource =
-  | { kind: "built-in"; name: string; motions: PackedMotions }
-  | ({ kind: "bvh"; name: string; bytes: ArrayBuffer } & Said);
+export type InputSource = BuiltInInput | InputFile;
+
+interface BuiltInInput {
+  kind: "built-in";
+  name: string;
+  motions: PackedMotions;
+}
+
+type InputFile = { kind: "bvh"; name: string; bytes: ArrayBuffer } & Said;
 
 /** A motion on a database's humanoid, with the file that it came from. */
 export class Input extends Handle<RawInput> {
@@ -42,14 +52,19 @@ export class Input extends Handle<RawInput> {
   }
 
   /**
-   * Reads the source and carries it over to the database's humanoid.
-   * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
+   * Carries a built-in motion over to the database's humanoid.
+   * @throws StrutError `bad-input` for a name that there is not
    */
-  static open(glue: Glue, database: Database, source: InputSource): Input {
-    if (source.kind === "built-in") {
-      const raw = guarded(() => glue.Input.fromPacked(database.raw, source.motions, source.name));
-      return new Input(raw, database, source, undefined);
-    }
+  static packed(glue: Glue, database: Database, source: BuiltInInput, motions: RawPackedMotions): Input {
+    const raw = guarded(() => glue.Input.fromPacked(database.raw, motions, source.name));
+    return new Input(raw, database, source, undefined);
+  }
+
+  /**
+   * Reads a file and carries its motion over to the database's humanoid.
+   * @throws StrutError `bad-file`
+   */
+  static open(glue: Glue, database: Database, source: InputFile): Input {
     const saying = new Saying(source);
     const raw = guarded(() => glue.Input.fromBvh(database.raw, new Uint8Array(source.bytes), saying.answer));
     return new Input(raw, database, source, saying);
@@ -63,15 +78,24 @@ export class Input extends Handle<RawInput> {
 
 /**
  * What a motion's file says.
- * @throws StrutError `bad-file` or, for a built-in name that there is not, `bad-input`
+ * @throws StrutError `bad-file`
  */
-export function readMotion(glue: Glue, source: InputSource): MotionFacts {
+export function readMotion(glue: Glue, source: InputFile): MotionFacts {
+  const saying = new Saying(source);
+  return factsOf(() => glue.MotionFacts.ofBvh(new Uint8Array(source.bytes), saying.answer), saying);
+}
+
+/**
+ * The same of a built-in motion.
+ * @throws StrutError `bad-input` for a name that there is not
+ */
+export function packedFacts(glue: Glue, { name }: BuiltInInput, motions: RawPackedMotions): MotionFacts {
+  return factsOf(() => glue.MotionFacts.ofPacked(motions, name), new Saying({}));
+}
+
+function factsOf(read: () => RawMotionFacts, saying: Saying): MotionFacts {
   return guarded(() => {
-    const saying = new Saying(source.kind === "bvh" ? source : {});
-    const raw =
-      source.kind === "built-in"
-        ? glue.MotionFacts.ofPacked(source.motions, source.name)
-        : glue.MotionFacts.ofBvh(new Uint8Array(source.bytes), saying.answer);
+    const raw = read();
     const [frames, rateHz] = [raw.frames(), raw.rateHz()];
     const facts = { frames, rateHz, durationSecs: frames / rateHz, note: raw.note(), ...readingOf(raw, saying) };
     raw.free();

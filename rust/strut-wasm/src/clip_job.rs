@@ -30,11 +30,12 @@ impl ClipJob {
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
         let job = transfer::ClipJob::of_input(stylizer.core().clone(), input.clip());
+        let (poses, model) = (input.humanoid().poses.clone(), Arc::clone(stylizer.core().model()));
         Self {
-            poses: input.humanoid().poses.clone(),
-            class_weights: Vec::new(),
+            class_weights: Vec::with_capacity(poses.len() * model.catalogue().classes().len()),
+            poses,
             examples: Examples::default(),
-            model: Arc::clone(stylizer.core().model()),
+            model,
             job: Some(job),
             styled: None,
         }

@@ -1,5 +1,6 @@
 //! Handle of a database.
 
+use crate::packed_motions::PackedMotions;
 use std::sync::Arc;
 use strut_core::transfer::Model;
 use strut_formats::strutdb::{StrutdbError, packed};
@@ -19,8 +20,8 @@ impl Database {
     /// # Errors
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromPacked)]
-    pub fn from_packed(bytes: Vec<u8>) -> Result<Self, EngineError> {
-        packed::read_database(&bytes).map(Self::new).map_err(unpackable)
+    pub fn from_packed(motions: &PackedMotions) -> Result<Self, EngineError> {
+        packed::read_database(motions.bytes()).map(Self::new).map_err(unpackable)
     }
 
     /// Number of rows.

@@ -1,8 +1,9 @@
 //! Handle of an input motion.
 
-use crate::database::{Database, unpackable};
+use crate::database::Database;
 #[cfg(feature = "files")]
 use crate::input_file::{FileRead, InputFile, texts_of};
+use crate::packed_motions::PackedMotions;
 #[cfg(feature = "files")]
 use js_sys::Function;
 use strut_core::contact;
@@ -12,7 +13,6 @@ use strut_core::note::Note;
 use strut_core::transfer::ClipInput;
 #[cfg(feature = "files")]
 use strut_core::transfer::StyledMotion;
-use strut_formats::strutdb::packed;
 #[cfg(feature = "files")]
 use strut_wasm_common::bvh_of;
 use strut_wasm_common::{EngineError, floats_of};
@@ -30,15 +30,6 @@ pub struct Input {
     file: Option<InputFile>,
 }
 
-/// Names of the inputs among packed motions, the default first.
-///
-/// # Errors
-/// With what is wrong with the bytes.
-#[wasm_bindgen(js_name = packedInputs)]
-pub fn packed_inputs(bytes: &[u8]) -> Result<Vec<String>, EngineError> {
-    packed::input_names(bytes).map_err(unpackable)
-}
-
 #[wasm_bindgen]
 impl Input {
     /// An input among packed motions.
@@ -47,8 +38,8 @@ impl Input {
     /// If there is none of this name, or with what is wrong with the bytes; without the feature `files` also on a database of
     /// another body.
     #[wasm_bindgen(js_name = fromPacked)]
-    pub fn from_packed(database: &Database, bytes: &[u8], name: &str) -> Result<Self, EngineError> {
-        let motion = packed_motion(bytes, name)?;
+    pub fn from_packed(database: &Database, motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
+        let motion = motions.input(name)?;
         let db = database.model().catalogue();
         if motion.proportions == db.proportions {
             motion.resampled(db.rate_hz).map(Self::of_motion).map_err(too_long)
@@ -173,15 +164,6 @@ impl Input {
     pub(crate) fn poses_mut(&mut self) -> &mut Vec<strut_core::humanoid::Pose> {
         &mut self.clip.motion.poses
     }
-}
-
-/// A motion among packed ones.
-///
-/// # Errors
-/// If there is none of this name, or with what is wrong with the bytes.
-pub(crate) fn packed_motion(bytes: &[u8], name: &str) -> Result<HumanoidMotion, EngineError> {
-    let motion = packed::read_input(bytes, name).map_err(unpackable)?;
-    motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
 }
 
 fn too_long(error: TooManyFrames) -> EngineError {

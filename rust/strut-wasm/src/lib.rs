@@ -23,6 +23,7 @@ mod motion_facts;
 mod motions;
 #[cfg(feature = "drive")]
 mod neutral_clips;
+mod packed_motions;
 #[cfg(feature = "parity")]
 mod parity;
 mod poses;
@@ -41,7 +42,7 @@ pub use clip_job::ClipJob;
 #[cfg(feature = "compare")]
 pub use counterpart::Counterpart;
 pub use database::Database;
-pub use input::{Input, packed_inputs};
+pub use input::Input;
 #[cfg(feature = "files")]
 pub use input_file::FileRead;
 #[cfg(feature = "learn")]
@@ -50,6 +51,7 @@ pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWi
 pub use motion_facts::MotionFacts;
 #[cfg(feature = "motions")]
 pub use motions::{built_in_motions, driving_motions};
+pub use packed_motions::PackedMotions;
 #[cfg(feature = "parity")]
 pub use parity::ParityReport;
 pub use poses::interpolate_poses;

@@ -1,7 +1,7 @@
 //! What a motion's file says, before it is carried over to a database.
 
-use crate::input::packed_motion;
 use crate::input_file::{FileRead, InputFile, texts_of};
+use crate::packed_motions::PackedMotions;
 use js_sys::Function;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -31,8 +31,8 @@ impl MotionFacts {
     /// # Errors
     /// If there is none of this name, or with what is wrong with the bytes.
     #[wasm_bindgen(js_name = ofPacked)]
-    pub fn of_packed(bytes: &[u8], name: &str) -> Result<Self, EngineError> {
-        let motion = packed_motion(bytes, name)?;
+    pub fn of_packed(motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
+        let motion = motions.input(name)?;
         Ok(Self { frames: motion.poses.len(), rate_hz: f64::from(motion.rate_hz), file: None })
     }
 

@@ -5,8 +5,9 @@
 
 use crate::clip_job::ClipJob;
 use crate::database::Database;
-use crate::input::{Input, packed_inputs};
+use crate::input::Input;
 use crate::input_file::InputFile;
+use crate::packed_motions::PackedMotions;
 use crate::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
@@ -81,14 +82,14 @@ impl ParityReport {
     pub fn run(&self, nudged_frame: Option<usize>) -> Result<String, EngineError> {
         let mut report = String::new();
         let synthesised = strut_demo::database().map_err(EngineError::bad_input)?;
-        let packed = packed::write(&synthesised, &built_in_inputs());
+        let packed = PackedMotions::new(packed::write(&synthesised, &built_in_inputs()));
         database_stages(&mut report, "synthesised database", &synthesised);
-        let unpacked = packed::read_database(&packed).map_err(EngineError::bad_input)?;
+        let unpacked = packed::read_database(packed.bytes()).map_err(EngineError::bad_input)?;
         database_stages(&mut report, "built-in database", &unpacked);
         walk_stages(&mut report, &unpacked)?;
         learning_stages(&mut report, &unpacked)?;
         let database = Database::new(unpacked);
-        for name in packed_inputs(&packed)? {
+        for name in packed.inputs()? {
             let input = Input::from_packed(&database, &packed, &name)?;
             clip_stages(&mut report, &name, &database, &input, nudged_frame)?;
         }
@@ -227,8 +228,8 @@ fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), Eng
 }
 
 /// A crowd who perform a walk in a field of styles, as the page hands it from one package to another; one hash a tick.
-fn performers_stage(report: &mut String, database: &Database, packed: &[u8]) -> Result<(), EngineError> {
-    let inputs = packed_inputs(packed)?;
+fn performers_stage(report: &mut String, database: &Database, packed: &PackedMotions) -> Result<(), EngineError> {
+    let inputs = packed.inputs()?;
     let input = inputs.first().ok_or_else(|| EngineError::bad_input("there is no input"))?;
     let input = Input::from_packed(database, packed, input)?;
     let mut recorder = Recorder::new(Stylizer::new(database)?.core()).map_err(EngineError::bad_input)?;

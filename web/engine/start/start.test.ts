@@ -6,7 +6,7 @@ import * as wholeGlue from "../pkg/strut_wasm.js";
 import * as startGlue from "./pkg/strut_start.js";
 
 /** As much of either package as is used here. */
-type Glue = Pick<typeof startGlue, "Database" | "Input" | "Stylizer" | "packedInputs" | "interpolatePoses">;
+type Glue = Pick<typeof startGlue, "Database" | "Input" | "PackedMotions" | "Stylizer" | "interpolatePoses">;
 
 /** Poses that are pushed at once. */
 const BATCH = 7;
@@ -20,10 +20,11 @@ beforeAll(async () => {
 
 /** All that a page sees of the input in a style. */
 function framesBy(glue: Glue, style: string) {
-  const database = glue.Database.fromPacked(motions);
+  const packed = new glue.PackedMotions(motions);
+  const database = glue.Database.fromPacked(packed);
   const styles = database.styles();
-  const names = glue.packedInputs(motions);
-  const input = glue.Input.fromPacked(database, motions, names[0]!);
+  const names = packed.inputs();
+  const input = glue.Input.fromPacked(database, packed, names[0]!);
   const stylizer = new glue.Stylizer(database);
   stylizer.configure(40, 0.1, 0.7, 3, 0.35, 0.5, true, true, true, "mar", undefined, undefined);
   stylizer.setStyles(Float32Array.from(styles, (name) => Number(name === style)));
@@ -47,7 +48,8 @@ test("it styles the first motions as the whole engine does", () => {
 });
 
 test("it says what is wrong with what it cannot do", () => {
-  const database = startGlue.Database.fromPacked(motions);
+  const packed = new startGlue.PackedMotions(motions);
+  const database = startGlue.Database.fromPacked(packed);
   const message = (call: () => unknown) => {
     try {
       call();
@@ -56,6 +58,8 @@ test("it says what is wrong with what it cannot do", () => {
     }
     return "";
   };
-  expect(message(() => startGlue.Database.fromPacked(new Uint8Array(9)))).toContain("no packed motions");
-  expect(message(() => startGlue.Input.fromPacked(database, motions, "dance"))).toContain("'dance'");
+  expect(message(() => startGlue.Database.fromPacked(new startGlue.PackedMotions(new Uint8Array(9))))).toContain(
+    "no packed motions",
+  );
+  expect(message(() => startGlue.Input.fromPacked(database, packed, "dance"))).toContain("'dance'");
 });

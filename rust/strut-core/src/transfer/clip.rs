@@ -74,7 +74,8 @@ impl ClipJob {
 
     /// Begins a clip whose cuts and calibration pose are known: after a cut the output begins anew at the input's place.
     pub fn of_input(stylizer: Stylizer, input: &ClipInput) -> Self {
-        Self { cuts: input.cuts.clone(), calibration: input.calibration, ..Self::new(stylizer) }
+        let frames = Vec::with_capacity(input.motion.poses.len());
+        Self { frames, cuts: input.cuts.clone(), calibration: input.calibration, ..Self::new(stylizer) }
     }
 
     /// Changes the styles of the whole body from the next frame on, as a style track does.

@@ -1,0 +1,45 @@
+//! Handle of packed motions.
+
+use crate::database::unpackable;
+use strut_core::humanoid::HumanoidMotion;
+use strut_formats::strutdb::packed;
+use strut_wasm_common::EngineError;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A database and the inputs beside it in the packed format. Their bytes are in memory once, whatever is opened of them.
+#[wasm_bindgen]
+pub struct PackedMotions {
+    bytes: Vec<u8>,
+}
+
+#[wasm_bindgen]
+impl PackedMotions {
+    /// Of the bytes of a file, which are checked when something of them is opened.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: Vec<u8>) -> Self {
+        Self { bytes }
+    }
+
+    /// Names of the inputs, the default first.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    pub fn inputs(&self) -> Result<Vec<String>, EngineError> {
+        packed::input_names(&self.bytes).map_err(unpackable)
+    }
+}
+
+impl PackedMotions {
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The input of this name.
+    ///
+    /// # Errors
+    /// If there is none of this name, or with what is wrong with the bytes.
+    pub(crate) fn input(&self, name: &str) -> Result<HumanoidMotion, EngineError> {
+        let motion = packed::read_input(&self.bytes, name).map_err(unpackable)?;
+        motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
+    }
+}
