@@ -3,7 +3,6 @@
 use crate::packed_motions::PackedMotions;
 use std::sync::Arc;
 use strut_core::transfer::Model;
-use strut_formats::strutdb::{StrutdbError, packed};
 use strut_wasm_common::{EngineError, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -21,7 +20,7 @@ impl Database {
     /// With what is wrong with the bytes.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(motions: &PackedMotions) -> Result<Self, EngineError> {
-        packed::read_database(motions.bytes()).map(Self::new).map_err(unpackable)
+        motions.database().map(Self::new)
     }
 
     /// Number of rows.
@@ -75,9 +74,4 @@ impl Database {
     pub(crate) fn model(&self) -> &Arc<Model> {
         &self.model
     }
-}
-
-/// Packed motions that cannot be read.
-pub(crate) fn unpackable(error: StrutdbError) -> EngineError {
-    EngineError::bad_file(error, "Reload the page; if that does not help, the site was not deployed completely.")
 }

@@ -1,8 +1,8 @@
 //! Handle of packed motions.
 
-use crate::database::unpackable;
+use strut_core::database::Database;
 use strut_core::humanoid::HumanoidMotion;
-use strut_formats::strutdb::packed;
+use strut_formats::strutdb::{StrutdbError, packed};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -30,8 +30,12 @@ impl PackedMotions {
 }
 
 impl PackedMotions {
-    pub(crate) fn bytes(&self) -> &[u8] {
-        &self.bytes
+    /// The database.
+    ///
+    /// # Errors
+    /// With what is wrong with the bytes.
+    pub(crate) fn database(&self) -> Result<Database, EngineError> {
+        packed::read_database(&self.bytes).map_err(unpackable)
     }
 
     /// The input of this name.
@@ -42,4 +46,9 @@ impl PackedMotions {
         let motion = packed::read_input(&self.bytes, name).map_err(unpackable)?;
         motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
     }
+}
+
+/// Packed motions that cannot be read.
+fn unpackable(error: StrutdbError) -> EngineError {
+    EngineError::bad_file(error, "Reload the page; if that does not help, the site was not deployed completely.")
 }

@@ -84,7 +84,7 @@ impl ParityReport {
         let synthesised = strut_demo::database().map_err(EngineError::bad_input)?;
         let packed = PackedMotions::new(packed::write(&synthesised, &built_in_inputs()));
         database_stages(&mut report, "synthesised database", &synthesised);
-        let unpacked = packed::read_database(packed.bytes()).map_err(EngineError::bad_input)?;
+        let unpacked = packed.database()?;
         database_stages(&mut report, "built-in database", &unpacked);
         walk_stages(&mut report, &unpacked)?;
         learning_stages(&mut report, &unpacked)?;
