@@ -248,7 +248,7 @@ test("a model that not everybody may perform is asked about, and one that may no
   expect(character.licence).toMatchObject({ everybody: false, mayExport: false });
   const { times, ...moving } = movingAnimation();
   const motion = { ...moving, timeOut: times };
-  expect(() => character.toGLB(motion)).toThrow(/does not allow to hand it on/);
+  expect(() => character.toGLB(motion)).toThrow(/does not allow redistribution/);
   expect(character.toClip(motion).tracks.length).toBeGreaterThan(20);
   character.dispose();
 });

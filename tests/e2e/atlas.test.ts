@@ -209,7 +209,7 @@ describe("with a graphics processor", () => {
         .catch(() => {});
     page.on("worker", (worker) => void stop(worker));
     await page.keyboard.press("a");
-    await eventually(() => words(page, "by")).toBe("The graphics processor stopped; the processor draws on.");
+    await eventually(() => words(page, "by")).toBe("The GPU stopped responding. Drawing continues on the CPU.");
     expect(await drawn(page)).toBe("processor");
     expect((await pixels(page)).data).toEqual(expected.data);
     await page.context().close();

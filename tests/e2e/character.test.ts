@@ -128,7 +128,7 @@ test("where its author forbids to change it, only the motion is exported", async
   await eventually(performer).toBe("As it is");
   await page.getByRole("button", { name: "Export" }).click();
   await page.locator(".export-menu").getByRole("button", { name: /^GLB/ }).click();
-  await eventually(alert).toContain("does not allow to hand it on with another motion");
+  await eventually(alert).toContain("does not allow redistribution with a new motion");
   expect((await saved(page, "VRMA")).name).toMatch(/\.vrma$/);
   await page.getByRole("alert").getByRole("button").first().click();
 });

@@ -40,7 +40,7 @@ describe("a worker that is killed", () => {
         throw new Error("killed for the test");
       });
     });
-    await eventually(notes).toMatch(/The engine stopped and was started again. Your settings are kept./);
+    await eventually(notes).toMatch(/The engine crashed and was restarted. Your settings are kept./);
     await screenshot(page, "restarted");
     expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
     await page.keyboard.press("Space");
@@ -78,7 +78,7 @@ describe("a lost graphics context", () => {
     // Nothing is saved that would be empty.
     await page.getByRole("button", { name: "Export" }).click();
     await page.locator(".export-menu").getByRole("button", { name: /^PNG/ }).click();
-    await eventually(() => page.getByRole("alert").textContent()).toContain("taken the 3-D picture away");
+    await eventually(() => page.getByRole("alert").textContent()).toContain("The browser stopped the 3D graphics");
     await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
     await page.evaluate(() => window.restoreContext!());
     await eventually(picture).toBeGreaterThan(40);

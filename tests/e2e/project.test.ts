@@ -305,7 +305,7 @@ describe("a dropped file", () => {
     await dropFile(page, "clip.bvh", walks.old.repeat(1));
     await eventually(() => inputName(page)).toBe("clip");
     await page.getByRole("button", { name: "Share" }).click();
-    await eventually(said).toContainEqual(expect.stringContaining("too large for it"));
+    await eventually(said).toContainEqual(expect.stringContaining("too large for a link"));
     await page.getByRole("button", { name: "Save project…" }).last().click();
     await eventually(() => page.locator("dialog[open] h2").textContent()).toBe("Save project");
     await page.keyboard.press("Escape");

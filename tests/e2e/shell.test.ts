@@ -211,7 +211,7 @@ describe("a browser", () => {
     });
     await during(context, async () => {
       await page.goto(site.url);
-      await eventually(() => page.getByRole("alert").textContent()).toContain("could not be built");
+      await eventually(() => page.getByRole("alert").textContent()).toContain("Strut could not start");
     });
   });
 

@@ -134,7 +134,7 @@ class BoundCharacter implements Character, Releasable {
 
   toGLB(motion: StyledPoses): Uint8Array<ArrayBuffer> {
     if (this.licence && !this.licence.mayExport) {
-      const message = "The author of this model does not allow to hand it on with another motion.";
+      const message = "This model’s licence does not allow redistribution with a new motion.";
       const hint = "Export the motion alone: toVRMA, toBVH or toClip.";
       throw new StrutError({ code: "licence", message, hint });
     }

@@ -88,7 +88,7 @@ export const ATTRIBUTES = {
   character: text("", "URL of a character that performs in the mannequin's place: .glb, .vrm or .fbx."),
   poster: text("", "URL of a picture that is shown until the figure can be."),
   styles,
-  state: text("", "The part after # of a link of the playground; other attributes go before it."),
+  state: text("", "Playground state: the part of a playground link after #. Other attributes override it."),
   controls,
   autoplay: flag("Plays as soon as it is seen, unless the visitor asked for less motion."),
   once: flag("Stops at the end instead of starting again."),
@@ -99,7 +99,7 @@ export const ATTRIBUTES = {
   "disable-zoom": flag(
     "Disables zooming. Without it the wheel zooms while the picture has the focus, or with Ctrl or Cmd held.",
   ),
-  theme: choice(PLAYER_THEMES, "Colours; auto are those that the page has around it."),
+  theme: choice(PLAYER_THEMES, "Colour theme; auto follows the page."),
   loading: choice(LOADING, "Whether it loads when it comes near the screen, or at once."),
   alt: text("", "What a screen reader calls the picture; by default it says what is performed."),
 } as const;

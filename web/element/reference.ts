@@ -21,7 +21,7 @@ export const EVENTS: readonly (Described & { detail: string })[] = [
     doc: "A new frame of the motion.",
   },
   { name: "play", detail: "", doc: "It begins to play." },
-  { name: "pause", detail: "", doc: "It stands." },
+  { name: "pause", detail: "", doc: "Playback was paused." },
   { name: "error", detail: "{ error: unknown }", doc: "Something failed; what was on the stage stays." },
 ];
 

@@ -34,7 +34,7 @@ export interface ErrorParts {
   hint: string;
 }
 
-/** Every rejection of Strut's. */
+/** All rejections of Strut are of this class. */
 export class StrutError extends Error {
   /** Always `StrutError`. */
   override readonly name = "StrutError";

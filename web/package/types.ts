@@ -42,7 +42,7 @@ export interface LoadOptions {
   assets?: string | ((file: string) => string);
   /** Whether the engine may have a worker of its own; otherwise it works on the calling thread. */
   worker?: boolean;
-  /** Gives up loading. */
+  /** Aborts loading. */
   signal?: AbortSignal;
 }
 
@@ -125,7 +125,7 @@ export interface Strut {
 export interface Database {
   /** What it holds. */
   readonly info: DatabaseInfo;
-  /** The `.strutdb` file. @throws StrutError `bad-input` for the built-in motions, which are none */
+  /** The `.strutdb` file. @throws StrutError `bad-input` for the built-in motions, which cannot be saved as a file */
   toFile(): Promise<Blob>;
   /** Closes it. */
   dispose(): void;

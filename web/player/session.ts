@@ -67,7 +67,7 @@ export interface SessionListeners {
   onError: (error: unknown) => void;
   /** The engine failed too often to go on playing. */
   onStopped: () => void;
-  /** The engine stopped and was started again. */
+  /** The engine crashed and was restarted. */
   onRestart: (restarted: Restarted) => void;
 }
 

@@ -24,7 +24,7 @@ export interface LiveOptions extends Partial<StylizeOptions> {
 export interface Live {
   /** Is called with every frame that is shown, at the database's rate; not while nothing comes. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
-  /** Is called with a sentence where something does not work: nobody answers, or what comes is no body. It is gone on all the same. */
+  /** Called with a message when something does not work: no answer from the source, or data that is not a body. The stream continues. */
   onTrouble: ((sentence: string) => void) | undefined;
   /** How the stream goes. */
   readonly stats: LiveStats;

@@ -35,7 +35,7 @@ afterEach(() => expect(errors.splice(0)).toEqual([]));
 const STILL = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
 const alert = () => page.getByRole("alert").textContent();
 const notes = () => page.locator(".toasts [role=status]").textContent();
-const RESTARTED = /The engine stopped and was started again. Your settings are kept./;
+const RESTARTED = /The engine crashed and was restarted. Your settings are kept./;
 
 /** Expects the style, the frame and the pose of before, and that the character moves. */
 async function expectGoesOn(before: number[]): Promise<void> {

@@ -211,7 +211,7 @@ describe("a graphics context that is lost for good", () => {
     await page.locator(".stage canvas").evaluate((element) => {
       (element as HTMLCanvasElement).getContext("webgl2")!.getExtension("WEBGL_lose_context")!.loseContext();
     });
-    await eventually(alert).toMatch(/The browser has taken the 3-D picture away and not given it back/);
+    await eventually(alert).toMatch(/The browser stopped the 3D graphics/);
     const { name, bytes } = await saved(page, "BVH");
     expect(name).toMatch(/proud\.bvh$/);
     expect(bytes.toString()).toMatch(/^HIERARCHY/);

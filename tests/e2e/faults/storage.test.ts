@@ -237,7 +237,7 @@ describe("two tabs over one storage", () => {
     await page.getByLabel("Name of the database").fill("late");
     await buildButton().click();
     await eventually(alert).toMatch(
-      /“late” is ready, but .* A newer version of Strut keeps the databases of this device now/,
+      /“late” is ready, but .* A newer version of Strut has upgraded the databases of this device/,
     );
     const panel = page
       .locator("section")

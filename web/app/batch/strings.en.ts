@@ -15,7 +15,7 @@ export const batchWords = {
   restyle: "Restyle all…",
   restyleWhat: "Each in one or several styles: a zip of BVH files on their own skeletons.",
   database: "Make a database",
-  databaseWhat: "Your own styles: the files’ names say who does what in which style.",
+  databaseWhat: "Your own styles: file names give the action and the style, for example walk_old_1.bvh.",
   cancel: "Cancel",
   reading: (n: number) => `Reading ${motions(n)}.`,
   tooMany: (n: number, most: number) =>

@@ -48,7 +48,7 @@ export const projectWords = {
   characterInside: "Put the character into the file",
   characterLeft: "Without it, whoever opens the project is asked for the character.",
   characterLicence:
-    "Its author does not allow to hand it on. Put it in only for yourself; without it, whoever opens the project is asked for it.",
+    "Its licence does not allow redistribution. Include it only for your own use; without it, Strut asks for the file when the project is opened.",
   size: (bytes: number) =>
     bytes < 1000 ? `${bytes} B` : bytes < 1e6 ? `${Math.round(bytes / 1000)} kB` : `${(bytes / 1e6).toFixed(1)} MB`,
   before: "before packing",

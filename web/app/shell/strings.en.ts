@@ -22,12 +22,12 @@ export const page = {
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
   viewOffline: "This view could not be loaded, as there is no network. Connect, then try again.",
   pictureLost:
-    "The browser has taken the 3-D picture away and not given it back. Motion and settings are still here: save what you need, then reload the page.",
+    "The browser stopped the 3D graphics. Your motion and settings are still here: save your work, then reload the page.",
   oldBrowser:
     "This browser is too old for Strut. It needs Chrome or Edge 123, Firefox 125, Safari 17.5, or a newer one.",
-  notBuilt: (why: string) => `The page could not be built. Reload it, or use another browser. ${why}`,
+  notBuilt: (why: string) => `Strut could not start. Reload the page, or try another browser. ${why}`,
   noWebGl:
-    "Strut draws with WebGL 2, which this browser does not offer. Switch on hardware acceleration or use another browser. The lessons go on without 3-D pictures.",
+    "Strut needs WebGL 2, which is not available in this browser. Turn on hardware acceleration, or use another browser. The lessons still work, without 3D.",
 
   bar: {
     undo: "Undo",
@@ -85,7 +85,7 @@ export const page = {
     tooLarge: (name: string, megabytes: number, max: number) =>
       `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
     unknown: (name: string) =>
-      `“${name}” is no motion (.bvh, .vrma), project (.strut), database (.strutdb) or character (.glb, .gltf, .vrm, .fbx). Drop one of those.`,
+      `“${name}” is not a supported file. Drop a motion (.bvh, .vrma), a project (.strut), a database (.strutdb) or a character (.glb, .gltf, .vrm, .fbx).`,
     projectAlone: "A project was dropped with other files. Drop it alone: it says itself what is open.",
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
@@ -96,7 +96,7 @@ export const page = {
   links: {
     copied: "Link copied.",
     copiedWithMotion: "Link copied, with the motion in it.",
-    copiedWithoutMotion: "Link copied. The dropped file is too large for it: send a project file instead.",
+    copiedWithoutMotion: "Link copied. The dropped file is too large for a link: send a project file instead.",
     saveProject: "Save project…",
     fileMissing: (name: string) =>
       `This link was made with “${name}”, a file that is not part of it. Drop the file here.`,
@@ -131,15 +131,15 @@ export const page = {
     read: "Read the terms.",
     allowed: "I am allowed to",
     noExport:
-      "The author of this character does not allow to hand it on with another motion. Export the motion alone instead: VRMA or BVH.",
+      "This character’s licence does not allow redistribution with a new motion. Export the motion only: VRMA or BVH.",
   },
 
   update: { ready: "A newer version of Strut is ready.", action: "Update" },
   progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },
   engine: {
-    restarted: (why: string) => `The engine stopped and was started again. Your settings are kept. ${why}`,
+    restarted: (why: string) => `The engine crashed and was restarted. Your settings are kept. ${why}`,
     restartedWithout: (lost: readonly string[], why: string, reason: string) =>
-      `The engine stopped and was started again, without the ${lost.join(" and the ")}: open ${lost.length > 1 ? "them" : "it"} again. ${why} ${reason}`,
+      `The engine crashed and was restarted, but the ${lost.join(" and the ")} ${lost.length > 1 ? "were lost: open them" : "was lost: open it"} again. ${why} ${reason}`,
     preparing: "Preparing the styles.",
     reading: (name: string) => `Reading ${name}.`,
     styling: "Styling the whole motion.",
@@ -152,7 +152,7 @@ export const page = {
     change: "Change…",
     notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
     cancelled: "It was cancelled.",
-    silentFailure: "Something failed without saying what.",
+    silentFailure: "An unknown error occurred.",
   },
 
   numbers: [

@@ -165,7 +165,7 @@ export class Stage implements Drawn {
    */
   copy(): HTMLCanvasElement {
     if (this.#screen.isLost)
-      throw new Error("The browser has taken the 3-D picture away. Try again when it is back, or reload the page.");
+      throw new Error("The browser stopped the 3D graphics. Try again later, or reload the page.");
     const copy = document.createElement("canvas");
     Object.assign(copy, this.#pixels);
     this.#copyTo(copy.getContext("2d")!);

@@ -71,7 +71,7 @@ export const compare = {
     later: {
       name: "Later",
       error: "Timing error",
-      why: "By how much the figure is later than the one behind at the same content",
+      why: "Time offset from the reference at the same point of the motion",
     },
     skate: {
       name: "Foot skate",
@@ -81,7 +81,7 @@ export const compare = {
     jerk: {
       name: "Jerk ratio",
       error: "Jerk ratio",
-      why: "How abruptly the joints move, as a multiple of the input, mean of half a second before and after",
+      why: "Joint jerk relative to the input, averaged over one second",
     },
     cost: { name: "Cost per frame", error: "Cost per frame", why: "Mean time of a frame in the engine" },
   },

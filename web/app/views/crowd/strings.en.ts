@@ -51,7 +51,8 @@ export const crowd = {
   letWalk: "Let them walk",
   noMotion: (why: string) => `The motion of Play cannot be performed. ${why}`,
   useBuiltIn: "Use the built-in walks",
-  noModel: (database: string, why: string) => `${database} gives no model of walks. ${why}`,
+  noModel: (database: string, why: string) =>
+    `${database} does not contain enough walking to train a walk model. ${why}`,
   builtInDatabase: "The built-in database",
 
   refused: {
@@ -61,9 +62,9 @@ export const crowd = {
       `The link asks for a crowd “${text}”; 1 to 1,000 people and a seed, as 300_1, were expected. The crowd stays as it was.`,
     vertices: (_text: string) => "The link's field has more than 12 places. The field stays as it was.",
     vertex: (text: string) =>
-      `The link's field “${text}” is none; style, place, reach (0.5 to 10 m) and intensity (−1 to 2) of each, as proud_2.5_-1_3_1, were expected. The field stays as it was.`,
+      `The link’s style map “${text}” is invalid. Expected style, place, radius (0.5 to 10 m) and intensity (−1 to 2) of each vertex, as in proud_2.5_-1_3_1. The map was not changed.`,
     route: (text: string) =>
-      `The link's route “${text}” is none; 2 to 64 places, as -5_0;5_2, were expected. The route stays as it was.`,
+      `The link’s route “${text}” is invalid. Expected 2 to 64 places, as in -5_0;5_2. The route was not changed.`,
   },
   noStyle: (style: string, styles: string) =>
     `This model has no style “${style}”; it has ${styles}. The field stays without it.`,

@@ -62,11 +62,11 @@ describe("the table of classes", () => {
 
   test("says what will be lacking", () => {
     expect(concerns(table)).toEqual([
-      "“sad” has one clip; more would make it steadier.",
+      "“sad” has only one clip. More clips give better results.",
       "“sad” has no “run”; there the style is a guess from other actions.",
     ]);
     expect(concerns(classTable([row("walk", "old")]))).toEqual([
-      "There is one style; a second one gives something to mix it with.",
+      "Only one style so far. Add a second one to mix with.",
     ]);
     const many = classTable(["a", "b", "c", "d", "e"].map((style) => row("walk", style)).concat(row("run", "a")));
     expect(concerns(many)).toContain(

@@ -15,7 +15,7 @@ function listed(names: readonly string[]): string {
 export const data = {
   empty: {
     heading: "Your own styles",
-    what: "Drop BVH files, a folder or a zip of them here. Their names say who does what in which style; the rest is found. Nothing leaves this device.",
+    what: "Drop BVH files, a folder or a zip of them here. File names give the action and the style, for example walk_old_1.bvh; the rest is detected. Nothing leaves this device.",
     best: "The same actions in every style work best: walk, run and jump, in neutral and in others. A CSV with the columns file, action, style is taken too.",
     files: "Choose files",
     folder: "Choose a folder",
@@ -38,9 +38,9 @@ export const data = {
   summary: (actions: number, source: string) => `${counted("action")(actions)} · ${source}`,
   sources: counted("source"),
   unlabelled: "It needs an action and a style.",
-  oneStyle: "There is one style; a second one gives something to mix it with.",
+  oneStyle: "Only one style so far. Add a second one to mix with.",
   single: (names: readonly string[]) =>
-    `${listed(names)} ${names.length === 1 ? "has" : "have"} one clip; more would make it steadier.`,
+    `${listed(names)} ${names.length === 1 ? "has" : "have"} only one clip. More clips give better results.`,
   missing: (names: readonly string[], action: string) =>
     `${listed(names)} ${names.length === 1 ? "has" : "have"} no “${action}”; there the style is a guess from other actions.`,
   unnamed: "My clips",
@@ -119,7 +119,7 @@ export const data = {
 
   manners: {
     heading: "Two manners",
-    note: "Some takes of a style are performed in another manner than the others, so that what comes out lies between the two. Make two styles of it and build again to keep both.",
+    note: "Some takes of a style differ from its other takes, so the result would be an average of both. Split them into two styles and build again to keep both.",
     differ: (action: string, style: string) => `${quoted(style)} in ${quoted(action)}`,
     takes: (numbers: string) => `takes ${numbers}`,
     and: "and",
@@ -146,7 +146,7 @@ export const data = {
     unkept: (contents: string) => `not kept · ${contents}`,
     full: "The browser has no room left for it. Delete a database, or export this one before the page is closed.",
     refused: "The browser does not let this page keep files, as in a private window. Export the database to keep it.",
-    newer: "A newer version of Strut keeps the databases of this device now.",
+    newer: "A newer version of Strut has upgraded the databases of this device.",
     reload: "Reload the page to have them here.",
   },
 
@@ -168,8 +168,8 @@ export const data = {
     licenceNote: (note: string) => `. ${note}`,
     cite: (citation: string) => `Cite it as: ${citation}.`,
     more: "More about it",
-    from: (host: string) => `It is fetched from ${host}, and kept here.`,
-    fromSized: (host: string, size: string) => `It is fetched from ${host}, ${size}, and kept here.`,
+    from: (host: string) => `Downloads from ${host}, and stores it in this browser.`,
+    fromSized: (host: string, size: string) => `Downloads ${size} from ${host}, and stores it in this browser.`,
     download: "Download",
     noList: "The list of public data sets could not be loaded.",
     badList: (at: string, what: string) => `The list of public data sets is not as expected: ${at} should be ${what}.`,

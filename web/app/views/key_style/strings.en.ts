@@ -71,12 +71,13 @@ export const keyStyle = {
   choosing: "Pose",
   smooth: "Smooth",
   hard: "Hard",
-  smoothWhy: "Neighbouring components share the pose. Hard takes the winner alone, as published: it jumps at borders.",
+  smoothWhy:
+    "Neighbouring components share the pose. Hard uses only the best component, as in the paper: the pose jumps at borders.",
   component: (n: number, home: string) => `Component ${n}: ${home}`,
   components: (count: number, winner: number) => `${components(count)}; number ${winner} has most of the pose`,
 
   unexplained: (percent: string) =>
-    `The style variables leave ${percent} % of the pose unexplained. Another variable may explain more.`,
+    `The style variables leave ${percent} % of the pose undetermined. Try another variable.`,
 
   // The picture.
   ghost: "Nearest recording",

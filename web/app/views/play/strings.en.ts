@@ -17,7 +17,7 @@ export const play = {
     name: "Trail",
     off: "Motion trail: off",
     lines: "Motion trail: lines of hands, feet and head",
-    onion: "Motion trail: with the body before and after",
+    onion: "Motion trail: with onion skin",
   },
   grid: "grid 1 m",
   fps: (fps: number) => `${fps} fps`,
@@ -33,12 +33,12 @@ export const play = {
     all: "All",
     allOf: (count: string) => `All ${count}`,
     setting: "Setting",
-    settings: "Two settings to compare: B begins as a copy of A (X)",
+    settings: "Compare two setups, A and B. B starts as a copy of A (X)",
     random: "Random styles",
     part: "Body part",
     reset: "Reset",
     resetPart: "Reset the body part",
-    resetPartWhy: "Let this part follow the whole body again",
+    resetPartWhy: "Use the whole body’s style for this part again",
     intensity: "Intensity",
     beyond: "Beyond the data: joints are held at their limits.",
     parts: {
@@ -63,7 +63,7 @@ export const play = {
     dropWhy:
       "Drop a motion (BVH, VRMA, GLB, FBX) or a character (GLB, VRM, FBX) anywhere on the page, or choose one here",
     readsAs: "Reads as",
-    readsAsWhy: "What the engine takes the input for, and how sure it is",
+    readsAsWhy: "The action and style that the engine recognises, with its confidence",
     readsAsClass: (action: string, style: string) => `${action}, ${style}`,
     unlike: "unlike any style",
     guess: "The result is a guess.",
@@ -86,7 +86,8 @@ export const play = {
   model: {
     heading: "Model",
     method: "Method",
-    methodWhy: "How the neighbours become a prediction; a knob that a method does not use has no effect",
+    methodWhy:
+      "How the nearest examples are combined into a pose. Settings that the method does not use have no effect",
     methods: {
       mar: "mixture of regressions",
       lar: "one regression",
@@ -97,19 +98,29 @@ export const play = {
     resetModel: "Reset the model",
     knobs: {
       k: { name: "Neighbours", description: "K: neighbours of the pose in each class" },
-      lambda: { name: "Ridge", description: "λ: how strongly the fit is held back, in units of K" },
-      rho: { name: "Kept content", description: "ρ: share of what is unlike the data that is given back" },
-      kappa: { name: "Tolerance", description: "κ: deviations from the data that still count as like it" },
+      lambda: {
+        name: "Ridge",
+        description:
+          "λ: regularisation of the regression, in units of K: higher is smoother, with less detail of the style",
+      },
+      rho: {
+        name: "Kept content",
+        description: "ρ: how much of the input’s own motion, which no example explains, is kept",
+      },
+      kappa: {
+        name: "Tolerance",
+        description: "κ: tolerance in standard deviations, beyond which a pose counts as outside the examples",
+      },
       delta: { name: "Mixture width", description: "δ: small picks one class, large mixes many" },
       tempo: {
         name: "Tempo of the style",
-        description: "η: 0 keeps my tempo, 1 takes the style’s own; of walks and runs",
+        description: "η: 0 keeps the input’s tempo, 1 uses the style’s tempo (walks and runs only)",
       },
     },
     toggles: {
       timing: {
         name: "Timing",
-        description: "Whether the style has its own timing: watch the ticks of the timeline",
+        description: "Lets the style change the timing (see the ticks of the timeline)",
       },
       footplant: {
         name: "Footplant",
@@ -117,12 +128,12 @@ export const play = {
       },
       coherence: {
         name: "Coherence",
-        description: "Whether the output is smoothed where the database does not know the input",
+        description: "Smooths the output where the database has no similar motion",
       },
     },
     labels: {
       name: "Input is",
-      why: "Say what the input is, and only such examples are looked for: watch what it reads as, and the cost",
+      why: "If you set the input’s action or style, only matching examples are searched",
       action: { name: "Action of the input", unknown: "any action" },
       inputStyle: { name: "Style of the input", unknown: "any style" },
     },
@@ -176,7 +187,7 @@ export const play = {
     byGraphics: (name: string, time: string) => `Drawn by ${name || "the graphics processor"} in ${time}.`,
     byProcessor: (time: string) => `Drawn by the processor in ${time}.`,
     offer: "A browser with WebGPU redraws it while you drag.",
-    lost: "The graphics processor stopped; the processor draws on.",
+    lost: "The GPU stopped responding. Drawing continues on the CPU.",
   },
 
   help: {
@@ -190,12 +201,12 @@ export const play = {
       ["I O", "play from here, or to here; U plays all"],
       ["K", "style key here: styles change from key to key"],
       ["G", "ghost of the input: beside, in the same place, off"],
-      ["T", "motion trail: lines, the body before and after, off"],
+      ["T", "motion trail: lines, onion skin, off"],
       ["F", "follow the character"],
       ["A", "atlas: every frame beside every window of the database"],
       ["H", "hide or show the panels"],
       ["X", "the other of two settings, A or B"],
-      ["R", "three styles by chance"],
+      ["R", "random mix of three styles"],
       ["1 – 8", "all of one style, clockwise from the top"],
       ["Ctrl Z", "undo; with Shift redo"],
       ["Ctrl O, Ctrl S", "open a file; save the project"],
@@ -221,7 +232,7 @@ export const play = {
     crowd: [
       ["N P", "next or previous person"],
       ["F", "follow the person"],
-      ["→", "one moment on, while it rests"],
+      ["→", "next frame, while paused"],
     ] as readonly (readonly [keys: string, does: string])[],
     drop: "Drop a motion (BVH, VRMA, GLB, FBX) anywhere to style it, several to choose what becomes of them, or a character (GLB, VRM, FBX) to have it perform. Knobs turn by dragging up and down; type a number for an exact value.",
     manual: "Documentation",

@@ -36,7 +36,7 @@ export const style: LessonText = {
       },
       refuse: ({ style, meanContent, meanSecond }) =>
         `You compared different moments of the step. By the clock ${style} has least, ${meanSecond} cm; at equal instants it has ${meanContent} cm.`,
-      no: ({ style, meanContent }) => `${style} has ${meanContent} cm on average. There is less.`,
+      no: ({ style, meanContent }) => `${style} has ${meanContent} cm on average. Another style has less.`,
       hints: [
         "Pace is style too, but it is not pose. Pair equal instants.",
         "Set *same content* and read the mean beside the curve of that name.",

@@ -60,7 +60,7 @@ export const time: LessonText = {
       ],
     },
     C: {
-      task: "Be slower than everybody: let the walk take longer than the slowest recorded performance of it in any style.",
+      task: "Make the walk slower than any recorded style: it must take longer than its slowest recorded performance.",
       pass: ({ ratio, longest, longestStyle }) =>
         `Yes: ${ratio} times, and the slowest recorded one, ${longestStyle}, took ${longest} times. Nobody ever performed that.`,
       near: {
