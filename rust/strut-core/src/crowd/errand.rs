@@ -9,7 +9,7 @@ use std::f32::consts::{PI, TAU};
 
 /// Area of the ground per agent, m².
 pub(super) const ROOM: f32 = 4.0;
-/// Area per agent at the start, m²: it keeps agents away from the edge.
+/// Area per agent at the start, m²: less, so that agents start away from the edge.
 const STARTING_ROOM: f32 = 3.0;
 /// The golden angle, radians: places along a spiral by it are evenly spread (Vogel, "A better way to construct the sunflower
 /// head", 1979).

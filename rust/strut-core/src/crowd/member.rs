@@ -86,7 +86,7 @@ impl Member {
     pub(super) fn tick(&mut self, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         self.frames += 1;
         if self.walker.next_step() != self.step {
-            // With the walking speed: a standing agent with its own speed would never find a free path.
+            // Uses the walking speed: with its own speed, a standing agent would never find a free path.
             let me = Figure { speed: self.cruise, ..self.figure() };
             self.begin_step(&me, ground, others, weights);
         }

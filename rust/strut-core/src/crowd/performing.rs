@@ -181,7 +181,7 @@ impl Performing {
         let _ = self.performer.set_styles(weights);
     }
 
-    /// Advances the own time; the present pose lies between two frames, whose durations depend on the style.
+    /// Advances the performer's time; the present pose lies between two frames, whose durations depend on the style.
     fn perform(&mut self) {
         self.now_secs += f64::from(1.0 / TICK_HZ);
         while self.performer.frame().time_out_secs < self.now_secs {

@@ -19,8 +19,8 @@ const TURNS: i16 = 3;
 /// Number of predicted steps, and how many of them have the chosen turn.
 const FORESIGHT: usize = 5;
 const TURNING: usize = 2;
-/// Range of avoidance, metres: walkers farther away are ignored. Two who approach each other at 1.2 m/s each cannot meet within the
-/// predicted steps from farther away.
+/// Range of avoidance, metres: agents farther away are ignored. From farther away, two agents that approach each other at
+/// 1.2 m/s each cannot meet within the predicted steps.
 pub(super) const FORESEEN: f32 = 8.0;
 /// Agents keep at least this distance from others, metres. It was tuned together with the costs: at four square metres per
 /// agent they walk at 0.86 of the speed they have alone.

@@ -11,7 +11,7 @@ use crate::math::{Quat, Vec3, exp_map};
 const APART: f64 = 6.0;
 
 /// Returns the style name of every clip: its own, with a letter if the takes of its style are different expressions, as in
-/// `proud A` and `proud B`. Takes are clustered by the mean distance of their mean steps; one without a step of either foot
+/// `proud A` and `proud B`. Takes are clustered by the mean distance of their mean steps; one without steps of a foot
 /// joins the first.
 pub fn landmarks(clips: &[LabelledClip<'_>]) -> Vec<String> {
     let tracks: Vec<_> = clips.iter().map(|clip| clip.track).collect();

@@ -46,7 +46,8 @@ pub enum Learning {
     /// One pose at a time: a self-organising mixture network.
     #[default]
     Som,
-    /// The same with the signs that the paper prints (its Eq. 7 and 8): it diverges, and is kept for demonstration.
+    /// The same with the signs of maps and shares that the paper prints (its Eq. 7 and 8): it diverges, and is kept for
+    /// demonstration.
     AsPrinted,
     /// Expectation maximisation over all poses at once.
     Em {
@@ -151,7 +152,7 @@ pub fn train(recordings: &[&Recording], axes: &[Measure], options: Options) -> R
 }
 
 impl Trainer {
-    /// Prepares training on these recordings, which have the same body.
+    /// Prepares training on these recordings, which must have the same body; that of the first one is used.
     ///
     /// # Errors
     /// See [`TrainError`].
