@@ -14,7 +14,7 @@ const REFERENCE_LEG_LENGTH: f32 = 0.8;
 /// Speeds are central differences over about this time: one frame at 60 Hz.
 const SPEED_HALF_WINDOW_SECS: f32 = 1.0 / 60.0;
 
-/// When a point of the foot is planted.
+/// Contact thresholds of a point of the foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// Planted below this height above the floor, metres …
@@ -25,7 +25,7 @@ pub struct Thresholds {
     pub off_height: f32,
     /// … or above this speed, m/s.
     pub off_speed: f32,
-    /// The floor is this share of the point's heights from below, in [0, 1].
+    /// Quantile of the point's heights that is its floor, in [0, 1].
     pub floor_percentile: f32,
     /// Contacts and gaps shorter than this are removed, seconds.
     pub min_duration_secs: f32,
@@ -80,7 +80,7 @@ pub fn label_with(motion: &HumanoidMotion, thresholds: &Thresholds) -> Vec<[bool
     }
     let mut labels = vec![[false; 2]; motion.poses.len()];
     for sides in &tracks {
-        // Both feet stand on the same floor; a foot that never touches it would give a wrong one.
+        // Both feet stand on the same floor; a foot that never touches it would give a wrong height.
         let floor = percentile(sides.iter().flatten().map(|p| p.y), thresholds.floor_percentile);
         for (side, track) in sides.iter().enumerate() {
             let mut planted = false;
@@ -105,7 +105,7 @@ pub fn label_with(motion: &HumanoidMotion, thresholds: &Thresholds) -> Vec<[bool
     labels
 }
 
-/// The value below which the share `p` of the numbers lies; 0 if there are none.
+/// The quantile `p` of the numbers; 0 if there are none.
 fn percentile(values: impl Iterator<Item = f32>, p: f32) -> f32 {
     let mut sorted: Vec<f32> = values.collect();
     sorted.sort_by(f32::total_cmp);
@@ -120,7 +120,7 @@ fn speed(track: &[Vec3], frame: usize, rate_hz: f32) -> f32 {
     (track[after] - track[before]).length() * rate_hz / (after - before).max(1) as f32
 }
 
-/// Inverts runs of `value` shorter than `shortest` frames that do not touch the clip's ends.
+/// Inverts runs of `value` that are shorter than `shortest` frames and not at the clip's ends.
 fn flip_short_runs(labels: &mut [[bool; 2]], side: usize, value: bool, shortest: usize) {
     let mut start = 0;
     while start < labels.len() {
@@ -142,7 +142,7 @@ mod tests {
     use crate::humanoid::Pose;
     use crate::math::float_funcs::{cos, sin};
 
-    /// A figure that floats forward with stiff legs; `height` and `speed` by frame act on both feet.
+    /// A body that glides forward with stiff legs; `height` and `speed` per frame apply to both feet.
     fn gliding(frames: usize, height: impl Fn(usize) -> f32, speed: impl Fn(usize) -> f32) -> HumanoidMotion {
         let proportions = Proportions::default();
         let mut z = 0.0;
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn between_the_thresholds_the_last_state_holds() {
-        // 4 cm is above "on" (3 cm) and below "off" (6 cm): planted if it came from below, lifted if from above.
+        // 4 cm is above "on" (3 cm) and below "off" (6 cm): planted if the foot came from below, lifted if from above.
         let levels = [0.0, 0.04, 0.10, 0.04, 0.0, 0.0];
         let height = |f: usize| {
             // Ten frames from one level to the next, so that the speed stays below its thresholds.

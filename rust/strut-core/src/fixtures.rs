@@ -1,4 +1,4 @@
-//! A small synthetic database for tests: figures whose legs and arms swing in sines.
+//! A small synthetic database for tests: bodies whose legs and arms swing as sines.
 
 use crate::database::{Clip, Database, DatabaseParts};
 use crate::humanoid::{Pose, Proportions, Role};
@@ -10,7 +10,7 @@ use std::f32::consts::TAU;
 
 pub(crate) const RATE_HZ: f32 = 60.0;
 
-/// Numbers between −1 and 1 (Numerical Recipes' linear congruence).
+/// Numbers between −1 and 1 (linear congruential generator of Numerical Recipes).
 pub(crate) fn noise(seed: u32) -> impl Iterator<Item = f64> {
     let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
     std::iter::successors(Some(seed), next).skip(1).map(|s| f64::from(s >> 8) / f64::from(1 << 23) - 1.0)
@@ -18,7 +18,7 @@ pub(crate) fn noise(seed: u32) -> impl Iterator<Item = f64> {
 
 const FRAMES: usize = 150;
 
-/// A manner of walking; angles in radians.
+/// A gait; angles in radians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gait {
     /// Frames of a cycle.
@@ -41,7 +41,7 @@ pub(crate) const BENT: Gait = Gait { period: 76.0, swing: 0.28, knee: 0.5, lean:
 const FAST: Gait = Gait { period: 44.0, swing: 0.6, knee: 1.2, lean: 0.15, arms: 0.7, turn: 0.0 };
 const FAST_BENT: Gait = Gait { period: 50.0, swing: 0.45, knee: 0.9, lean: 0.6, arms: 0.3, turn: 0.0 };
 
-/// A walk: poses and which feet stand.
+/// A walk: poses and foot contacts.
 pub(crate) struct Walk {
     pub(crate) poses: Vec<Pose>,
     pub(crate) contact: Vec<[u8; 2]>,
@@ -69,7 +69,7 @@ fn limbs(gait: &Gait, phase: f32) -> Pose {
     pose
 }
 
-/// `frames` frames of a gait from a phase on; the standing foot does not slide.
+/// `frames` frames of a gait from a phase on; the planted foot does not slide.
 pub(crate) fn walk(gait: &Gait, frames: usize, first_phase: f32) -> Walk {
     let proportions = Proportions::default();
     let soles = Soles::new(&proportions);

@@ -1,8 +1,8 @@
 //! The canonical humanoid that every database, search and transfer works on.
 //!
-//! 21 joints with fixed roles. In its rest pose, a T-pose facing +Z, every joint's frame is aligned with
-//! the world, so that rotations mean the same on every skeleton; only bone offsets differ
-//! ([`Proportions`]). `retarget` leads from files' skeletons to this one and back.
+//! 21 joints with fixed roles. In its rest pose, a T-pose facing +Z, every joint's frame is aligned with the world, so
+//! rotations have the same meaning on every skeleton; only bone offsets differ ([`Proportions`]). `retarget` converts between
+//! files' skeletons and this one.
 
 use crate::math::{Quat, Vec3};
 use thiserror::Error;
@@ -10,8 +10,8 @@ use thiserror::Error;
 /// Number of joints of the canonical humanoid.
 pub const JOINTS: usize = 21;
 
-/// What a joint is. The discriminant is the joint's index in every canonical array; parents come first.
-/// Left is +X when facing +Z.
+/// Role of a joint. The discriminant is the joint's index in every canonical array; parents come first. Left is +X when
+/// facing +Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[repr(u8)]
 #[allow(missing_docs)]
@@ -107,7 +107,7 @@ impl Role {
         }
     }
 
-    /// The same joint on the other side of the body; itself on the midline.
+    /// The same joint on the other side of the body; joints on the midline are their own mirror image.
     pub const fn mirrored(self) -> Role {
         match self as usize {
             i @ (5..=8 | 13..=16) => Role::ALL[i + 4],
@@ -131,12 +131,12 @@ pub struct Proportions {
 }
 
 impl Proportions {
-    /// Thigh plus shin of the left leg, metres: the length that root motion is scaled by.
+    /// Length of thigh and shin of the left leg, metres, by which root motion is scaled.
     pub fn leg_length(&self) -> f32 {
         self.offsets[R::LeftLowerLeg.index()].length() + self.offsets[R::LeftFoot.index()].length()
     }
 
-    /// Height of the body in the T-pose, metres: of its head joint, with as much above it as the mannequin's 1.68 m have.
+    /// Height of the body in the T-pose, metres: that of its head joint, in the mannequin's ratio (1.68 m in all).
     pub fn stature(&self) -> f32 {
         let head_joint = |p: &Self| [R::Hips, R::Spine, R::Chest, R::Neck, R::Head].map(|r| p.offsets[r.index()].y);
         let height = |p: &Self| head_joint(p).iter().sum::<f32>();
@@ -154,7 +154,7 @@ impl Proportions {
 }
 
 impl Default for Proportions {
-    /// The mannequin of `../shared/design/tokens.md`: 1.68 m tall, 7 heads.
+    /// The default mannequin: 1.68 m tall, 7 heads.
     fn default() -> Self {
         let side = |s: f32| {
             [
@@ -235,7 +235,7 @@ impl Pose {
         self.root.is_finite() && self.rotations.iter().all(|q| q.is_finite())
     }
 
-    /// The mirror image at the plane x = 0: left and right change places.
+    /// The mirror image at the plane x = 0: left and right are swapped.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         Self {
@@ -244,7 +244,7 @@ impl Pose {
         }
     }
 
-    /// Interpolation: the root linearly, rotations spherically; `t` in [0, 1].
+    /// Interpolates the root linearly and rotations spherically; `t` in [0, 1].
     pub fn lerp(&self, to: &Self, t: f32) -> Self {
         let mut out = *self;
         out.root = self.root + (to.root - self.root) * t;
@@ -262,14 +262,14 @@ pub struct HumanoidMotion {
     pub proportions: Proportions,
     /// Frames per second; finite and positive.
     pub rate_hz: f32,
-    /// One pose a frame.
+    /// One pose per frame.
     pub poses: Vec<Pose>,
 }
 
-/// Most frames that a motion may be resampled to: more than four hours at 60 Hz.
+/// Largest number of frames after resampling: more than four hours at 60 Hz.
 pub const MAX_FRAMES: usize = 1_000_000;
 
-/// A motion is too long to be resampled to a rate.
+/// Error of a motion that is too long to be resampled to a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("the motion has {frames} frames at {rate_hz} Hz; at most {MAX_FRAMES} are supported")]
 pub struct TooManyFrames {
@@ -280,8 +280,8 @@ pub struct TooManyFrames {
 }
 
 impl HumanoidMotion {
-    /// The same motion at another rate. The first frame is kept; the last one falls on the last whole
-    /// new frame within the clip. At least one frame if there was one.
+    /// Resamples the motion to another rate. The first frame is kept; the last one is the last whole new frame within the
+    /// clip. A motion with frames keeps at least one.
     ///
     /// # Errors
     /// See [`HumanoidMotion::frames_at`]; nothing is allocated then.
@@ -303,7 +303,7 @@ impl HumanoidMotion {
         if frames > MAX_FRAMES { Err(TooManyFrames { frames, rate_hz }) } else { Ok(frames) }
     }
 
-    /// Frames of this motion from one frame at another rate to the next.
+    /// Frames of this motion per frame at another rate.
     fn frames_per_frame_at(&self, rate_hz: f32) -> f64 {
         f64::from(self.rate_hz) / f64::from(rate_hz)
     }

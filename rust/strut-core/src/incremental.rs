@@ -1,42 +1,42 @@
-//! Long work in steps, between which whoever runs it may do other things, show progress, or give up.
+//! Long jobs in steps, between which the caller may do other work, show progress, or cancel.
 
 use crate::parallel::ParallelMap;
 use std::ops::ControlFlow;
 
-/// Work that is done step by step. The result depends neither on the executor nor on when the steps are taken.
+/// A job that runs step by step. The result depends neither on the executor nor on the times of the steps.
 pub trait IncrementalJob: Sized {
-    /// What is known after a step.
+    /// Progress after a step.
     type Progress;
-    /// What the work is for.
+    /// The job's output.
     type Output;
-    /// Why there is none; [`Infallible`](std::convert::Infallible) if there always is.
+    /// The job's error; [`Infallible`](std::convert::Infallible) if it always succeeds.
     type Error;
 
-    /// Does a piece of the work; `None` when nothing was left to do but to conclude.
+    /// Does a part of the work; returns `None` if only [`IncrementalJob::conclude`] is left.
     ///
     /// # Errors
-    /// If the work cannot go on, now or later.
+    /// If the job cannot be completed.
     fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<Self::Progress>, Self::Error>;
 
-    /// The result, once [`IncrementalJob::step`] has returned `None`.
+    /// Returns the output, once [`IncrementalJob::step`] has returned `None`.
     ///
     /// # Errors
-    /// If the steps have led to no result.
+    /// If the steps gave no output.
     fn conclude(self, executor: &impl ParallelMap) -> Result<Self::Output, Self::Error>;
 
-    /// Takes the steps that are left, and gives the result.
+    /// Runs the remaining steps and returns the output.
     ///
     /// # Errors
-    /// As the steps and the conclusion.
+    /// See [`IncrementalJob::step`] and [`IncrementalJob::conclude`].
     fn finish(mut self, executor: &impl ParallelMap) -> Result<Self::Output, Self::Error> {
         while self.step(executor)?.is_some() {}
         self.conclude(executor)
     }
 
-    /// [`IncrementalJob::finish`] with an observer of the progress, which may cancel: then there is `None`.
+    /// [`IncrementalJob::finish`] with an observer of the progress, which may cancel; the result is then `None`.
     ///
     /// # Errors
-    /// As [`IncrementalJob::finish`].
+    /// See [`IncrementalJob::finish`].
     fn run(
         mut self,
         executor: &impl ParallelMap,

@@ -1,8 +1,8 @@
 //! Motion style transfer: pure algorithms over plain data.
 //!
-//! No files, clocks, threads, browser or GPU. Units are metres, seconds and radians; +Y is up,
-//! right-handed. Every function gives the same bits natively and in WebAssembly: transcendental
-//! functions go through [`math::float_funcs`], reductions have a fixed order, nothing contracts to FMA.
+//! No files, clocks, threads, browser or GPU. Units are metres, seconds and radians; +Y is up, right-handed. Every function
+//! returns the same bits natively and in WebAssembly: transcendental functions are called through [`math::float_funcs`],
+//! reductions have a fixed order, nothing contracts to FMA.
 #![deny(unsafe_code)]
 
 pub mod autoregression;

@@ -1,4 +1,4 @@
-//! Measures of a motion's quality: numbers only, no thresholds.
+//! Quality measures of a motion: numbers only, no thresholds.
 
 use crate::humanoid::{HumanoidMotion, JOINTS};
 use crate::kinematics::{Sole, Soles, world_from_local};
@@ -8,16 +8,15 @@ use crate::math::Vec3;
 pub type Points = [Vec3; JOINTS];
 
 /// Mean distance of corresponding joints over the frames that both have, metres; 0 without frames. With
-/// [`crate::pose_vector::point_cloud`]s it is the pose error of `docs/methods/mar.md` §12: root and heading
-/// removed.
+/// [`crate::pose_vector::point_cloud`]s, which have no root and heading, it is the pose error of `docs/methods/mar.md` §12.
 pub fn pose_error(a: &[Points], b: &[Points]) -> f32 {
     let frames = a.len().min(b.len());
     let sum: f64 = a.iter().zip(b).flat_map(|(a, b)| a.iter().zip(b)).map(|(p, q)| f64::from((*p - *q).length())).sum();
     (sum / (frames * JOINTS).max(1) as f64) as f32
 }
 
-/// Mean horizontal speed of the point that a foot turns on (heel or ball, by which is lower) over all steps
-/// from one planted frame to the next, m/s; 0 if no foot is ever planted.
+/// Mean horizontal speed of the pivot of a foot (heel or ball, whichever is lower) over all pairs of successive planted
+/// frames, m/s; 0 if no foot is ever planted.
 pub fn foot_skate(motion: &HumanoidMotion, planted: &[[bool; 2]]) -> f32 {
     let soles = Soles::new(&motion.proportions);
     let feet: Vec<[Sole; 2]> = motion

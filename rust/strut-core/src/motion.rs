@@ -1,4 +1,4 @@
-//! A clip on its own skeleton: a local translation and rotation for every joint and frame.
+//! A clip on its own skeleton: a local translation and rotation per joint and frame.
 
 use crate::math::{Quat, Vec3};
 use crate::skeleton::Skeleton;
@@ -17,7 +17,7 @@ pub struct Motion {
     pub rotations: Vec<Quat>,
 }
 
-/// Why arrays are no motion.
+/// Error of arrays that are not a valid motion.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum MotionError {
     /// An array is not a whole number of frames, or the arrays differ in length.
@@ -29,7 +29,7 @@ pub enum MotionError {
         translations: usize,
         /// Length of `rotations`.
         rotations: usize,
-        /// Joints of the skeleton.
+        /// Number of joints of the skeleton.
         joints: usize,
     },
     /// The frame time is zero, negative or not finite.
@@ -38,7 +38,7 @@ pub enum MotionError {
 }
 
 impl Motion {
-    /// A motion of these parts, checked.
+    /// Creates a motion from its parts after checking them.
     ///
     /// # Errors
     /// See [`MotionError`].
@@ -63,13 +63,13 @@ impl Motion {
         self.rotations.len() / self.skeleton.len()
     }
 
-    /// Local translations of frame `f`, one a joint.
+    /// Local translations of frame `f`, one per joint.
     pub fn translations_at(&self, f: usize) -> &[Vec3] {
         let n = self.skeleton.len();
         &self.translations[f * n..(f + 1) * n]
     }
 
-    /// Local rotations of frame `f`, one a joint.
+    /// Local rotations of frame `f`, one per joint.
     pub fn rotations_at(&self, f: usize) -> &[Quat] {
         let n = self.skeleton.len();
         &self.rotations[f * n..(f + 1) * n]

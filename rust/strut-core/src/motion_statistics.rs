@@ -1,7 +1,7 @@
-//! Motion statistics: a performance as a whole in numbers, whatever its length and phase.
+//! Motion statistics: a performance summarised in numbers, independent of its length and phase.
 //!
-//! Performances are compared by where each joint is on average and by how far it moves about that place. The spread of the
-//! takes of a class, which nobody intends, is the unit of every statistic.
+//! Performances are compared by the mean position of each joint and its deviation from it. The unit of every statistic is the
+//! spread of the takes of a class, which is unintended variation.
 
 use crate::humanoid::JOINTS;
 use crate::math::partition::mean_of;
@@ -9,16 +9,16 @@ use crate::metrics::Points;
 
 /// Coordinates of all joints.
 const COORDINATES: usize = 3 * JOINTS;
-/// Numbers of a performance.
+/// Number of statistics of a performance.
 pub const STATISTICS: usize = 2 * COORDINATES;
-/// Statistics that spread less than this over takes are no measure of anything, metres: the hips, which the others are
-/// relative to.
+/// Statistics whose spread over takes is smaller than this are ignored, metres: those of the hips, to which the others are
+/// relative.
 const MIN_SPREAD: f64 = 1e-4;
 
-/// The mean of every coordinate of every joint over the frames, then the standard deviation of each; metres.
+/// The mean of every joint coordinate over the frames, then the standard deviation of each; metres.
 pub type MotionStatistics = [f64; STATISTICS];
 
-/// The statistics of a performance, of joint positions with place and heading removed; 0 without frames.
+/// Computes the statistics of a performance, from joint positions without place and heading; 0 without frames.
 pub fn motion_statistics(points: &[Points]) -> MotionStatistics {
     let share = 1.0 / points.len().max(1) as f64;
     let mut mean = [0.0; COORDINATES];
@@ -40,15 +40,15 @@ fn each_coordinate(frame: &Points, mut visit: impl FnMut(usize, f64)) {
     }
 }
 
-/// How much the takes of a class differ in every statistic: their standard deviation within classes, over many of them.
+/// Spread of the takes of a class in every statistic: their standard deviation within classes, over many classes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TakeSpread {
-    /// Inverse of the spread by statistic, 1/metre; 0 for a statistic that does not spread.
+    /// Inverse of the spread by statistic, 1/metre; 0 for a statistic without spread.
     scale: MotionStatistics,
 }
 
 impl TakeSpread {
-    /// The spread of these classes' takes. Classes of one take say nothing; without others nothing spreads.
+    /// Computes the spread of these classes' takes. Classes of one take do not contribute; without others there is no spread.
     pub fn of(classes: &[Vec<MotionStatistics>]) -> Self {
         let mut squares = [0.0; STATISTICS];
         for class in classes {
@@ -64,12 +64,12 @@ impl TakeSpread {
         Self { scale: spread.map(|s| if s > MIN_SPREAD { 1.0 / s } else { 0.0 }) }
     }
 
-    /// Statistics in units of the spread; 0 where it is none.
+    /// Converts statistics to units of the spread; 0 without spread.
     pub fn standardised(&self, statistics: &MotionStatistics) -> MotionStatistics {
         std::array::from_fn(|i| statistics[i] * self.scale[i])
     }
 
-    /// Root mean square distance of two takes of a class in standardised statistics; 0 if nothing spreads.
+    /// Root mean square distance of two takes of a class in standardised statistics; 0 without spread.
     pub fn distance_of_takes(&self) -> f64 {
         // The difference of two independent takes has twice the variance of one, which is 1.
         (2.0 * self.scale.iter().filter(|scale| **scale > 0.0).count() as f64).sqrt()

@@ -1,18 +1,18 @@
-//! How offline work is spread over threads, without core knowing of threads.
+//! Parallel execution of offline work; the core itself creates no threads.
 
-/// Runs independent pieces of work. The native command brings one with a thread pool; results never
-/// depend on which is used, since every piece is a function of its number alone.
+/// Runs independent pieces of work. The native command provides an implementation with a thread pool. Results do not depend
+/// on the implementation, because every piece is a function of its index only.
 pub trait ParallelMap {
-    /// `f(0), f(1), … f(n − 1)`, in this order, computed in any order.
+    /// Returns `f(0), f(1), … f(n − 1)`, in this order, computed in any order.
     fn map<R: Send>(&self, n: usize, f: &(dyn Fn(usize) -> R + Sync)) -> Vec<R>;
 
-    /// Pieces worth handing over together where steps may be of any size: all, unless they are run one by one anyway.
+    /// Number of pieces that are worth submitting together if the step size is free: all, unless they run one by one.
     fn batch_size(&self) -> usize {
         usize::MAX
     }
 }
 
-/// One after the other, on the calling thread.
+/// Runs pieces one by one on the calling thread.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sequential;
 

@@ -49,8 +49,8 @@ pub struct HeadingFilter {
 }
 
 impl HeadingFilter {
-    /// The smoothed heading after a further frame; the first frame's heading is taken as it is, and a
-    /// pose without one keeps the last.
+    /// Returns the smoothed heading after a further frame. The first frame's heading is not smoothed; a pose without a
+    /// heading keeps the last one.
     pub fn update(&mut self, world: &WorldPose, dt_secs: f32) -> f32 {
         let last = self.heading;
         let raw = heading_of(world).or(last).unwrap_or(0.0);
@@ -63,7 +63,7 @@ impl HeadingFilter {
     }
 }
 
-/// Where the root of a frame is on the ground: what a row leaves out.
+/// Place and heading of a frame's root on the ground, which a row does not contain.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Placement {
     /// World x of the hips, metres.
@@ -75,8 +75,8 @@ pub struct Placement {
 }
 
 impl Placement {
-    /// The placement one step on, given the row's velocities and the step's duration and turn:
-    /// heading changes by `turn`, then the velocity acts in the new heading frame.
+    /// Returns the placement one step later, given the row's velocities and the step's duration and turn: the heading changes
+    /// by `turn`, then the velocity is applied in the new heading frame.
     pub fn advanced(self, row: &PoseRow, dt_secs: f32, turn: f32) -> Self {
         let heading = wrap_angle(self.heading + turn);
         let step =
@@ -113,7 +113,7 @@ impl PoseChart {
         chart
     }
 
-    /// The row of a pose. `previous` is the frame before, `dt_secs` (> 0) earlier; without it the
+    /// Encodes a pose as a row. `previous` is the placement of the frame before, `dt_secs` (> 0) earlier; without it the
     /// velocities are zero.
     pub fn encode(&self, pose: &Pose, heading: f32, previous: Option<Placement>, dt_secs: f32) -> PoseRow {
         let mut row = [0.0; ROW];
@@ -139,7 +139,7 @@ impl PoseChart {
         self.means[j] * exp_map::exp(Vec3::new(row[3 * j], row[3 * j + 1], row[3 * j + 2]))
     }
 
-    /// The pose of a row at a placement.
+    /// Decodes a row to the pose at a placement.
     pub fn decode(&self, row: &PoseRow, at: Placement) -> Pose {
         let mut pose = Pose { root: Vec3::new(at.x, row[HIP_HEIGHT], at.z), rotations: [Quat::IDENTITY; JOINTS] };
         for role in Role::ALL {
@@ -149,7 +149,7 @@ impl PoseChart {
         pose
     }
 
-    /// The poses of successive rows, `dt_secs` apart, beginning above the origin towards +Z.
+    /// Decodes successive rows, `dt_secs` apart, beginning above the origin towards +Z.
     pub fn decode_clip(&self, rows: impl Iterator<Item = PoseRow>, dt_secs: f32) -> Vec<Pose> {
         let mut at: Option<Placement> = None;
         rows.map(|row| {

@@ -1,4 +1,4 @@
-//! The path of the root: it follows from the poses, as the supporting foot does not slide (`docs/methods/hsmm.md` §11).
+//! The path of the root, derived from the poses: the supporting foot does not slide (`docs/methods/hsmm.md` §11).
 
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::Soles;
@@ -8,22 +8,22 @@ use crate::math::{Quat, Vec2, Vec3};
 
 /// Points of a foot that may touch the ground: heel, ball, and the tip of the toes.
 const POINTS: usize = 3;
-/// How far the tip of the toes lies before the ball, as a share of the distance from ankle to toes on the ground.
+/// Distance of the tip of the toes in front of the ball, as a share of the distance from ankle to toes on the ground.
 const TIP_SHARE: f32 = 0.35;
-/// How much lower another foot, or another point, must be to take over, metres.
+/// How much lower another foot, or another point, must be to become the support, metres.
 const OTHER_FOOT: f32 = 0.02;
 const OTHER_POINT: f32 = 0.005;
-/// The same for another foot where the supporting foot is found from the poses alone.
+/// The same for another foot if the support is determined from the poses only.
 const OTHER_FOOT_AUTO: f32 = 0.005;
 
-/// The other foot stands too while its lowest point is lower than this above the ground, metres, and no faster than
+/// The other foot is planted, too, while its lowest point is lower than this above the ground, metres, and not faster than
 /// this over the ground, m/s.
 const STANDING_HEIGHT: f32 = 0.025;
 const STANDING_SPEED: f32 = 0.36;
 
-/// Half-life of the low-pass filter on the body's velocity, with which it takes off, seconds.
+/// Half-life of the low-pass filter on the body's velocity, which it keeps at take-off, seconds.
 const VELOCITY_HALF_LIFE_SECS: f32 = 0.05;
-/// Nobody flies longer, seconds: who is held in the air stays where he is.
+/// Longest flight, seconds: a body that is held in the air for longer stops moving.
 const LONGEST_FLIGHT_SECS: f32 = 0.6;
 
 /// Which foot supports the body.
@@ -31,39 +31,39 @@ const LONGEST_FLIGHT_SECS: f32 = 0.6;
 pub(crate) enum Support {
     /// The left one (0) or the right one (1), unless the other is clearly lower.
     On(usize),
-    /// Found from the poses: the lower one.
+    /// Determined from the poses: the lower foot.
     Auto,
 }
 
-/// The path of a body that walks.
+/// The path of a body with its feet on the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct RootPath {
     proportions: Proportions,
     feet: Feet,
     /// The last pose, its root at the origin.
     posed: WorldPose,
-    /// Place of the root in the last frame, [x, z] in metres: a sum over all frames so far, which in single precision
-    /// is 16 cm off after an hour of walking.
+    /// Place of the root in the last frame, [x, z] in metres: a sum over all frames, which in single precision would be off
+    /// by 16 cm after an hour of walking.
     place: [f64; 2],
     /// Height of the root in the last frame, metres.
     height: f32,
-    /// Foot and point that touch the ground, and where both feet's points were for a root at the origin.
+    /// Foot and point in contact with the ground, and the positions of both feet's points for a root at the origin.
     last: Option<(usize, usize, FeetPoints)>,
-    /// Feet that stand.
+    /// Which feet are planted.
     planted: [bool; 2],
     /// Velocity of the root over the ground, [x, z] in m/s.
     velocity: [f32; 2],
-    /// How long no foot has stood, seconds; `None` while one does.
+    /// Time since the last foot was planted, seconds; `None` while one is.
     flown_secs: Option<f32>,
 }
 
 type FeetPoints = [[Vec3; POINTS]; 2];
 
-/// Where the feet may touch the ground.
+/// Points of the feet that can touch the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Feet {
     soles: Soles,
-    /// From the ball to the tip of the toes, in the toes' frame.
+    /// Vector from the ball to the tip of the toes, in the toes' frame.
     tips: [Vec3; 2],
 }
 
@@ -104,7 +104,7 @@ impl RootPath {
         }
     }
 
-    /// Begins anew above a point of the ground.
+    /// Restarts above a point of the ground.
     pub(crate) fn reset(&mut self, at: Vec3) {
         self.place = [at.x, at.z].map(f64::from);
         self.last = None;
@@ -112,13 +112,13 @@ impl RootPath {
         self.flown_secs = None;
     }
 
-    /// Puts the next pose, `dt_secs` after the one before, where its supporting foot says, turned by a heading.
+    /// Places the next pose, `dt_secs` after the previous one, by its supporting foot, rotated by a heading.
     pub(crate) fn place(&mut self, pose: &mut Pose, support: impl Into<Support>, heading: f32, dt_secs: f32) {
         self.place_above(pose, support, heading, dt_secs, 0.0);
     }
 
-    /// The same for a pose whose lowest foot is so high above the ground, metres: where that is more than 0 no foot carries
-    /// the body, and it goes on with the velocity that it took off with until it has landed.
+    /// The same for a pose whose lowest foot is at a height above the ground, metres: if that is more than 0, no foot
+    /// supports the body, and it keeps its take-off velocity until it has landed.
     pub(crate) fn place_above(
         &mut self,
         pose: &mut Pose,
@@ -136,7 +136,7 @@ impl RootPath {
         let height = |foot: usize| points[foot][lowest(foot)].y;
         let (support, lower_by, bears): (_, _, fn(&[Vec3; POINTS]) -> f32) = match support.into() {
             Support::On(foot) => (foot, OTHER_FOOT, least_height),
-            // A foot in the air may point its toes to the ground; the whole of it is higher all the same.
+            // A foot in the air may point its toes to the ground, but its mean height is larger.
             Support::Auto => (self.last.map_or(0, |last| last.0), OTHER_FOOT_AUTO, mean_height),
         };
         let other = 1 - support;
@@ -144,7 +144,7 @@ impl RootPath {
         let mut point = lowest(foot);
         let mut travel = Vec3::ZERO;
         if let Some((last_foot, last_point, before)) = self.last {
-            // What touched the ground in the last frame is where it was; only then may another point take over.
+            // The point of contact in the last frame does not move; only then may another point become the support.
             let moved = before[last_foot][last_point] - points[last_foot][last_point];
             travel = moved * Vec3::new(1.0, 0.0, 1.0);
             if last_foot == foot && points[foot][point].y > points[foot][last_point].y - OTHER_POINT {
@@ -174,7 +174,7 @@ impl RootPath {
         pose.root = self.root();
     }
 
-    /// The way over the ground in a frame that began in the air, or ends there.
+    /// The displacement over the ground in a frame of flight, including the one that lands.
     fn fly(&mut self, dt_secs: f32, is_in_air: bool) -> Vec3 {
         let flown = self.flown_secs.unwrap_or(0.0) + dt_secs;
         self.flown_secs = is_in_air.then_some(flown);
@@ -189,7 +189,7 @@ impl RootPath {
         Vec3::new(self.place[0] as f32, self.height, self.place[1] as f32)
     }
 
-    /// Moves the body, and what touches the ground with it, over the ground.
+    /// Moves the body and its point of contact over the ground.
     pub(crate) fn shift(&mut self, by: Vec2) {
         self.place[0] += f64::from(by.x);
         self.place[1] += f64::from(by.y);
@@ -201,12 +201,12 @@ impl RootPath {
         WorldPose { positions: posed.positions.map(|position| position + root), ..posed }
     }
 
-    /// Feet that stand in the last pose, left and right.
+    /// Whether the left and the right foot are planted in the last pose.
     pub(crate) fn planted(&self) -> [bool; 2] {
         self.planted
     }
 
-    /// The point that touches the ground, in the world; `None` before the first frame.
+    /// Foot, point and position of the contact with the ground, in the world; `None` before the first frame.
     #[cfg(any(test, feature = "baselines"))]
     pub(crate) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root()))
@@ -227,7 +227,7 @@ mod tests {
     use crate::fixtures::{NEUTRAL, RATE_HZ, walk};
     use crate::humanoid::Role;
 
-    /// Where a body is after whole cycles of a walk, metres ahead.
+    /// Distance ahead of a body after whole cycles of a walk, metres.
     fn distance_after(cycles: usize) -> f64 {
         let cycle = walk(&NEUTRAL, NEUTRAL.period as usize, 0.0).poses;
         let mut path = RootPath::new(&Proportions::default());
@@ -269,7 +269,7 @@ mod tests {
             assert!((pair[1].0.z - pair[0].0.z - step).abs() < 1e-5);
             assert_eq!(pair[1].1, [false; 2]);
         }
-        // The frame in which a foot comes down belongs to the flight; from then on the foot carries.
+        // The frame in which a foot lands belongs to the flight; from then on the foot supports the body.
         let (landed, planted) = place(6, 0.0);
         assert!((landed.z - flown[5].0.z - step).abs() < 1e-5 && planted.contains(&true));
         assert!((flown[0].0.y - walked[0].y - ABOVE).abs() < 1e-5);
@@ -290,7 +290,7 @@ mod tests {
         assert_eq!(held[held.len() - 1], held[held.len() - 2]);
     }
 
-    /// Standing on the left foot while the right one slides by at a speed, close above the ground.
+    /// The body stands on the left foot while the right one slides past at a speed, close above the ground.
     #[test]
     fn whether_a_foot_stands_depends_on_its_speed_and_not_on_the_frame_rate() {
         let proportions = Proportions::default();

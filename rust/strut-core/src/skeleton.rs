@@ -1,9 +1,9 @@
-//! A joint hierarchy as found in a file; no time, no meaning.
+//! A joint hierarchy as in a file, without motion and roles.
 
 use crate::math::Vec3;
 use thiserror::Error;
 
-/// Most joints a skeleton may have.
+/// Largest number of joints of a skeleton.
 pub const MAX_JOINTS: usize = 512;
 
 /// One joint of a [`Skeleton`].
@@ -15,7 +15,7 @@ pub struct Joint {
     pub parent: Option<usize>,
     /// Position in the parent's frame in the zero pose, in the file's own length unit.
     pub offset: Vec3,
-    /// Position of the end of the bone in the joint's frame (BVH "End Site"), where there is one.
+    /// Position of the end of the bone in the joint's frame (BVH "End Site"), if there is one.
     pub end: Option<Vec3>,
 }
 
@@ -25,16 +25,16 @@ pub struct Skeleton {
     joints: Vec<Joint>,
 }
 
-/// Why a list of joints is no skeleton.
+/// Error of a list of joints that is not a valid skeleton.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SkeletonError {
-    /// No joint at all.
+    /// There is no joint.
     #[error("a skeleton needs at least one joint")]
     Empty,
-    /// More than [`MAX_JOINTS`].
+    /// There are more than [`MAX_JOINTS`].
     #[error("{0} joints; at most {MAX_JOINTS} are supported")]
     TooManyJoints(usize),
-    /// A parent does not come before its child, or a second root.
+    /// A parent does not come before its child, or there is a second root.
     #[error("joint {index} '{name}' must have a parent that comes before it")]
     Order {
         /// Index of the joint.
@@ -53,7 +53,7 @@ pub enum SkeletonError {
 }
 
 impl Skeleton {
-    /// A skeleton of these joints, checked.
+    /// Creates a skeleton from joints after checking them.
     ///
     /// # Errors
     /// See [`SkeletonError`].
@@ -86,12 +86,12 @@ impl Skeleton {
         self.joints.len()
     }
 
-    /// Never true; here because `len` is.
+    /// Always false; provided because `len` is.
     pub fn is_empty(&self) -> bool {
         self.joints.is_empty()
     }
 
-    /// Index of the joint of this name.
+    /// Returns the index of the joint of a name.
     pub fn find(&self, name: &str) -> Option<usize> {
         self.joints.iter().position(|j| j.name == name)
     }

@@ -1,4 +1,4 @@
-//! Where one of the crowd begins, and where they go.
+//! Start place and goals of an agent.
 
 use super::field::Field;
 use super::route::Route;
@@ -7,50 +7,51 @@ use crate::math::Vec2;
 use crate::math::random::SplitMix64;
 use std::f32::consts::{PI, TAU};
 
-/// Ground for everybody, m².
+/// Area of the ground per agent, m².
 pub(super) const ROOM: f32 = 4.0;
-/// The same where they begin: away from the edge.
+/// Area per agent at the start, m²: less, so that agents start away from the edge.
 const STARTING_ROOM: f32 = 3.0;
 /// The golden angle, radians: places along a spiral by it are evenly spread (Vogel, "A better way to construct the sunflower
 /// head", 1979).
 const GOLDEN_ANGLE: f32 = 2.399_963_2;
-/// How far from there somebody begins at most along either axis, metres.
+/// Largest random offset from that place along either axis, metres.
 const SCATTER: f32 = 0.3;
-/// Farther from the middle everybody begins on a way back, metres.
+/// Agents that start farther than this from the centre start walking inward, metres.
 const HOME: f32 = 4.0;
 
-/// Share of a wandering turn that remains a step later, and the greatest that is added, radians.
+/// Share of a wandering turn that remains a step later, and the largest random turn that is added, radians.
 const WANDER_REMAINS: f32 = 0.8;
 const WANDER: f32 = 0.16;
-/// Goals are so far from the middle, in radii of the ground: ways between places all over it would lead through the middle more
-/// often than not.
+/// Range of a goal's distance from the centre, in radii of the ground: paths between goals all over it would lead through the
+/// centre more often than not.
 const GOALS: [f32; 2] = [0.6, 1.0];
-/// A goal is reached within this, metres, and given up after so many steps: who turns as much as a foot can may walk round it.
+/// A goal is reached within this distance, metres, and abandoned after this many steps: an agent that turns as much as a foot
+/// can may circle round it.
 const REACHED: f32 = 2.5;
 const PATIENCE: u32 = 40;
 
-/// What there is beside the others.
+/// The ground, its field and its route.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ground<'a> {
-    /// Metres.
+    /// Radius, metres.
     pub(super) radius: f32,
-    /// People on it.
+    /// Number of agents on it.
     pub(super) count: usize,
     pub(super) field: &'a Field,
     pub(super) route: &'a Route,
 }
 
-/// Where somebody begins, and what they draw by lot from then on.
+/// Start place of an agent, and its random state.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
     pub(super) at: Vec2,
-    /// Distance of the place along the spiral from the middle, metres.
+    /// Distance of the place along the spiral from the centre, metres.
     from_middle: f32,
     pub(super) random: SplitMix64,
 }
 
 impl Start {
-    /// Number `index` of the crowd of a seed.
+    /// Start of agent number `index` of the crowd of a seed.
     pub(super) fn new(seed: u32, index: usize) -> Self {
         let mut random = SplitMix64::new(u64::from(seed) << 32 ^ index as u64);
         let turned = TAU * SplitMix64::new(u64::from(seed)).share();
@@ -60,7 +61,7 @@ impl Start {
         Self { at, from_middle, random }
     }
 
-    /// Draws where they face, radians: inward where they are far out.
+    /// Returns a random heading, radians: inward if the place is far out.
     pub(super) fn heading(&mut self) -> f32 {
         let heading = PI * (2.0 * self.random.share() - 1.0);
         let leaves = facing(heading).dot(self.at) > 0.0 && self.from_middle > HOME;
@@ -68,15 +69,15 @@ impl Start {
     }
 }
 
-/// Places to go to, one after the other.
+/// Random goals, one after the other.
 #[derive(Clone, Debug)]
 pub(super) struct Errand {
-    /// Turn of a step by which they wander, radians.
+    /// Wandering turn of a step, radians.
     wander: f32,
-    /// Where they go, in radii of the ground from its middle, and the steps that they have gone there.
+    /// Current goal, in radii of the ground from its centre, and the steps since it was set.
     goal: Vec2,
     gone: u32,
-    /// Where they walk beside a route, 0 to 1.
+    /// Lane beside a route, 0 to 1.
     lane: f32,
 }
 
@@ -85,7 +86,7 @@ impl Errand {
         Self { lane: random.share(), goal: goal(random), wander: 0.0, gone: 0 }
     }
 
-    /// For the step that begins at a place: the turn by which they wander, radians, and where they should go.
+    /// Returns the wandering turn, radians, and the place to go to, for the step that begins at a place.
     pub(super) fn next(&mut self, at: Vec2, facing: Vec2, ground: &Ground, random: &mut SplitMix64) -> (f32, Vec2) {
         self.wander = WANDER_REMAINS * self.wander + WANDER * (2.0 * random.share() - 1.0);
         self.gone += 1;
@@ -97,7 +98,7 @@ impl Errand {
     }
 }
 
-/// A place to go to, evenly distributed over a ring, in radii of the ground from its middle.
+/// A random goal, evenly distributed over a ring, in radii of the ground from its centre.
 fn goal(random: &mut SplitMix64) -> Vec2 {
     let [least, greatest] = GOALS.map(|radius| radius * radius);
     (least + (greatest - least) * random.share()).sqrt() * facing(TAU * random.share())

@@ -1,35 +1,35 @@
-//! A field of styles over the ground: who comes near a vertex walks in its style.
+//! A field of styles over the ground: an agent near a vertex walks in the vertex's style.
 
 use super::limits::{CrowdError, INTENSITY, MAX_VERTICES, REACH, check_place};
 use crate::math::Vec2;
 
-/// Square of the distance within which a vertex hardly becomes stronger, m².
+/// Square of the distance below which a vertex's weight hardly increases, m².
 const CORE: f32 = 0.25;
 
 /// A style at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vertex {
-    /// Number of the style in the model.
+    /// Index of the style in the model.
     pub style: usize,
-    /// Place on the ground, metres: within [`FARTHEST`](super::FARTHEST) of the origin along either.
+    /// Place on the ground, metres: at most [`FARTHEST`](super::FARTHEST) from the origin along either axis.
     pub x: f32,
     /// See `x`.
     pub z: f32,
-    /// Distance at which it counts half, alone in the field, metres: [`REACH`].
+    /// Distance at which a single vertex has half its weight, metres: see [`REACH`].
     pub reach: f32,
-    /// Weight of the style in the middle of it: [`INTENSITY`].
+    /// Weight of the style at its centre: see [`INTENSITY`].
     pub intensity: f32,
 }
 
 /// The styles of all places. With φ = (reach² / (d² + 0.25 m²))² of a vertex at a distance d, the weight of a style is the
-/// sum of intensity · φ / (1 + Σφ) over its vertices, and what is missing to 1 is the average walk.
+/// sum of intensity · φ / (1 + Σφ) over its vertices; the remainder to 1 is the average walk.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Field {
     vertices: Vec<Vertex>,
 }
 
 impl Field {
-    /// Of vertices for a model of so many styles.
+    /// Creates a field of vertices for a model with `styles` styles.
     pub(super) fn new(vertices: &[Vertex], styles: usize) -> Result<Self, CrowdError> {
         if vertices.len() > MAX_VERTICES {
             return Err(CrowdError::Vertices(vertices.len()));
@@ -49,7 +49,7 @@ impl Field {
         Ok(Self { vertices: vertices.to_vec() })
     }
 
-    /// Writes the weights of a place, one a style, and says whether any is another than before.
+    /// Writes the weights at a place, one per style, and returns whether any has changed.
     pub(super) fn write_weights(&self, at: Vec2, weights: &mut [f32]) -> bool {
         let nearness = |vertex: &Vertex| {
             let square = vertex.reach * vertex.reach / (at.distance_squared(Vec2::new(vertex.x, vertex.z)) + CORE);

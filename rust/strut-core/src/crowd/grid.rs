@@ -1,19 +1,19 @@
-//! Who is near whom: places sorted into the cells of a grid.
+//! Neighbour search: places sorted into the cells of a grid.
 
 use super::steering::Figure;
 use crate::math::Vec2;
 
 /// Side of a cell, metres. Smaller cells hold fewer figures beyond the reach; of larger cells fewer are searched.
 const CELL: f32 = 2.0;
-/// Cells a side: as many as the largest crowd needs, and those who are beyond are in the outermost.
+/// Cells per side: enough for the largest crowd; places beyond are in the outermost cells.
 const SIDE: usize = 48;
 
 /// Places by cell; keeps its memory.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
-    /// Where every cell begins in `sorted`, and the end.
+    /// Start index of every cell in `sorted`, and the end.
     begins: [u16; SIDE * SIDE + 1],
-    /// Numbers of places, cell by cell, in order within each.
+    /// Indices of places, cell by cell, in order within each.
     sorted: Vec<u16>,
 }
 
@@ -24,7 +24,7 @@ impl Default for Grid {
 }
 
 impl Grid {
-    /// Sorts places anew: at most as many as a `u16` counts.
+    /// Sorts places into the cells; there are at most as many as a `u16` counts.
     pub(super) fn sort(&mut self, places: impl Iterator<Item = Vec2> + Clone) {
         self.begins.fill(0);
         for place in places.clone() {
@@ -43,7 +43,8 @@ impl Grid {
         }
     }
 
-    /// Numbers of all places within a reach of one along either axis, and some more, in an order that depends on places alone.
+    /// Indices of all places within a reach of one along either axis, and some more, in an order that depends on the places
+    /// only.
     fn near(&self, place: Vec2, reach: f32) -> impl Iterator<Item = usize> + Clone {
         let [least, greatest] = [-reach, reach].map(|by| cells_of(place + Vec2::splat(by)));
         let rows = least[1]..=greatest[1];

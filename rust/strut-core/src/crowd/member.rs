@@ -1,4 +1,4 @@
-//! One of the crowd: a walker with a mind of its own.
+//! An agent of the crowd: a walker with its own goal and random state.
 
 use super::errand::{Errand, Ground, Start};
 use super::field::Field;
@@ -9,31 +9,31 @@ use crate::math::random::SplitMix64;
 use crate::math::{Vec2, Vec3};
 use std::sync::Arc;
 
-/// Frames of a cycle, within which somebody begins.
+/// Frames of a cycle; each agent begins at a random one.
 const CYCLE: usize = 32;
 
-/// How far ahead the field is looked at for a step, seconds.
+/// How far ahead of the agent the field is evaluated for a step, seconds.
 const LOOK_AHEAD_SECS: f32 = 0.3;
-/// Length of a step before one was walked, metres, and the least that is taken for one.
+/// Initial length of a step, metres, and the least that is accepted as a measured one.
 const STEP_LENGTH: f32 = 0.7;
 const LEAST_STEP_LENGTH: f32 = 0.3;
-/// Speed before a step was walked, m/s.
+/// Initial speed, m/s.
 const SPEED: f32 = 1.2;
 
-/// One of the crowd.
+/// An agent of the crowd.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
     pub(super) walker: Walker,
     random: SplitMix64,
     errand: Errand,
     pace: Pace,
-    /// Steps that they have stood.
+    /// Time that the agent has been standing: a random share per step.
     stood: f32,
-    /// The step that was steered last, where it began, and the frames since then.
+    /// The step that was steered last, the place where it began, and the frames since then.
     step: u64,
     from: Vec2,
     frames: u32,
-    /// Length of a step and speed of the last one that was walked, metres and m/s.
+    /// Length and speed of the last step that was walked, metres and m/s.
     length: f32,
     cruise: f32,
     /// Speed of the last step, m/s.
@@ -41,7 +41,7 @@ pub(super) struct Member {
 }
 
 impl Member {
-    /// Number `index` of the crowd of a seed; writes the weights that they walk with.
+    /// Creates agent number `index` of the crowd of a seed; writes its weights.
     pub(super) fn new(
         model: &Arc<RuntimeWalkModel>,
         seed: u32,
@@ -54,7 +54,7 @@ impl Member {
         let mut walker = Walker::new(Arc::clone(model));
         walker.set_variation(Some(start.random.next_u64() as u32));
         field.write_weights(at, weights);
-        // A field's weights are within those of a walker.
+        // A field's weights are always valid for a walker.
         let _ = walker.set_styles(weights);
         walker.reset(Vec3::new(at.x, 0.0, at.y), start.heading());
         let mut random = start.random;
@@ -76,17 +76,17 @@ impl Member {
         member
     }
 
-    /// As others see them.
+    /// State as seen by other agents.
     pub(super) fn figure(&self) -> Figure {
         let root = self.walker.pose().root;
         Figure { at: Vec2::new(root.x, root.z), facing: facing(self.walker.heading()), speed: self.speed }
     }
 
-    /// Goes on by a frame among others; changes the weights that they walk with.
+    /// Advances by a frame among others; updates the agent's weights.
     pub(super) fn tick(&mut self, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         self.frames += 1;
         if self.walker.next_step() != self.step {
-            // As if nothing held them up: else whoever stands would never see that the way is free.
+            // Uses the walking speed: with its own speed, a standing agent would never find a free path.
             let me = Figure { speed: self.cruise, ..self.figure() };
             self.begin_step(&me, ground, others, weights);
         }
@@ -94,7 +94,7 @@ impl Member {
         self.walker.advance();
     }
 
-    /// Turns, and takes the styles of where the step leads.
+    /// Chooses turn and pace, and takes the styles of the place where the step leads.
     fn begin_step(&mut self, me: &Figure, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         let length = me.at.distance(self.from);
         self.speed = length * RATE_HZ / self.frames as f32;
@@ -112,7 +112,7 @@ impl Member {
         }
     }
 
-    /// Walks on with a pace. How long somebody stands at most is drawn by lot: else two would go on at the same time.
+    /// Sets the pace. Standing times grow randomly: otherwise two agents would start again at the same time.
     fn set_pace(&mut self, pace: Pace) {
         self.stood = if pace == Pace::Stands { self.stood + self.random.share() } else { 0.0 };
         if pace != self.pace {

@@ -1,8 +1,8 @@
-//! A crowd of walkers on open ground: each walks by the model of walk styles ([`crate::hsmm`]), in the styles of the place
-//! where they are, and gives way to others. [`Performers`] perform a motion there instead.
+//! A crowd of walkers on open ground. Each walks by the model of walk styles ([`crate::hsmm`]) in the styles of its place,
+//! and avoids others. [`Performers`] perform a motion there instead.
 //!
-//! [`Crowd::tick`] goes on by one frame of [`RATE_HZ`](crate::hsmm::RATE_HZ) and allocates nothing. Everybody decides by what
-//! was there before the tick, and draws from a sequence of their own: the same seed and the same calls give the same bits.
+//! [`Crowd::tick`] advances by one frame of [`RATE_HZ`](crate::hsmm::RATE_HZ) and allocates nothing. Walkers decide by the
+//! state before the tick, and each has its own random sequence: the same seed and the same calls give the same bits.
 
 mod errand;
 mod field;
@@ -33,15 +33,15 @@ use std::f32::consts::PI;
 use std::sync::Arc;
 use steering::Figure;
 
-/// Least radius of the ground, metres: who turns as much as a foot can walks a circle of four to six metres.
+/// Least radius of the ground, metres: a walker that turns as much as a foot can walks a circle of four to six metres.
 const LEAST_RADIUS: f32 = 8.0;
 
-/// What a crowd begins with.
+/// Initial parameters of a crowd.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Walkers: 1 to [`MAX_COUNT`].
+    /// Number of walkers: 1 to [`MAX_COUNT`].
     pub count: usize,
-    /// Of all that is drawn by lot; walker number i depends on it and on i, not on the count.
+    /// Random seed; walker number i depends on it and on i, not on the count.
     pub seed: u32,
 }
 
@@ -53,21 +53,21 @@ pub struct Crowd {
     field: Field,
     route: Route,
     members: Vec<Member>,
-    /// Everybody as they were before the tick.
+    /// State of every walker before the tick.
     figures: Vec<Figure>,
     grid: Grid,
     /// Buffer for the neighbours of one member.
     near: Vec<Figure>,
-    /// One a walker and style: the weights, and their part from 0 to 1 in 255ths.
+    /// One per walker and style: the weights, and the same as bytes (see [`Crowd::weights`]).
     weights: Vec<f32>,
     shares: Vec<u8>,
-    /// What the joints of `world` lie on.
+    /// Bones of the joints of `world`.
     bones: Proportions,
     world: Vec<f32>,
 }
 
 impl Crowd {
-    /// Walkers in the average of all styles, evenly spread over the ground, each somewhere in their stride.
+    /// Creates walkers in the average of all styles, evenly spread over the ground, each at a random phase of its stride.
     ///
     /// # Errors
     /// See [`CrowdError::Count`].
@@ -90,28 +90,28 @@ impl Crowd {
         Ok(crowd)
     }
 
-    /// Walkers.
+    /// Number of walkers.
     pub fn count(&self) -> usize {
         self.members.len()
     }
 
-    /// Radius of the ground, metres, about the origin: nobody goes farther than 1.2 times of it. It grows with the count.
+    /// Radius of the ground about the origin, metres: no walker goes farther than 1.2 times this. It grows with the count.
     pub fn radius(&self) -> f32 {
         radius_of(self.count())
     }
 
-    /// Everybody's joints after the last tick: [`WALKER_FLOATS`] numbers a walker.
+    /// Joints of all walkers after the last tick: [`WALKER_FLOATS`] numbers a walker.
     pub fn world(&self) -> &[f32] {
         &self.world
     }
 
-    /// How much of every style everybody walks in, 0 to 255: one number a walker and style of the model. Weights beyond 0 and
-    /// 1 are taken for these; what is missing to 255 is the average walk.
+    /// Weights of the styles, 0 to 255: one number per walker and style of the model. Weights outside 0 to 1 are clamped; the
+    /// remainder to 255 is the average walk.
     pub fn weights(&self) -> &[u8] {
         &self.shares
     }
 
-    /// More walkers, who begin at the edge of the ground, or fewer: the last ones go.
+    /// Sets the number of walkers: new ones begin at the edge of the ground, and the last ones are removed.
     ///
     /// # Errors
     /// See [`CrowdError::Count`].
@@ -132,27 +132,27 @@ impl Crowd {
         Ok(())
     }
 
-    /// Styles by place, from everybody's next step on; walkers who are still to come begin with them.
+    /// Sets the styles by place, from each walker's next step on; new walkers begin with them.
     ///
     /// # Errors
-    /// If there are too many vertices, or one is none.
+    /// If there are too many vertices, or one is invalid.
     pub fn set_field(&mut self, vertices: &[Vertex]) -> Result<(), CrowdError> {
         self.field = Field::new(vertices, self.model.styles())?;
         Ok(())
     }
 
-    /// A way through points [x, z] that everybody follows from their next step on: round if its ends meet, else there and
-    /// back. None sets them free.
+    /// Sets a route through points [x, z] that all walkers follow from their next step on: a loop if its ends meet, else back
+    /// and forth. An empty route releases them.
     ///
     /// # Errors
-    /// If there is one point, or too many, or one is none.
+    /// If there is one point, or too many, or one is invalid.
     pub fn set_route(&mut self, points: &[[f32; 2]]) -> Result<(), CrowdError> {
         self.route = Route::new(points)?;
         Ok(())
     }
 
-    /// Bones that the joints of [`Crowd::world`] lie on, in place of the model's own: a body that is drawn on others keeps its
-    /// feet where they stand if its bones from the hips down are the model's. Nobody walks otherwise for it.
+    /// Sets the bones of the joints of [`Crowd::world`], in place of the model's own. A different body's feet stay planted if
+    /// its bones from the hips down are the model's. The bones do not change how walkers move.
     ///
     /// # Errors
     /// See [`CrowdError::Bone`].
@@ -163,7 +163,7 @@ impl Crowd {
         Ok(())
     }
 
-    /// Goes on by a frame.
+    /// Advances by a frame.
     pub fn tick(&mut self) {
         let Self { model, field, route, members, figures, grid, near, weights, .. } = self;
         let ground = Ground { radius: radius_of(members.len()), count: members.len(), field, route };
@@ -177,7 +177,7 @@ impl Crowd {
         self.show();
     }
 
-    /// The next frames of a walker as if nobody else were there; none if there is no such walker.
+    /// Returns the next frames of a walker as if it were alone; `None` if the index is out of range.
     pub fn ahead(&self, index: usize, frames: usize) -> Option<Vec<Pose>> {
         let mut member = self.members.get(index)?.clone();
         let styles = self.model.styles();
@@ -192,7 +192,7 @@ impl Crowd {
         Some(next.collect())
     }
 
-    /// Takes down what is seen of everybody.
+    /// Updates the published state of every walker.
     fn show(&mut self) {
         self.figures.clear();
         self.figures.extend(self.members.iter().map(Member::figure));
@@ -203,7 +203,7 @@ impl Crowd {
     }
 }
 
-/// Radius of the ground of so many, metres.
+/// Radius of the ground for a number of walkers, metres.
 fn radius_of(count: usize) -> f32 {
     (ROOM * count as f32 / PI).sqrt().max(LEAST_RADIUS)
 }

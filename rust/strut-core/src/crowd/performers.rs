@@ -1,8 +1,8 @@
-//! Many who perform one motion on open ground, each in the styles of the place where they are.
+//! A crowd that performs one motion on open ground, each performer in the styles of its place.
 //!
-//! What is predicted for each style comes from [`transfer`](crate::transfer), so that the styles are those of a database; each
-//! begins elsewhere in the motion, keeps the tempo of their styles, and begins it anew at its end. Whoever goes somewhere by it
-//! is turned on the foot that stands, by no more than walkers are: towards places of their own, away from others and from the
+//! The predictions for each style come from [`transfer`](crate::transfer), so the styles are those of a database. Each
+//! performer begins at a different frame of the motion, has the tempo of its styles, and loops. If the motion travels, the
+//! performer is turned on the planted foot, by no more than walkers are: towards its own goals, away from others and from the
 //! edge.
 
 use super::errand::Ground;
@@ -19,7 +19,7 @@ use crate::kinematics::Soles;
 use crate::transfer::Predictions;
 use std::sync::Arc;
 
-/// A crowd who perform.
+/// A crowd of performers.
 #[derive(Clone, Debug)]
 pub struct Performers {
     predictions: Arc<Predictions>,
@@ -28,21 +28,21 @@ pub struct Performers {
     field: Field,
     route: Route,
     members: Vec<Performing>,
-    /// Everybody as they were before the tick.
+    /// State of every performer before the tick.
     figures: Vec<Figure>,
     grid: Grid,
     /// Buffer for the neighbours of one member.
     near: Vec<Figure>,
-    /// One a performer and style: the weights, and their part from 0 to 1 in 255ths.
+    /// One per performer and style: the weights, and the same as bytes (see [`Performers::weights`]).
     weights: Vec<f32>,
     shares: Vec<u8>,
-    /// What the joints of `world` lie on.
+    /// Bones of the joints of `world`.
     bones: Proportions,
     world: Vec<f32>,
 }
 
 impl Performers {
-    /// People in the neutral style, evenly spread over the ground, each somewhere else in the motion.
+    /// Creates performers in the neutral style, evenly spread over the ground, each at a different frame of the motion.
     ///
     /// # Errors
     /// See [`CrowdError::Count`].
@@ -66,7 +66,7 @@ impl Performers {
         Ok(performers)
     }
 
-    /// People.
+    /// Number of performers.
     pub fn count(&self) -> usize {
         self.members.len()
     }
@@ -76,23 +76,23 @@ impl Performers {
         radius_of(self.count())
     }
 
-    /// What they perform.
+    /// Predictions of the motion that they perform.
     pub fn predictions(&self) -> &Predictions {
         &self.predictions
     }
 
-    /// Everybody's joints after the last tick: [`WALKER_FLOATS`] numbers each.
+    /// Joints of all performers after the last tick: [`WALKER_FLOATS`] numbers each.
     pub fn world(&self) -> &[f32] {
         &self.world
     }
 
-    /// How much of every style everybody performs in, 0 to 255: one number a performer and style of the database. Weights beyond
-    /// 0 and 1 are taken for these; what is missing to 255 is the neutral style.
+    /// Weights of the styles, 0 to 255: one number per performer and style of the database. Weights outside 0 to 1 are
+    /// clamped; the remainder to 255 is the neutral style.
     pub fn weights(&self) -> &[u8] {
         &self.shares
     }
 
-    /// More people, who begin at the edge of the ground, or fewer: the last ones go.
+    /// Sets the number of performers: new ones begin at the edge of the ground, and the last ones are removed.
     ///
     /// # Errors
     /// See [`CrowdError::Count`].
@@ -114,26 +114,26 @@ impl Performers {
         Ok(())
     }
 
-    /// Styles by place, from the next tick on: everybody goes over to them within half a second. Who is still to come begins
-    /// with them.
+    /// Sets the styles by place, from the next tick on: performers reach them within half a second, and new ones begin with
+    /// them.
     ///
     /// # Errors
-    /// If there are too many vertices, or one is none.
+    /// If there are too many vertices, or one is invalid.
     pub fn set_field(&mut self, vertices: &[Vertex]) -> Result<(), CrowdError> {
         self.field = Field::new(vertices, self.predictions.styles())?;
         Ok(())
     }
 
-    /// A way that everybody follows who goes somewhere; see [`Crowd::set_route`](super::Crowd::set_route).
+    /// Sets a route that performers of a travelling motion follow; see [`Crowd::set_route`](super::Crowd::set_route).
     ///
     /// # Errors
-    /// If there is one point, or too many, or one is none.
+    /// If there is one point, or too many, or one is invalid.
     pub fn set_route(&mut self, points: &[[f32; 2]]) -> Result<(), CrowdError> {
         self.route = Route::new(points)?;
         Ok(())
     }
 
-    /// Bones that the joints of [`Performers::world`] lie on, in place of the database's; see
+    /// Sets the bones of the joints of [`Performers::world`], in place of the database's; see
     /// [`Crowd::set_bones`](super::Crowd::set_bones).
     ///
     /// # Errors
@@ -145,7 +145,7 @@ impl Performers {
         Ok(())
     }
 
-    /// Goes on by 1 / [`TICK_HZ`](super::TICK_HZ). Allocates nothing.
+    /// Advances by 1 / [`TICK_HZ`](super::TICK_HZ). Allocates nothing.
     pub fn tick(&mut self) {
         let Self { predictions, soles, field, route, members, figures, grid, near, weights, .. } = self;
         let ground = Ground { radius: radius_of(members.len()), count: members.len(), field, route };
@@ -159,7 +159,7 @@ impl Performers {
         self.show();
     }
 
-    /// The next ticks of somebody as if nobody else were there; none if there is nobody of this number.
+    /// Returns the next ticks of a performer as if it were alone; `None` if the index is out of range.
     pub fn ahead(&self, index: usize, ticks: usize) -> Option<Vec<Pose>> {
         let mut member = self.members.get(index)?.clone();
         let styles = self.predictions.styles();
@@ -174,7 +174,7 @@ impl Performers {
         Some(next.collect())
     }
 
-    /// Takes down what is seen of everybody.
+    /// Updates the published state of every performer.
     fn show(&mut self) {
         self.figures.clear();
         self.figures.extend(self.members.iter().map(Performing::figure));

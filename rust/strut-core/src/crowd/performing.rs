@@ -1,4 +1,4 @@
-//! One of those who perform: the motion carried over the ground.
+//! A performer of the crowd: its motion transformed over the ground.
 
 use super::errand::{Errand, Ground, Start};
 use super::grid::Others;
@@ -13,25 +13,25 @@ use crate::transfer::{Performer, Predictions};
 use std::f32::consts::PI;
 use std::sync::Arc;
 
-/// Ticks a second of those who perform.
+/// Ticks per second of performers.
 pub const TICK_HZ: f32 = 30.0;
 
-/// Half-life of the way to the weights of a place, seconds: styles change within a step, and nobody jumps.
+/// Half-life with which weights approach those of a place, seconds: styles change within a step, without a jump.
 const HALF_LIFE_SECS: f32 = 0.15;
-/// Weights nearer than this to those of the place are these.
+/// Weights nearer than this to those of the place are set to them.
 const NEAR: f32 = 1e-4;
-/// How far ahead the field is looked at, seconds.
+/// How far ahead of the performer the field is evaluated, seconds.
 const LOOK_AHEAD_SECS: f32 = 0.3;
-/// A step is over after this many ticks though no foot is put down: a turn of the way, or of the dance, takes a second.
+/// A step ends after this many ticks even if no foot is put down, as in a spin of a dance: one second.
 const LONGEST_STEP: u32 = TICK_HZ as u32;
-/// Who goes as far as this in a step, metres, turns as much as a foot can; who goes less turns less, and who stays within the
-/// least does not turn.
+/// A performer that travels this far in a step, metres, turns as much as a foot can. With less distance it turns less, and
+/// below the least distance it does not turn.
 const FULL_STEP: f32 = 0.4;
 const LEAST_STEP: f32 = 0.04;
-/// How fast somebody turns on the foot that stands, rad/s.
+/// Turn rate on the planted foot, rad/s.
 const TURN_RATE: f32 = 0.9;
 
-/// How somebody's own performance is laid onto the ground: turned about +Y, then moved.
+/// Planar transform from the performed motion to the ground: a rotation about +Y, then a translation.
 #[derive(Clone, Copy, Debug)]
 struct Carried {
     /// Radians to the left.
@@ -40,7 +40,7 @@ struct Carried {
 }
 
 impl Carried {
-    /// The same, turned further about a place of the ground.
+    /// Rotates the transform further about a place of the ground.
     fn turned(self, angle: f32, about: Vec2) -> Self {
         Self { angle: self.angle + angle, by: about + rotated(self.by - about, angle) }
     }
@@ -54,17 +54,17 @@ impl Carried {
     }
 }
 
-/// A place [x, z] turned to the left about the origin.
+/// Rotates a place [x, z] to the left about the origin.
 fn rotated(at: Vec2, angle: f32) -> Vec2 {
     let (sin, cos) = sin_cos(angle);
     Vec2::new(cos * at.x + sin * at.y, cos * at.y - sin * at.x)
 }
 
-/// One of those who perform.
+/// A performer of the crowd.
 #[derive(Clone, Debug)]
 pub(super) struct Performing {
     performer: Performer,
-    /// Their own time, seconds, and the pose of the frame before the one that is due at it or later.
+    /// Its own time, seconds, and the pose of the frame before the one that is due then or later.
     now_secs: f64,
     before: Pose,
     carried: Carried,
@@ -72,20 +72,20 @@ pub(super) struct Performing {
     world: WorldPose,
     start: Start,
     errand: Errand,
-    /// The foot that was put down last, the ticks since then, and where that was.
+    /// The foot that was put down last, the ticks since then, and the place where that was.
     foot: Option<usize>,
     ticks: u32,
     from: Vec2,
-    /// What is left of the turn of this step, radians.
+    /// Remaining turn of this step, radians.
     turn: f32,
-    /// Over the last step, metres a second along x and z.
+    /// Velocity over the last step, m/s along x and z.
     velocity: Vec2,
     /// Weights of the place.
     wanted: Vec<f32>,
 }
 
 impl Performing {
-    /// Number `index` of a seed, somewhere in the input; writes the weights that they perform with.
+    /// Creates performer number `index` of a seed, at a random frame of the input; writes its weights.
     pub(super) fn new(
         predictions: &Arc<Predictions>,
         seed: u32,
@@ -100,7 +100,7 @@ impl Performing {
         let mut performer = Performer::new(Arc::clone(predictions), Some(placement));
         performer.begin_at(start.random.below(predictions.period()));
         ground.field.write_weights(start.at, weights);
-        // A field's weights are within those of a performer.
+        // A field's weights are always valid for a performer.
         let _ = performer.set_styles(weights);
         let pose = performer.advance().pose;
         Self {
@@ -121,12 +121,12 @@ impl Performing {
         }
     }
 
-    /// On the ground, on the bones of the database.
+    /// Pose on the ground, on the bones of the database.
     pub(super) fn pose(&self) -> &Pose {
         &self.pose
     }
 
-    /// Their joints.
+    /// World transforms of the joints.
     pub(super) fn world(&self) -> &WorldPose {
         &self.world
     }
@@ -137,7 +137,7 @@ impl Performing {
         self.performer.frame().planted
     }
 
-    /// As others see them: they go where they went in the last step, whichever way they look.
+    /// State as seen by others: the direction of motion is that of the last step, whatever the heading.
     pub(super) fn figure(&self) -> Figure {
         let speed = self.velocity.length();
         let ahead = facing(self.performer.heading() + self.carried.angle);
@@ -149,7 +149,7 @@ impl Performing {
         Vec2::new(self.pose.root.x, self.pose.root.z)
     }
 
-    /// Goes on by a tick among others; changes the weights that they perform with.
+    /// Advances by a tick among others; updates the performer's weights.
     pub(super) fn tick(
         &mut self,
         soles: &Soles,
@@ -167,7 +167,7 @@ impl Performing {
         self.turn_on(planted, soles, proportions);
     }
 
-    /// Goes towards the weights of the place where they will be.
+    /// Moves the weights towards those of the place ahead.
     fn style(&mut self, ground: &Ground, weights: &mut [f32]) {
         ground.field.write_weights(self.at() + LOOK_AHEAD_SECS * self.velocity, &mut self.wanted);
         if *weights == *self.wanted {
@@ -181,7 +181,7 @@ impl Performing {
         let _ = self.performer.set_styles(weights);
     }
 
-    /// Their own pose of now lies between two frames: the style gives each its length.
+    /// Advances the performer's time; the present pose lies between two frames, whose durations depend on the style.
     fn perform(&mut self) {
         self.now_secs += f64::from(1.0 / TICK_HZ);
         while self.performer.frame().time_out_secs < self.now_secs {
@@ -198,7 +198,7 @@ impl Performing {
         self.world = world_from_local(proportions, &self.pose);
     }
 
-    /// Decides where to turn when a foot is put down.
+    /// Chooses the next turn when a foot is put down.
     fn begin_step(&mut self, planted: [bool; 2], ground: &Ground, others: &mut Others) {
         self.ticks += 1;
         let foot = match planted {
@@ -217,15 +217,15 @@ impl Performing {
         let (wander, target) = self.errand.next(at, me.facing, ground, &mut self.start.random);
         let length = way.length();
         if length > LEAST_STEP {
-            // Who turns less on a short step needs as wide a circle as on a full one.
+            // A smaller turn on a short step needs as wide a circle as a full turn on a full step.
             let planned = length.max(FULL_STEP);
             let intention = Intention { wander, target, length: planned, stood: 0.0, radius: ground.radius };
             self.turn = steering::turn(&me, &intention, others.within(FORESEEN)) * (length / FULL_STEP).min(1.0);
         }
     }
 
-    /// Turns a part of the way about the foot that stands, or in the air about the hips; who stands on both feet waits, as one of
-    /// them would slide.
+    /// Turns by a part of the remaining turn about the planted foot, or about the hips in flight. With both feet planted it
+    /// waits, as one of them would slide.
     fn turn_on(&mut self, planted: [bool; 2], soles: &Soles, proportions: &Proportions) {
         let most = TURN_RATE / TICK_HZ;
         let angle = self.turn.clamp(-most, most);

@@ -1,32 +1,33 @@
-//! A way over the ground that everybody follows.
+//! A route over the ground that the crowd follows.
 
 use super::limits::{CrowdError, MAX_ROUTE_POINTS, check_place};
 use crate::math::Vec2;
 
-/// A route whose ends are nearer to each other is a loop, metres.
+/// A route is a loop if its ends are nearer than this to each other, metres.
 const LOOP: f32 = 2.0;
-/// Less than this there and back is no way to go, metres.
+/// A route of less than this length, back and forth, is ignored, metres.
 const SHORTEST: f32 = 0.1;
-/// How far ahead on the route is what people walk to, metres.
+/// Distance ahead on the route of the place that agents walk to, metres.
 const AHEAD: f32 = 2.5;
-/// Room for everybody on the route, m², and the least and the greatest width of what they walk on beside it, metres.
+/// Area of the route per agent, m², and the least and the greatest width of the lanes beside it, metres.
 const ROOM: f32 = 2.0;
 const WIDTH: [f32; 2] = [1.0, 8.0];
-/// How far the first of them keeps to the right of the line, metres.
+/// Distance of the first lane to the right of the line, metres.
 const ASIDE: f32 = 0.4;
-/// How much farther than another a part of the way may be that leads where somebody faces, metres.
+/// How much farther than another a part of the route may be if its direction is the agent's, metres.
 const TURNING_BACK: f32 = 3.0;
 
-/// A line that is walked without end: round, or there and back. People keep to the right of it.
+/// A line that is walked endlessly, as a loop or back and forth. Agents keep to the right of it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Route {
-    /// The way, of which the last point is followed by the first; empty where there is none.
+    /// Points of the closed line; the last one is followed by the first. Empty without a route.
     way: Vec<Vec2>,
     length: f32,
 }
 
 impl Route {
-    /// Through points [x, z] on the ground, metres; none, or points that are all in one place, are no route.
+    /// Creates a route through points [x, z] on the ground, metres. No points, or points that are all in one place, give an
+    /// empty route.
     pub(super) fn new(points: &[[f32; 2]]) -> Result<Self, CrowdError> {
         if points.len() == 1 || points.len() > MAX_ROUTE_POINTS {
             return Err(CrowdError::Route(points.len()));
@@ -45,8 +46,8 @@ impl Route {
         Ok(if route.length >= SHORTEST { route } else { Self::default() })
     }
 
-    /// Where somebody should walk to who is at a place and faces along a unit vector, in a lane from 0 (next to the line) to 1,
-    /// if so many walk there; none without a route.
+    /// Returns the place to walk to for an agent at a place with a unit direction, in a lane from 0 (next to the line) to 1
+    /// of a route that `count` agents walk on; `None` without a route.
     pub(super) fn target(&self, at: Vec2, facing: Vec2, lane: f32, count: usize) -> Option<Vec2> {
         let cost = |[from, to]: [Vec2; 2]| {
             let way = to - from;
@@ -57,7 +58,7 @@ impl Route {
         let costs = self.parts().map(cost).enumerate();
         let (part, (_, share)) = costs.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
         let (mut at, mut ahead) = (share, AHEAD);
-        // The shortest route is walked round so often; a place that is no number leads nowhere.
+        // Bounds the rounds of the shortest route; for a place that is NaN there is no target.
         let rounds = (AHEAD / SHORTEST) as usize + 2;
         for [from, to] in self.parts().cycle().skip(part).take(rounds * self.way.len()) {
             let rest = (1.0 - at) * from.distance(to);
@@ -72,7 +73,7 @@ impl Route {
         None
     }
 
-    /// The straight parts of the way.
+    /// The line segments of the route.
     fn parts(&self) -> impl Iterator<Item = [Vec2; 2]> + Clone {
         let next = self.way.iter().cycle().skip(1);
         self.way.iter().zip(next).map(|(from, to)| [*from, *to])
@@ -93,7 +94,7 @@ mod tests {
         let target = |x: f32| line.target(Vec2::new(3.0, 0.0), Vec2::new(x, 0.0), 0.0, 1).unwrap();
         assert!(target(1.0).distance(Vec2::new(5.5, ASIDE)) < 1e-5, "{}", target(1.0));
         assert!(target(-1.0).distance(Vec2::new(0.5, -ASIDE)) < 1e-5, "{}", target(-1.0));
-        // Round the corner.
+        // Around the corner.
         let corner = line.target(Vec2::new(5.0, 0.0), Vec2::new(1.0, 0.0), 0.0, 1).unwrap();
         assert!(corner.distance(Vec2::new(6.0 - ASIDE, 1.5)) < 1e-5, "{corner}");
     }
@@ -104,7 +105,7 @@ mod tests {
             let route = Route::new(&[[0.0, 0.0], [size, 0.0]]).unwrap();
             assert_eq!(route.target(Vec2::ZERO, Vec2::X, 0.5, 10), None, "{size}");
         }
-        // Round a loop of the least size there is a target, whatever the place.
+        // For a loop of the least size there is a target, whatever the place.
         for at in [Vec2::ZERO, Vec2::splat(1e30), Vec2::NAN] {
             let route = Route::new(&[[0.0, 0.0], [0.06, 0.0]]).unwrap();
             assert!(route.target(at, Vec2::X, 0.5, 10).is_none_or(|target| target.is_finite() || at.is_nan()));

@@ -1,55 +1,56 @@
-//! Where to turn, and when to give way.
+//! Choice of a step's turn and pace, with avoidance of others.
 //!
-//! A step is chosen when it begins, as the feet pivot on the ground then: among a few turns and paces the one that is near a wish,
-//! keeps away from where others will be if they go straight on (after van den Berg, Lin, Manocha, "Reciprocal Velocity Obstacles",
-//! 2008), and after which a full circle still fits onto the ground.
+//! A step is chosen when it begins, because the feet pivot on the ground then. Among a few turns and paces, the step of the
+//! least cost is near the desired direction, keeps away from the places that others will reach if they go straight on (after
+//! van den Berg, Lin, Manocha, "Reciprocal Velocity Obstacles", 2008), and leaves room for a full circle on the ground.
 
 use crate::hsmm::MAX_TURN;
 use crate::math::Vec2;
 use crate::math::float_funcs::{atan2, sin_cos};
 
-/// Share of the ground's radius from which one wishes to go back, and that within which full turns are to lead.
+/// Share of the ground's radius beyond which agents are drawn inward, and the one within which circles of full turns are to
+/// stay.
 const INWARD: f32 = 0.8;
 const EDGE: f32 = 1.1;
-/// How much wandering counts beside the target.
+/// Weight of wandering relative to the target.
 const WANDERING: f32 = 0.3;
-/// Turns that are looked at, either way, beside the wish.
+/// Number of candidate turns to either side, besides the desired turn.
 const TURNS: i16 = 3;
-/// Steps that are looked ahead, and of which so many turn alike.
+/// Number of predicted steps, and how many of them have the chosen turn.
 const FORESIGHT: usize = 5;
 const TURNING: usize = 2;
-/// Range of avoidance, metres: walkers farther away are ignored. Two who approach each other at 1.2 m/s each cannot meet within the
-/// predicted steps from farther away.
+/// Range of avoidance, metres: agents farther away are ignored. From farther away, two agents that approach each other at
+/// 1.2 m/s each cannot meet within the predicted steps.
 pub(super) const FORESEEN: f32 = 8.0;
-/// Nobody wants others nearer than this, metres. It is found by trial, as the costs are: people walk at 0.86 of the speed they
-/// have alone where everybody has four square metres.
+/// Agents keep at least this distance from others, metres. It was tuned together with the costs: at four square metres per
+/// agent they walk at 0.86 of the speed they have alone.
 const COMFORTABLE: f32 = 0.8;
-/// What counts as much as a full turn aside from the wish: another who is met at once, over this; short steps; standing, which
-/// grows with the square of the steps that are stood; a metre beyond the edge; a full turn to the left: people keep right.
+/// Costs, relative to a deviation by a full turn from the desired direction: an imminent collision, short steps, standing
+/// (plus the square of the standing time, steps), a metre beyond the edge, and a full turn to the left, as people keep right.
 const NEARNESS_COST: f32 = 40.0;
 const SHORT_COST: f32 = 1.0;
 const STANDING_COST: f32 = 12.0;
 const EDGE_COST: f32 = 1000.0;
 const LEFT_COST: f32 = 0.02;
-/// Speed with short steps, as a share.
+/// Ratio of the speed with short steps to the full speed.
 const SHORT_SPEED: f32 = 0.7;
-/// Of two who are nearer than this, metres, one goes on.
+/// Of two agents nearer than this, metres, one always walks on.
 const TOUCHING: f32 = 0.5;
-/// Whoever is nearer than this to others, metres, moves aside: by so many metres a frame from where the other is, and less by
-/// distance. Feet slide by it; it is the last resort.
+/// Agents nearer than this to others, metres, are pushed apart, by at most this many metres a frame, less with distance.
+/// Their feet slide; it is the last resort.
 pub(super) const OVERLAPPING: f32 = 0.4;
 const ASIDE: f32 = 0.025;
-/// Room for rounding where somebody is left out whose distance cannot count.
+/// Margin for rounding in tests that skip distant agents.
 const ROUNDING: f32 = 1.001;
 
-/// Somebody on the ground as others see them.
+/// State of an agent as seen by its neighbours.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Figure {
     /// Place, [x, z] in metres.
     pub(super) at: Vec2,
-    /// A unit vector.
+    /// Unit vector of the direction of motion.
     pub(super) facing: Vec2,
-    /// Along it, m/s.
+    /// Speed along it, m/s.
     pub(super) speed: f32,
 }
 
@@ -59,22 +60,22 @@ pub(super) fn facing(heading: f32) -> Vec2 {
     Vec2::new(sin, cos)
 }
 
-/// What somebody wants who begins a step.
+/// Inputs of the steering decision at a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Intention {
-    /// Turn by which they would wander, radians.
+    /// Random turn, radians.
     pub(super) wander: f32,
-    /// Where they should go.
+    /// Place to go to.
     pub(super) target: Vec2,
     /// Length of a step, metres.
     pub(super) length: f32,
-    /// Steps that they have stood.
+    /// Standing time, steps.
     pub(super) stood: f32,
     /// Radius of the ground, metres.
     pub(super) radius: f32,
 }
 
-/// How a step is walked.
+/// Pace of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pace {
     Walks,
@@ -83,8 +84,8 @@ pub(super) enum Pace {
     Stands,
 }
 
-/// The step that begins of somebody who walks with a speed that is not 0: its turn, radians to the left, at most [`MAX_TURN`]
-/// either way, and its pace. The others are those within [`FORESEEN`].
+/// Chooses the next step of an agent whose speed is not 0: its turn, radians to the left, at most [`MAX_TURN`] either way,
+/// and its pace. `others` are the agents within [`FORESEEN`].
 pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f32, Pace) {
     let choice = Choice::new(me, intention, others);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
@@ -99,22 +100,22 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f3
     best.map_or((0.0, Pace::Stands), |(_, turn, pace)| (turn, pace))
 }
 
-/// The turn of the step that begins of somebody who cannot but go on, as they perform what others have chosen: radians to the
-/// left, at most [`MAX_TURN`] either way. Their speed is not 0, and the others are those within [`FORESEEN`].
+/// Chooses the turn of the next step of an agent that cannot change its pace, because it performs a given motion: radians to
+/// the left, at most [`MAX_TURN`] either way. Its speed is not 0, and `others` are the agents within [`FORESEEN`].
 pub(super) fn turn(me: &Figure, intention: &Intention, others: &[Figure]) -> f32 {
     let choice = Choice::new(me, intention, others);
     let costs = choice.turns().map(|turn| (choice.cost(turn, 1.0, 0.0), turn));
     costs.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, turn)| turn)
 }
 
-/// Among what a step is chosen, and what each of it costs.
+/// Candidate steps and their costs.
 struct Choice<'a> {
     me: &'a Figure,
     intention: &'a Intention,
     others: &'a [Figure],
-    /// The turn to where one would go alone, radians.
+    /// The turn to the desired direction, radians.
     wish: f32,
-    /// Time that a step takes.
+    /// Duration of a step.
     secs: f32,
 }
 
@@ -128,7 +129,7 @@ impl<'a> Choice<'a> {
         (-TURNS..=TURNS).map(|i| f32::from(i) / f32::from(TURNS) * MAX_TURN).chain([self.wish])
     }
 
-    /// What a step with a turn costs whose length is a share of the whole, and a cost of its own besides.
+    /// Cost of a step with a turn, whose length is a share of the whole, plus `cost`.
     fn cost(&self, turn: f32, share: f32, cost: f32) -> f32 {
         let (off, length) = ((turn - self.wish) / MAX_TURN, share * self.intention.length);
         let beyond = beyond_edge(self.me, turn, length, self.intention.radius);
@@ -142,7 +143,7 @@ impl<'a> Choice<'a> {
     }
 }
 
-/// Whether somebody touches another and is more in front of that other than the other of them: who both stood would stay there.
+/// Whether an agent touches another and blocks it more than the other blocks it: if both stood, they would stay there.
 fn goes_on(me: &Figure, others: &[Figure]) -> bool {
     others.iter().any(|other| {
         let apart = other.at - me.at;
@@ -150,7 +151,7 @@ fn goes_on(me: &Figure, others: &[Figure]) -> bool {
     })
 }
 
-/// Where somebody is now and after each of the next steps.
+/// Present place and the places after each of the next steps.
 fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
     let mut walking = *me;
     std::array::from_fn(|step| {
@@ -164,13 +165,13 @@ fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
     })
 }
 
-/// Whether another could come near within the steps that are looked ahead; where not, there is no risk.
+/// Whether another agent could come near within the predicted steps; if not, there is no risk.
 fn can_meet(me: &Figure, length: f32, other: &Figure, secs: f32) -> bool {
     let reach = ROUNDING * (COMFORTABLE + FORESIGHT as f32 * (length + other.speed * secs));
     (other.at - me.at).length_squared() < reach * reach
 }
 
-/// How near somebody comes who goes straight on, and how soon: 0 to 3.
+/// Risk of a collision with another agent that goes straight on, by distance and time: 0 to 3.
 fn risk(path: &[Vec2; FORESIGHT + 1], other: &Figure, secs: f32) -> f32 {
     let way = other.speed * secs * other.facing;
     let apart = |step: usize| other.at + step as f32 * way - path[step];
@@ -181,9 +182,9 @@ fn risk(path: &[Vec2; FORESIGHT + 1], other: &Figure, secs: f32) -> f32 {
     near.sum::<f32>() / FORESIGHT as f32
 }
 
-/// How near somebody is at a distance, whose square is given: from 1 to 0, at a limit and beyond.
+/// Nearness at a distance, given its square: from 1 at 0 to 0 at the limit and beyond.
 fn nearness(distance_squared: f32, limit: f32) -> f32 {
-    // Most are far away: roots are for the others.
+    // Most agents are far away: the root is computed only for the near ones.
     if distance_squared > ROUNDING * limit * limit {
         return 0.0;
     }
@@ -192,7 +193,7 @@ fn nearness(distance_squared: f32, limit: f32) -> f32 {
     if near > 0.0 { near } else { 0.0 }
 }
 
-/// Squared length of the shortest vector on the way from one to another.
+/// Squared length of the shortest vector on the line segment from one to another.
 fn least_length_squared(from: Vec2, to: Vec2) -> f32 {
     let way = to - from;
     let squared = way.length_squared();
@@ -201,7 +202,7 @@ fn least_length_squared(from: Vec2, to: Vec2) -> f32 {
     (from + share * way).length_squared()
 }
 
-/// The angle to where somebody would go alone, radians to the left.
+/// The angle to the desired direction, radians to the left.
 fn wished(me: &Figure, intention: &Intention) -> f32 {
     let (sin, cos) = sin_cos(intention.wander);
     let wandering = cos * me.facing + sin * left_of(me.facing);
@@ -221,7 +222,8 @@ fn turned(me: &Figure, turn: f32) -> Figure {
     Figure { facing: cos * me.facing + sin * left_of(me.facing), ..*me }
 }
 
-/// How far somebody must go beyond the edge after a step with a turn even if they turn as much as they can from then on, metres.
+/// Distance beyond the edge that an agent must reach after a step with a turn even if it turns as much as it can from then
+/// on, metres.
 fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
     let half = turned(me, 0.5 * turn);
     let (at, facing) = (me.at + length * half.facing, turned(me, turn).facing);
@@ -231,7 +233,7 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
     (left.min(right) + radius - EDGE * ground).max(0.0)
 }
 
-/// How far a walker moves aside in a frame, [x, z] in metres, for others within [`OVERLAPPING`].
+/// Displacement of an agent in a frame away from others within [`OVERLAPPING`], [x, z] in metres.
 pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
     others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;
@@ -240,7 +242,7 @@ pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
             return aside;
         }
         let distance = apart.length_squared().sqrt();
-        // Who stand in the same place part to their own left.
+        // Agents in the same place part to their own left.
         let away = if distance > 0.0 { apart / distance } else { left_of(me.facing) };
         aside + ASIDE * near * away
     })
@@ -253,7 +255,7 @@ mod tests {
 
     const INTENTION: Intention = Intention { wander: 0.0, target: Vec2::ZERO, length: 0.7, stood: 0.0, radius: 20.0 };
 
-    /// Straight on.
+    /// An intention to go straight on.
     fn ahead(me: &Figure) -> Intention {
         Intention { target: me.at + 100.0 * me.facing, ..INTENTION }
     }

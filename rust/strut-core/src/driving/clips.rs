@@ -12,45 +12,45 @@ use crate::retarget::between_bodies;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Half the windows over which the root's place and its heading are smoothed, seconds: 31 and 61 frames at 60 Hz.
+/// Half-widths of the windows over which the root's place and heading are smoothed, seconds: 31 and 61 frames at 60 Hz.
 const PLACE_HALF_SECS: f32 = 0.25;
 const HEADING_HALF_SECS: f32 = 0.5;
-/// A clip whose root is slower than this in the median is no locomotion, m/s.
+/// A clip whose median root speed is lower than this is not locomotion, m/s.
 const LEAST_SPEED: f32 = 0.4;
-/// Driving needs so much locomotion, seconds.
+/// Least locomotion that driving needs, seconds.
 const LEAST_SECS: f32 = 5.0;
-/// Rows so near, seconds, to one whose root is slower than this, m/s, are of standing: 15 frames at 60 Hz.
+/// Rows within this time, seconds, of one whose root is slower than this, m/s, are standing: 15 frames at 60 Hz.
 const STANDING_SECS: f32 = 0.25;
 const STANDING_SPEED: f32 = 0.3;
 /// A clip on the spot that turns by more than this, radians, is a turn.
 const LEAST_TURN: f32 = 0.5;
-/// Clips know standing that have so many seconds of it, with a root slower than this, m/s.
+/// The database contains standing if its clips have this many seconds with a root slower than this, m/s.
 const KNOWN_STANDING_SECS: f32 = 0.5;
 const KNOWN_STANDING_SPEED: f32 = 0.1;
 
-/// A clip to drive with.
+/// A clip used for driving.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NeutralClip {
-    /// Its name, for people.
+    /// Display name.
     pub name: String,
-    /// The action that it is of, such as "walk".
+    /// Its action, such as "walk".
     pub action: String,
-    /// One pose a frame, in the world.
+    /// One pose per frame, in the world.
     pub poses: Vec<Pose>,
     /// Which feet are planted in each frame, [left, right].
     pub contacts: Vec<[bool; 2]>,
 }
 
-/// Why clips are not enough to drive with.
+/// Error of clips that driving cannot use.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DrivingError {
-    /// There is too little locomotion among them.
+    /// The clips contain too little locomotion.
     #[error("the neutral clips have {secs:.1} s of walking; driving needs {LEAST_SECS} s")]
     TooShort {
         /// Seconds of clips in which the root moves.
         secs: f32,
     },
-    /// A clip has not as many contacts as poses.
+    /// A clip's numbers of contacts and poses differ.
     #[error("the clip '{name}' has {poses} poses and {contacts} contacts")]
     Shape {
         /// Its name.
@@ -63,16 +63,16 @@ pub enum DrivingError {
 }
 
 impl NeutralClip {
-    /// The neutral clips of a database.
+    /// Returns the neutral clips of a database.
     pub fn all_of(db: &Database) -> Vec<Self> {
         let neutral = (0..db.clips.len()).filter(|&clip| db.clips[clip].style == db.neutral);
         neutral.map(|clip| Self::of(db, clip, db.motion_of_clip(clip).poses)).collect()
     }
 
-    /// The neutral clips of a database of takes, on another body and at another rate.
+    /// Returns the neutral clips of a database of takes, converted to another body and frame rate.
     ///
     /// # Errors
-    /// [`TooManyFrames`] at a rate at which a clip has too many frames.
+    /// [`TooManyFrames`] if a clip has too many frames at this rate.
     pub fn all_carried(takes: &Database, body: &Proportions, rate_hz: f32) -> Result<Vec<Self>, TooManyFrames> {
         let neutral = (0..takes.clips.len()).filter(|&clip| takes.clips[clip].style == takes.neutral);
         let carried = |clip| {
@@ -82,10 +82,10 @@ impl NeutralClip {
         neutral.map(carried).collect()
     }
 
-    /// The same, of a body and at a rate, on another body and at another rate.
+    /// Converts the clip from a body and a frame rate to others.
     ///
     /// # Errors
-    /// [`TooManyFrames`] at a rate at which it has too many frames.
+    /// [`TooManyFrames`] if it has too many frames at this rate.
     pub fn carried(
         self,
         from: Proportions,
@@ -112,33 +112,33 @@ impl NeutralClip {
     }
 }
 
-/// What a clip of [`DrivingClips`] is for.
+/// Purpose of a clip of [`DrivingClips`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClipKind {
-    /// Somebody gets on; of the database that is driven with, or of the spare clips.
+    /// Locomotion, from the database or from the spare clips.
     Locomotion,
     /// A take that the database lacks: standing, a turn on the spot, a halt, a change of gait.
     Take,
-    /// Its moves are played when they are asked for.
+    /// Moves that are played on request.
     Moves,
 }
 
-/// One of the clips of [`DrivingClips`].
+/// A clip of [`DrivingClips`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrivingClip {
-    /// Index of the clip that it was made of: the database's own ones, spare ones, and takes count on.
+    /// Index of its source clip: the database's own clips come first, then spare clips, then takes.
     pub source: usize,
-    /// What it is for.
+    /// Its purpose.
     pub kind: ClipKind,
     /// Whether left and right are swapped.
     pub mirrored: bool,
-    /// Whether it turns on the spot.
+    /// Whether the clip turns on the spot.
     pub(super) turns: bool,
     /// Its rows.
     pub rows: Range<usize>,
 }
 
-/// How the root moves at a row.
+/// Motion of the root at a row.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootMotion {
     /// Velocity over the ground in the root's frame, (x, z) in m/s.
@@ -147,7 +147,7 @@ pub struct RootMotion {
     pub turn_rate: f32,
 }
 
-/// Neutral motion in the frame of its root: on the ground under the hips, facing the way that the body faces, both smoothed.
+/// Neutral motion in the frame of its root: on the ground under the hips, with the heading of the body, both smoothed.
 #[derive(Clone, Debug)]
 pub struct DrivingClips {
     /// Bone offsets.
@@ -165,11 +165,11 @@ pub struct DrivingClips {
 }
 
 impl DrivingClips {
-    /// Takes of the database's clips, `own`, those in which somebody gets on and those of moves, and all `takes` that it
-    /// lacks; each also mirrored. Where too little gets on among its own, those of `spare` that get on do instead.
+    /// Collects the locomotion and the moves of the database's clips, `own`, and all `takes`; each also mirrored. If
+    /// `own` contains too little locomotion, that of `spare` replaces it.
     ///
     /// # Errors
-    /// [`DrivingError`] where the database's own locomotion is too short and there is none to spare, or a clip is
+    /// [`DrivingError`] if the database's own locomotion is too short and `spare` has none, or if a clip is
     /// inconsistent.
     pub fn new(
         proportions: Proportions,
@@ -262,12 +262,12 @@ impl DrivingClips {
         }
     }
 
-    /// The name of the clip that a clip was made of.
+    /// Returns the name of a clip's source.
     pub fn name(&self, clip: &DrivingClip) -> &str {
         &self.names[clip.source]
     }
 
-    /// The moves that can be asked for.
+    /// Moves that can be requested.
     pub fn moves(&self) -> impl Iterator<Item = Move> {
         Move::ALL.into_iter().filter(|action| self.moves.iter().any(|of| of.action == *action))
     }
@@ -277,22 +277,22 @@ impl DrivingClips {
         &self.moves
     }
 
-    /// Whether somebody stands at a row.
+    /// Whether a row belongs to standing.
     pub(super) fn is_standing(&self, row: usize) -> bool {
         self.standing[row]
     }
 
-    /// Whether the database's own clips have standing in them: what they lack cannot be styled fully.
+    /// Whether the database's own clips contain standing; without it, standing cannot be styled fully.
     pub(super) fn knows_standing(&self) -> bool {
         self.knows_standing
     }
 
-    /// The clips, in the order of their rows, which follow each other without a gap.
+    /// The clips in the order of their rows, which are contiguous.
     pub fn clips(&self) -> &[DrivingClip] {
         &self.clips
     }
 
-    /// Rows of all clips.
+    /// Number of rows of all clips.
     pub fn rows(&self) -> usize {
         self.poses.len()
     }
@@ -302,12 +302,12 @@ impl DrivingClips {
         median_speed(&self.motions[clip.rows.clone()])
     }
 
-    /// The pose of a row in the frame of its root.
+    /// The pose at a row in the frame of its root.
     pub fn pose(&self, row: usize) -> &Pose {
         &self.poses[row]
     }
 
-    /// How the root moves at a row.
+    /// Motion of the root at a row.
     pub fn motion(&self, row: usize) -> RootMotion {
         self.motions[row]
     }
@@ -317,13 +317,13 @@ impl DrivingClips {
         self.contacts[row]
     }
 
-    /// The clip of a row, by its index.
+    /// Index of the clip of a row.
     pub fn clip_of(&self, row: usize) -> usize {
         self.clips.partition_point(|clip| clip.rows.end <= row)
     }
 }
 
-/// Rows of somebody who stands, or is about to, or did a moment ago.
+/// Flags rows within `STANDING_SECS` of a slow root.
 fn standing_rows(motions: &[RootMotion], rate_hz: f32) -> Vec<bool> {
     let near = (STANDING_SECS * rate_hz).round() as usize;
     let is_slow = |motion: &RootMotion| motion.velocity.length() < STANDING_SPEED;
@@ -344,21 +344,21 @@ impl RootMotion {
     }
 }
 
-/// Where the root is: a place on the ground and a heading about +Y.
+/// Transform of the root: a place on the ground and a heading about +Y.
 #[derive(Clone, Copy, Debug)]
 struct Root {
     place: Vec3,
     heading: f32,
 }
 
-/// The root of a clip, frame by frame.
+/// The trajectory of a clip's root, frame by frame.
 struct Way {
     roots: Vec<Root>,
     motions: Vec<RootMotion>,
 }
 
 impl Root {
-    /// A pose of the world in the root's frame.
+    /// Converts a pose from the world to the root's frame.
     fn take(&self, pose: &Pose) -> Pose {
         let turn = Quat::from_rotation_y(-self.heading);
         let mut out = *pose;
@@ -390,7 +390,7 @@ fn root_path(proportions: &Proportions, poses: &[Pose], rate_hz: f32) -> Vec<Roo
     places.iter().zip(&headings).map(root).collect()
 }
 
-/// How it moves: central differences, one-sided at the ends.
+/// Motion of the root: central differences, one-sided at the ends.
 fn root_motions(roots: &[Root], rate_hz: f32) -> Vec<RootMotion> {
     (0..roots.len())
         .map(|i| {

@@ -1,4 +1,4 @@
-//! The driver: frame after frame of neutral motion that goes where it is asked to.
+//! The driver: generates neutral motion frame by frame that follows a control or a path.
 
 use super::clips::{ClipKind, DrivingClip, DrivingClips};
 use super::control::Control;
@@ -18,57 +18,59 @@ use std::sync::Arc;
 
 /// Time between searches, seconds: 10 frames at 60 Hz.
 const SEARCH_SECS: f32 = 1.0 / 6.0;
-/// A new wish is searched for at once, but not so soon after the last search, seconds: 3 frames.
+/// A new control triggers a search at once, but not earlier than this after the last search, seconds: 3 frames.
 const LEAST_SEARCH_SECS: f32 = 0.05;
-/// What makes a wish a new one: m/s, and radians of its heading.
+/// A control is new if its velocity or heading changes by more than this: m/s, radians.
 const NEW_SPEED: f32 = 0.3;
 const NEW_HEADING: f32 = 15.0 * std::f32::consts::PI / 180.0;
-/// Rows are not entered so near the end of their clip, nor so near the present row and those that were left last, seconds:
-/// 20 frames.
+/// A transition does not enter rows within this distance of the end of their clip, of the present row or of the `LEFT`
+/// rows left last, seconds: 20 frames.
 const NEAR_SECS: f32 = 1.0 / 3.0;
 const LEFT: usize = 3;
-/// How much better another row must be than the present one.
+/// Another row is entered only if its cost is lower than the present row's by more than this.
 const BETTER: f32 = 1.0;
-/// What a row of a take costs more than one of the database's own clips for somebody who goes: without it takes would walk.
-/// Not for one who is to stand, or a halt that has begun is left for another step.
+/// Extra cost of a take's rows over those of the database's own clips while the character moves: without it, takes
+/// would be used for walking. It does not apply when the character is to stand, because a halt that has begun would be
+/// left for another step.
 const TAKE: f32 = 1.5;
-/// Turns on the spot are for those who ask for less than this gait, or for a turn of more than this at the last horizon,
-/// radians; elsewhere they skate.
+/// Turns on the spot are allowed below this gait, or for a turn of more than this at the last horizon, radians;
+/// otherwise their feet skate.
 const STANDING_GAIT: f32 = 0.1;
 const SHARP_TURN: f32 = 60.0 * std::f32::consts::PI / 180.0;
-/// A move begins as soon as the root is slower than this, m/s, or after so many seconds, in one of its first ones.
+/// A move begins in one of its first rows, as soon as the root is slower than this, m/s, or after this time, seconds.
 const MOVE_SPEED: f32 = 0.5;
 const MOST_BRAKING_SECS: f32 = 1.0;
 const MOVE_BEGINS_SECS: f32 = 1.0 / 6.0;
-/// A jump from a run begins when the run takes off, or after so many seconds, in so many rows before its own take-off or in
-/// that row.
+/// A jump from a run begins when the run takes off, or after this time, seconds. It starts at most this many rows
+/// before the jump's own take-off.
 const MOST_APPROACH_SECS: f32 = 0.5;
 const TAKE_OFF_ROWS: usize = 2;
-/// How much of a style somebody takes who stands, where the database knows only people who walk, and the half-life with which
-/// it comes and goes, seconds.
+/// Share of the style that a standing pose takes if the database has walking only, and the half-life with which the
+/// share changes, seconds.
 const STANDING_STYLE: f32 = 0.3;
 const STYLE_HALF_LIFE_SECS: f32 = 0.1;
-/// Steering adds to the clip's turn rate what it lacks to the heading asked at the first horizon, and at most so much, rad/s;
-/// less where somebody slows down to stand and the root is slower than `FULL_STEERING_SPEED`, m/s.
+/// Steering adds to the clip's turn rate what is missing to the target heading at the first horizon, at most this much,
+/// rad/s. It is reduced while the character slows down to stand and the root is slower than `FULL_STEERING_SPEED`, m/s.
 const MOST_STEERING: f32 = 60.0 * std::f32::consts::PI / 180.0;
 const FULL_STEERING_SPEED: f32 = 0.5;
-/// The clip's speed is brought nearer to the one asked by at most this share, with this half-life, seconds; a clip that goes
-/// less far than this up to the last horizon, metres, stays as it is.
+/// Pacing brings the clip's speed nearer to the target speed, by at most this share, with this half-life, seconds. A
+/// clip that travels less than this distance up to the last horizon, metres, is not paced.
 const MOST_PACING: f32 = 0.1;
 const PACING_HALF_LIFE_SECS: f32 = 0.2;
 const LEAST_WAY: f32 = 0.25;
-/// An offset from the path that stays is added up, with this half-life, seconds, and the character aims at so much of it to
-/// the other side, 1/s; at most this far, metres.
+/// A lasting offset from the path is integrated with this half-life, seconds. The character aims at the integral times
+/// this gain, 1/s, on the other side of the path, at most this far, metres.
 const OFFSET_HALF_LIFE_SECS: f32 = 5.0;
 const AIM: f32 = 0.7;
 const MOST_AIM: f32 = 0.5;
-/// Where the styled character is, and how fast, beside the neutral one: half-lives, seconds, and the range of the latter.
+/// Half-lives with which the styled character's place and speed relative to the neutral one are tracked, seconds, and
+/// the range of the speed ratio.
 const STYLED_PLACE_HALF_LIFE_SECS: f32 = 0.15;
 const STYLED_SPEED_HALF_LIFE_SECS: f32 = 0.5;
 const STYLED_SPEEDS: [f32; 2] = [0.3, 2.0];
-/// Clips whose root is faster than this in the median are of running, m/s.
+/// Clips whose median root speed is higher than this are running, m/s.
 const RUNNING: f32 = 1.9;
-/// Slower than this, m/s, two speeds say nothing of each other.
+/// Below this speed, m/s, the ratio of styled to neutral speed is not updated.
 const MOVING: f32 = 0.3;
 
 /// A frame of a [`Driver`].
@@ -78,59 +80,61 @@ pub struct DrivenFrame {
     pub pose: Pose,
     /// Which feet are planted, [left, right].
     pub contacts: [bool; 2],
-    /// Where the root is.
+    /// Place and heading of the root.
     pub root: Placement,
-    /// Where it is asked to be.
+    /// Target trajectory.
     pub asked: Trajectory,
-    /// Where the clip that plays would take it.
+    /// Trajectory of the clip that plays.
     pub ahead: Trajectory,
     /// Speed of the root over the ground, m/s.
     pub speed: f32,
-    /// The row that plays, see [`DrivingClips`].
+    /// The row that plays; see [`DrivingClips`].
     pub row: usize,
-    /// Whether another row than the next one was taken.
+    /// Whether the driver made a transition instead of playing the next row.
     pub switched: bool,
     /// The move that plays.
     pub action: Option<Move>,
-    /// How far the pose may be styled, 0 to 1, for [`Stylizer::set_style_share`](crate::transfer::Stylizer::set_style_share).
+    /// Share of the style that the pose may take, 0 to 1, for
+    /// [`Stylizer::set_style_share`](crate::transfer::Stylizer::set_style_share).
     pub style_share: f32,
 }
 
-/// What is known of a row before any query.
+/// Properties of a row that do not depend on the query.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
-    /// Whether it may be entered by a search.
+    /// Whether a search may enter it.
     is_open: bool,
-    /// Whether it turns on the spot.
+    /// Whether its clip turns on the spot.
     turns: bool,
-    /// What it costs somebody who goes, besides the distance of its features.
+    /// Cost added to the distance of its features while the character moves.
     extra: f32,
 }
 
-/// State of the move that was asked for.
+/// Progress of the requested move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Acting {
-    /// The character has slowed down for it since so many seconds.
+    /// The character has been slowing down for this many seconds.
     Braking { action: Move, secs: f32 },
-    /// The character has run on to its next take-off since so many seconds: a jump from a run.
+    /// The character has been running towards its next take-off for this many seconds: a jump from a run.
     Approaching { action: Move, secs: f32 },
-    /// It plays up to the row `end`. In a jump from a run the root keeps `momentum`, its velocity in the world, m/s.
+    /// The move plays up to the row `end`. In a jump from a run the root keeps `momentum`, its velocity in the world,
+    /// m/s.
     Playing { action: Move, end: usize, momentum: Option<Vec2> },
 }
 
 impl Acting {
-    /// Whether the character stops for the move; in a jump from a run it goes where it is steered.
+    /// Whether the character stops for the move. In a jump from a run it keeps following the control.
     fn stops(&self) -> bool {
         matches!(self, Self::Braking { .. } | Self::Playing { momentum: None, .. })
     }
 }
 
-/// Neutral motion that goes where it is asked to.
+/// Generates neutral motion that follows a control or a path.
 #[derive(Clone, Debug)]
 pub struct Driver {
     clips: Arc<DrivingClips>,
     matching: Matching,
-    /// One a row.
+    /// One per row.
     entries: Vec<Entry>,
     /// Speeds of walking and running, m/s.
     speeds: [f32; 2],
@@ -140,35 +144,36 @@ pub struct Driver {
     frame: DrivenFrame,
 }
 
-/// What changes from frame to frame.
+/// State that changes every frame.
 #[derive(Clone, Copy, Debug)]
 struct State {
     row: usize,
     root: Placement,
-    /// Differences of the root's velocity in its frame and of its turn rate from the row's.
+    /// Differences of the root's velocity in its frame and of its turn rate from the row's; they decay.
     velocity: Vec2,
     turn_rate: f32,
-    /// How many times as fast as its clip the root goes.
+    /// Ratio of the root's speed to the clip's.
     pace: f32,
-    /// Offset from the path to its left, added up, metres · seconds.
+    /// Integrated offset to the left of the path, metres · seconds.
     offset: f32,
     inertia: Inertia,
     since_search_secs: f32,
     acting: Option<Acting>,
-    /// What the last search was for: velocity and heading in the world.
+    /// Target of the last search: velocity and heading in the world.
     asked: (Vec2, f32),
     left: [Option<usize>; LEFT],
-    /// From the neutral hips to the styled ones over the ground, and how fast these are to those.
+    /// Offset on the ground from the neutral hips to the styled ones, and the ratio of the styled hips' speed to the
+    /// neutral ones'.
     styled: Vec2,
     styled_share: f32,
-    /// Hips of the last frame, neutral and styled.
+    /// Places of the neutral and the styled hips in the last frame.
     before: Option<[Vec2; 2]>,
-    /// Distance that the hips went in the mean of the last half second, neutral and styled, metres a frame.
+    /// Smoothed distance that the neutral and the styled hips travel, metres a frame.
     gone: [f32; 2],
 }
 
 impl Driver {
-    /// A driver that stands at the origin towards +Z.
+    /// Creates a driver at the origin that faces +Z and stands, or moves as slowly as its clips allow.
     pub fn new(clips: Arc<DrivingClips>) -> Self {
         let matching = Matching::new(features_of(&clips));
         let near = near_rows(&clips);
@@ -196,43 +201,43 @@ impl Driver {
         Self { clips, matching, entries, speeds, control: Control::default(), path: None, state, frame }
     }
 
-    /// Speeds of walking and of running, m/s: what the gaits 1 and 2 ask for.
+    /// Speeds of walking and of running, m/s, at the gaits 1 and 2.
     pub fn speeds(&self) -> [f32; 2] {
         self.speeds
     }
 
-    /// The moves that can be asked for.
+    /// Moves that can be requested.
     pub fn moves(&self) -> impl Iterator<Item = Move> {
         self.clips.moves()
     }
 
-    /// Begins anew at a place, and without a path.
+    /// Restarts at a place, without a path.
     pub fn reset(&mut self, root: Placement) {
         self.state = State::at(slowest(&self.clips), root);
         self.path = None;
         self.frame.style_share = 1.0;
     }
 
-    /// Has the character follow a line through points (x, z), metres, instead of the control's wish, from its beginning to its
-    /// end. Fewer than two distinct points end it.
+    /// Makes the character follow a line through points (x, z), metres, from its beginning to its end, instead of the
+    /// control's `wish`. Fewer than two distinct points remove the path.
     pub fn set_path(&mut self, points: &[Vec2]) {
         self.path = Path::new(points).map(|path| (path, 0.0));
         self.state.offset = 0.0;
     }
 
-    /// How far along its path the character is, metres; `None` where it has no path.
+    /// Distance that the character has covered along its path, metres; `None` without a path.
     pub fn progress(&self) -> Option<f32> {
         self.path.as_ref().map(|(_, progress)| *progress)
     }
 
-    /// Whether it has come to where its path ends; also where it has no path.
+    /// Whether the character has reached the end of its path; true without a path.
     pub fn has_arrived(&self) -> bool {
         self.path.as_ref().is_none_or(|(path, progress)| *progress >= path.length() - STOP_BEFORE)
     }
 
-    /// The next frame, `1 / rate_hz` after the last. A control with a number that is not finite counts as the last good one.
-    /// `styled_hips` is where the hips of the styled character were in the last frame, so that it is *that one* which follows
-    /// a path.
+    /// Returns the next frame, `1 / rate_hz` after the last. A control with a number that is not finite is replaced by
+    /// the last valid one. `styled_hips` is the place of the styled character's hips in the last frame, so that the
+    /// *styled* character follows the path.
     pub fn next(&mut self, control: &Control, styled_hips: Option<Vec3>) -> &DrivenFrame {
         let held = self.control.action;
         self.control = control.checked().unwrap_or(self.control);
@@ -242,7 +247,7 @@ impl Driver {
         }
         let dt = 1.0 / self.clips.rate_hz;
         self.observe(styled_hips.filter(|hips| hips.is_finite()), dt);
-        // What is left of earlier transitions in this frame; what a switch adds counts from this frame on.
+        // Earlier offsets decay in this frame; the offset of a new transition decays from the next frame on.
         self.state.inertia.advance(dt);
         let now = self.root_state();
         let (asked, wanted) = self.asked(&now, dt);
@@ -253,7 +258,7 @@ impl Driver {
         &self.frame
     }
 
-    /// Takes how the styled character is beside the neutral one.
+    /// Updates the styled character's place and speed relative to the neutral one.
     fn observe(&mut self, styled_hips: Option<Vec3>, dt: f32) {
         let state = &mut self.state;
         let ground = |v: Vec3| Vec2::new(v.x, v.z);
@@ -283,7 +288,7 @@ impl Driver {
         RootState { place, heading: root.heading, velocity, turn_rate: motion.turn_rate + turn_rate }
     }
 
-    /// Where the root is asked to be, and the velocity and the heading that this comes from.
+    /// Returns the target trajectory, and the velocity and heading it is derived from.
     fn asked(&mut self, now: &RootState, dt: f32) -> (Trajectory, (Vec2, f32)) {
         let Control { wish, gait, face, .. } = self.control;
         if self.state.acting.as_ref().is_some_and(Acting::stops) {
@@ -312,7 +317,7 @@ impl Driver {
         (by_stick(now, wanted, goal), (wanted, goal))
     }
 
-    /// Goes on with the next row, or with a better one; whether it was another.
+    /// Plays the next row, or makes a transition to a better one; returns whether it made a transition.
     fn choose(&mut self, now: &RootState, asked: &Trajectory, wanted: (Vec2, f32), dt: f32) -> bool {
         let state = &mut self.state;
         let clip = &self.clips.clips()[self.clips.clip_of(state.row)];
@@ -370,7 +375,7 @@ impl Driver {
         let present = self.matching.cost_of(&query, row) + extra(&self.entries[row]);
         let found = match best {
             Some(found) if ends || found.cost + if is_new { 0.0 } else { BETTER } < present => found.row,
-            // A clip that ends with nowhere to go begins again.
+            // A clip that ends without a candidate starts again.
             None if ends => clip.rows.start,
             _ => {
                 self.state.row += 1;
@@ -381,13 +386,13 @@ impl Driver {
         true
     }
 
-    /// Whether somebody who goes is asked for such a turn that they may turn on the spot.
+    /// Whether the target heading of a moving character is so far off that it may turn on the spot.
     fn turns_sharply(&self, now: &RootState, asked: &Trajectory) -> bool {
         let turn = wrap_angle(asked[asked.len() - 1].1 - now.heading).abs();
         self.path.is_none() && self.clips.knows_standing() && turn > SHARP_TURN
     }
 
-    /// How a move that is asked for begins: a jump from a run at the next take-off, any other at rest.
+    /// Initial state of a requested move: a jump from a run waits for the next take-off, any other move for rest.
     fn request(&self, action: Move) -> Acting {
         let flies = self.clips.move_rows().iter().any(|of| of.action == action && of.flight.is_some());
         if flies && self.frame.speed >= RUNNING {
@@ -411,7 +416,7 @@ impl Driver {
         });
     }
 
-    /// Plays a move from that row of its entries at which the body is most like the present one.
+    /// Plays a move from that row of its entries whose body is nearest to the present one.
     fn play(&mut self, action: Move, momentum: Option<Vec2>, entries: impl Fn(&MoveRows) -> Option<Range<usize>>) {
         let row = self.state.row;
         let mut best: Option<(f32, usize, usize)> = None;
@@ -429,16 +434,16 @@ impl Driver {
         self.switch(to);
     }
 
-    /// Goes on with the row after one that is like the present one.
+    /// Makes a transition to the row after `like`, which resembles the present row.
     fn switch(&mut self, like: usize) {
         let state = &mut self.state;
         let from = state.row;
-        // Very short clips end here.
+        // Very short clips stop at their last row.
         let after = |row: usize| (row + 1).min(self.clips.clips()[self.clips.clip_of(row)].rows.end - 1);
         let (next, to) = (after(from), after(like));
         let moving =
             |row: usize, then: usize| Moving::between(self.clips.pose(row), self.clips.pose(then), self.clips.rate_hz);
-        // The frame that would come next.
+        // The frame that would be played next without the transition.
         let last = Moving { pose: *self.clips.pose(next), ..moving(from, next) };
         state.inertia.go_on(&last, &moving(to, after(to)));
         let (was, is) = (self.clips.motion(from), self.clips.motion(to));
@@ -449,7 +454,7 @@ impl Driver {
         state.row = to;
     }
 
-    /// Moves the root, where `wanted` is the velocity asked in the end, and shows the row there.
+    /// Moves the root, where `wanted` is the final target velocity, and poses the row there.
     fn advance(&mut self, asked: &Trajectory, wanted: Vec2, dt: f32) {
         let is_acting = matches!(self.state.acting, Some(Acting::Playing { .. }));
         let pacing = if is_acting { 1.0 } else { self.pacing(wanted) };
@@ -493,7 +498,7 @@ impl Driver {
         self.frame.style_share += (share - self.frame.style_share) * half_life_share(dt, STYLE_HALF_LIFE_SECS);
     }
 
-    /// How many times as fast as its clip somebody should go who is asked for a velocity.
+    /// Ratio to the clip's speed at which the character should move to reach the target velocity.
     fn pacing(&self, wanted: Vec2) -> f32 {
         const LAST: usize = HORIZONS_SECS.len() - 1;
         let way = ahead_of(self.matching.row(self.state.row), LAST).0.length();
@@ -503,15 +508,15 @@ impl Driver {
         (wanted.length() * HORIZONS_SECS[LAST] / way).clamp(1.0 - MOST_PACING, 1.0 + MOST_PACING)
     }
 
-    /// What the clip's turn rate lacks to the heading asked, rad/s.
+    /// Turn rate that is added to the clip's to reach the target heading, rad/s.
     fn steering(&self, asked: &Trajectory, wanted: Vec2) -> f32 {
         let State { row, root, velocity, turn_rate, pace, .. } = self.state;
         let (_, turned) = ahead_of(self.matching.row(row), 0);
-        // What is left of the last transition turns, too.
+        // The decaying turn rate of the last transition adds to the turn.
         let dying = turn_rate * HALF_LIFE_SECS / LN_2 * half_life_share(HORIZONS_SECS[0], HALF_LIFE_SECS);
         let lacks = wrap_angle(wrap_angle(asked[0].1 - root.heading) - turned - dying);
         let steering = (lacks / HORIZONS_SECS[0]).clamp(-MOST_STEERING, MOST_STEERING);
-        // Somebody who sets out or turns on the spot lifts the feet; one who stands would slide over them.
+        // A character that starts to walk or turns on the spot lifts its feet; a standing one would slide over them.
         if wanted != Vec2::ZERO || self.entries[row].turns {
             return steering;
         }
@@ -552,12 +557,13 @@ fn near_rows(clips: &DrivingClips) -> usize {
     (NEAR_SECS * clips.rate_hz).round() as usize
 }
 
-/// The speed that a gait asks for: up to 1 a share of walking, from there to 2 on to running.
+/// The speed of a gait: a share of the walking speed up to 1, from there to the running speed at 2.
 fn speed_of([walk, run]: [f32; 2], gait: f32) -> f32 {
     if gait <= 1.0 { gait * walk } else { walk + (gait - 1.0) * (run - walk) }
 }
 
-/// Speeds of walking and of running: medians of the clips of each. Where nobody runs, running is walking.
+/// Speeds of walking and of running: medians of the clips of each. Without running clips the running speed is the
+/// walking speed.
 fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
     let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion);
     let mut medians: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
@@ -569,7 +575,7 @@ fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
     [walk, median(&running).unwrap_or(walk).max(walk)]
 }
 
-/// The row at which the root is slowest, but for turns and moves.
+/// The row with the slowest root, turns and moves excluded.
 fn slowest(clips: &DrivingClips) -> usize {
     let near = near_rows(clips);
     let goes = clips.clips().iter().filter(|clip| clip.kind != ClipKind::Moves && !clip.turns);

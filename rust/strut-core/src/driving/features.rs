@@ -1,4 +1,4 @@
-//! What rows are compared by: how the body is now, and where its root will be.
+//! Features by which rows are compared: the present pose of the body, and the future trajectory of its root.
 
 use super::clips::DrivingClips;
 use crate::humanoid::Role;
@@ -6,28 +6,28 @@ use crate::kinematics::world_from_local;
 use crate::math::float_funcs::{atan2, sin_cos};
 use crate::math::{Quat, Vec2, Vec3};
 
-/// Numbers of a row: 27 and a zero, so that they fill whole lanes.
+/// Features per row: 27 and a zero, so that they fill whole SIMD lanes.
 pub(super) const FEATURES: usize = 28;
 
 /// The times at which the root's place and heading are compared, seconds from now: 20, 40 and 60 frames at 60 Hz.
 pub(super) const HORIZONS_SECS: [f32; 3] = [1.0 / 3.0, 2.0 / 3.0, 1.0];
 
-/// Where a root is at every horizon: place (x, z) in metres and heading in radians.
+/// Trajectory of a root: at every horizon a place (x, z) in metres and a heading in radians.
 pub type Trajectory = [(Vec2, f32); HORIZONS_SECS.len()];
 
-/// Where the numbers of a row are: places of the left and the right toes in the root's frame, (x, y, z) each; their velocities;
-/// the hips' velocity; for every horizon place (x, z) and heading (sine, cosine) of the root in the frame of the root now.
+/// Layout of a row: places of the left and the right toes in the root's frame, (x, y, z) each; their velocities; the
+/// hips' velocity; for every horizon the root's place (x, z) and heading (sine, cosine) in the present root's frame.
 const TOES_AT: usize = 0;
 const TOES_VELOCITY_AT: usize = 6;
 const HIPS_VELOCITY_AT: usize = 12;
 pub(super) const TRAJECTORY_AT: usize = 15;
 
-/// Where the place of a horizon is; two numbers on, its heading.
+/// Index of a horizon's place; its heading follows two numbers later.
 const fn place_at(horizon: usize) -> usize {
     TRAJECTORY_AT + 4 * horizon
 }
 
-/// What differences are measured in: metres of the toes, m/s of the toes and of the hips, metres of the root, and sine and
+/// Units of the differences: metres for the toes, m/s for the toes and for the hips, metres for the root, and sine and
 /// cosine of its heading.
 const TOES: f32 = 0.16;
 const TOES_VELOCITY: f32 = 0.9;
@@ -35,10 +35,11 @@ const HIPS_VELOCITY: f32 = 0.8;
 const PLACE: f32 = 0.30;
 const HEADING: f32 = 0.10;
 
-/// What is beyond the end of a clip goes on as the mean of its last seconds: 20 frames at 60 Hz.
+/// Beyond the end of a clip its motion is extrapolated by the mean of this time before the end, seconds: 20 frames at
+/// 60 Hz.
 const TAIL_SECS: f32 = 1.0 / 3.0;
 
-/// The numbers of a row, in units in which differences count alike.
+/// The features of a row, scaled by their units.
 pub(super) type Features = [f32; FEATURES];
 
 /// The features of every row of some clips.
@@ -60,7 +61,7 @@ pub(super) fn features_of(clips: &DrivingClips) -> Vec<Features> {
     rows
 }
 
-/// A query: the body of a row, and where its root is asked to be, in the frame of the root now.
+/// A query: the body of a row, and the target trajectory in the present root's frame.
 pub(super) fn query_of(row: &Features, asked: &Trajectory) -> Features {
     let mut query = *row;
     for (horizon, &(place, heading)) in asked.iter().enumerate() {
@@ -69,13 +70,14 @@ pub(super) fn query_of(row: &Features, asked: &Trajectory) -> Features {
     query
 }
 
-/// Where a row's clip takes the root up to a horizon, in the frame of the root now: place in metres and heading in radians.
+/// The displacement of the root in a row's clip up to a horizon, in the present root's frame: place in metres, heading
+/// in radians.
 pub(super) fn ahead_of(row: &Features, horizon: usize) -> (Vec2, f32) {
     let (at, facing) = (place_at(horizon), place_at(horizon) + 2);
     (Vec2::new(row[at], row[at + 1]) * PLACE, atan2(row[facing], row[facing + 1]))
 }
 
-/// Where toes and hips of a row are in the frame of its root.
+/// Positions of the toes and the hips in the frame of the root.
 struct Body {
     points: [Vec3; 3],
 }
@@ -87,7 +89,7 @@ impl Body {
     }
 }
 
-/// Places and velocities of a row's body. Velocities are those over the ground, in the root's frame.
+/// Writes the places and velocities of a row's body. Velocities are relative to the ground, in the root's frame.
 fn write_pose(features: &mut Features, clips: &DrivingClips, bodies: &[Body], i: usize, row: usize) {
     let (a, b) = (i.saturating_sub(1), (i + 1).min(bodies.len() - 1));
     let per_sec = clips.rate_hz / (b - a).max(1) as f32;
@@ -95,7 +97,7 @@ fn write_pose(features: &mut Features, clips: &DrivingClips, bodies: &[Body], i:
     for point in 0..3 {
         let place = bodies[i].points[point];
         let within = (bodies[b].points[point] - bodies[a].points[point]) * per_sec;
-        // The frame moves and turns meanwhile.
+        // Velocity from the motion of the root's frame.
         let carried = Vec3::new(motion.velocity.x, 0.0, motion.velocity.y) + Vec3::Y.cross(place) * motion.turn_rate;
         let velocity = within + carried;
         if point < 2 {
@@ -118,8 +120,8 @@ fn write_trajectory(features: &mut Features, horizon: usize, place: Vec2, headin
     features[facing..facing + 2].copy_from_slice(&[sine / HEADING, cosine / HEADING]);
 }
 
-/// Where the root is `frames` after a row, in the frame of the row's root: place and heading. Beyond `end` it goes on as it
-/// did in the mean before.
+/// Place and heading of the root `frames` after a row, in the frame of that row's root. Beyond `end` the mean motion
+/// before the end is extrapolated.
 fn ahead(clips: &DrivingClips, row: usize, end: usize, frames: usize) -> (Vec2, f32) {
     let dt = 1.0 / clips.rate_hz;
     let tail = ((TAIL_SECS * clips.rate_hz).round() as usize).max(1);

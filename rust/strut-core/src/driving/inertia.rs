@@ -1,4 +1,4 @@
-//! Transitions: what plays goes on from what was shown, and the difference dies away (Bollo 2016, inertialisation).
+//! Transitions by inertialisation (Bollo 2016): the new motion starts from the pose shown, and the difference decays.
 
 use crate::humanoid::{JOINTS, Pose};
 use crate::math::exp_map::{exp, log};
@@ -9,7 +9,7 @@ use std::f32::consts::LN_2;
 /// Half-life of a difference, seconds.
 pub(crate) const HALF_LIFE_SECS: f32 = 0.1;
 
-/// The difference between what is shown and what plays, in the frame of the root.
+/// The difference between the pose shown and the pose played, in the frame of the root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inertia {
     hips: Decay,
@@ -17,7 +17,7 @@ pub(crate) struct Inertia {
     rotations: [Decay; JOINTS],
 }
 
-/// A pose and how it changes, in a second.
+/// A pose and its rates of change, per second.
 #[derive(Clone, Copy)]
 pub(crate) struct Moving {
     pub(crate) pose: Pose,
@@ -27,14 +27,14 @@ pub(crate) struct Moving {
 }
 
 impl Moving {
-    /// A pose that is followed by another `1 / rate_hz` later.
+    /// A pose and the next one, `1 / rate_hz` later.
     pub(crate) fn between(pose: &Pose, next: &Pose, rate_hz: f32) -> Self {
         let turned = |j: usize| log(next.rotations[j] * pose.rotations[j].inverse()) * rate_hz;
         Self { pose: *pose, hips: (next.root - pose.root) * rate_hz, rotations: std::array::from_fn(turned) }
     }
 }
 
-/// A difference that dies away as a critically damped spring.
+/// A difference that decays as a critically damped spring.
 #[derive(Clone, Copy, Debug, Default)]
 struct Decay {
     x: Vec3,
@@ -58,7 +58,7 @@ impl Default for Inertia {
 }
 
 impl Inertia {
-    /// Lets the difference die away for a while.
+    /// Lets the difference decay for a time step.
     pub(crate) fn advance(&mut self, dt_secs: f32) {
         self.hips.advance(dt_secs);
         for rotation in &mut self.rotations {
@@ -66,7 +66,7 @@ impl Inertia {
         }
     }
 
-    /// What is shown while `pose` plays.
+    /// The pose shown while `pose` is played.
     pub(crate) fn shown(&self, pose: &Pose) -> Pose {
         let mut out = *pose;
         out.root += self.hips.x;
@@ -76,7 +76,7 @@ impl Inertia {
         out
     }
 
-    /// Goes on with another pose where `from` was shown.
+    /// Continues with the pose `to` where `from` was played, without a jump in pose or velocity.
     pub(crate) fn go_on(&mut self, from: &Moving, to: &Moving) {
         let shown = self.shown(&from.pose);
         self.hips = Decay { x: shown.root - to.pose.root, v: from.hips + self.hips.v - to.hips };

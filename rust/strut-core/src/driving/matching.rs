@@ -1,30 +1,31 @@
-//! The row whose features are nearest to a query, exactly: boxes around successive rows say that most need no look.
+//! Exact nearest-neighbour search for the row whose features are nearest to a query: bounding boxes around successive
+//! rows exclude most rows.
 
 use super::features::{FEATURES, Features, TRAJECTORY_AT};
 
-/// Rows of a small and of a large box: successive rows are near each other.
+/// Number of rows in a small and in a large box: successive rows are near each other.
 const SMALL: usize = 16;
 const LARGE: usize = 64;
-/// Sums that a distance is made of, added at the end, so that it fills the lanes of a register.
+/// Number of partial sums of a distance, added at the end: they fill the SIMD lanes of a register.
 const SUMS: usize = 4;
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Match {
     /// The row.
     pub(super) row: usize,
-    /// Squared distance of its features.
+    /// Squared distance of its features, plus the extra cost.
     pub(super) cost: f32,
 }
 
-/// The least and greatest features of some rows.
+/// The minimum and maximum of every feature over some rows.
 #[derive(Clone, Debug)]
 struct Bounds {
     low: Features,
     high: Features,
 }
 
-/// Rows to search.
+/// Rows with their bounding boxes.
 #[derive(Clone, Debug)]
 pub(super) struct Matching {
     rows: Vec<Features>,
@@ -33,7 +34,7 @@ pub(super) struct Matching {
 }
 
 impl Matching {
-    /// Ready to search these.
+    /// Builds the boxes of these rows.
     pub(super) fn new(rows: Vec<Features>) -> Self {
         let boxes = |size: usize| rows.chunks(size).map(Bounds::of).collect();
         Self { small: boxes(SMALL), large: boxes(LARGE), rows }
@@ -44,8 +45,8 @@ impl Matching {
         &self.rows[row]
     }
 
-    /// The row of the least cost, `extra` of the row included, which is at least 0, or `None` where a row is not allowed; of
-    /// several the first. `None` where no row is allowed.
+    /// Returns the row of the least cost, `extra` included, which is at least 0, or `None` for a row that is not
+    /// allowed. The first of several equal rows is returned; `None` if no row is allowed.
     pub(super) fn nearest(&self, query: &Features, extra: impl Fn(usize) -> Option<f32>) -> Option<Match> {
         let mut best: Option<Match> = None;
         for (l, large) in self.large.iter().enumerate() {
@@ -72,13 +73,13 @@ impl Matching {
         best
     }
 
-    /// What a row costs for a query.
+    /// The cost of a row for a query.
     pub(super) fn cost_of(&self, query: &Features, row: usize) -> f32 {
         let features = &self.rows[row];
         squared(|i| query[i] - features[i])
     }
 
-    /// Squared distance of the bodies of two rows, wherever they go.
+    /// Squared distance of the bodies of two rows; their trajectories are ignored.
     pub(super) fn body_distance(&self, row: usize, other: usize) -> f32 {
         let (a, b) = (&self.rows[row][..TRAJECTORY_AT], &self.rows[other][..TRAJECTORY_AT]);
         a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
@@ -92,13 +93,13 @@ impl Bounds {
         Self { low: std::array::from_fn(least), high: std::array::from_fn(greatest) }
     }
 
-    /// Whether a row of the box may cost less than what was found. Differences, squares and sums are rounded monotonically
-    /// and in the same order as a row's, so that the bound holds for the bits.
+    /// Whether a row of the box may cost less than the best row found. Differences, squares and sums are rounded
+    /// monotonically and in the same order as a row's, so the bound holds bit for bit.
     fn may_beat(&self, best: Option<Match>, query: &Features) -> bool {
         let Some(best) = best else { return true };
         let outside = squared(|i| {
             let (below, above) = (self.low[i] - query[i], query[i] - self.high[i]);
-            // Compiled to a selection, where `f32::max` asks for NaN.
+            // Compiles to a select instruction; `f32::max` would test for NaN.
             let gap = if below > above { below } else { above };
             if gap > 0.0 { gap } else { 0.0 }
         });
@@ -106,7 +107,7 @@ impl Bounds {
     }
 }
 
-/// The sum of the squares of all features' differences.
+/// The sum of the squares of all feature differences.
 #[inline]
 fn squared(difference: impl Fn(usize) -> f32) -> f32 {
     let mut sums = [0.0; SUMS];
@@ -124,7 +125,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Rows as of motion: each is near the one before.
+    /// Rows of a random walk: like motion, each is near the one before.
     fn wander(n: usize, seed: u64) -> Vec<Features> {
         let mut state = seed;
         let mut next = move || {

@@ -1,8 +1,8 @@
-//! Driving: neutral motion that goes where a user steers, by motion matching over the neutral clips of a database
-//! (`../shared/spec/live-driving.md`, part A). The stylizer takes its frames as input.
+//! Driving: neutral motion that follows the user's steering, by motion matching over the neutral clips of a database.
+//! Its frames are the stylizer's input.
 //!
-//! [`DrivingClips`] are the clips in the frame of their root; a [`Driver`] searches their rows, exactly, for the one that goes on
-//! best, and plays them.
+//! [`DrivingClips`] are the clips in the frame of their root. A [`Driver`] searches their rows exactly for the one that
+//! continues the motion at the least cost, and plays them.
 
 mod clips;
 mod control;
@@ -32,7 +32,7 @@ mod tests {
     use crate::pose_vector::Placement;
     use std::sync::Arc;
 
-    /// Somebody who glides round a circle, 60 frames a second, from the origin towards +Z: `speed` m/s, `turn_rate` rad/s.
+    /// A body that glides round a circle at 60 Hz, from the origin towards +Z: `speed` m/s, `turn_rate` rad/s.
     pub(super) fn circle(frames: usize, speed: f32, turn_rate: f32) -> NeutralClip {
         let mut at = Proportions::default().offsets[0];
         let mut heading = 0.0_f32;
@@ -49,7 +49,7 @@ mod tests {
         NeutralClip { name: "circle".into(), action: "walk".into(), poses, contacts }
     }
 
-    /// A driver over straight and curved paths, slow and fast, and with the moves of a clip.
+    /// A driver over straight and curved paths, slow and fast, and with the given clips of moves.
     fn driver_with(moves: &[NeutralClip]) -> Driver {
         let paths = [
             (1.2, 0.0),
@@ -71,7 +71,7 @@ mod tests {
         driver_with(&[])
     }
 
-    /// Places of the root over a drive.
+    /// Places of the root during a drive.
     fn driven(driver: &mut Driver, frames: usize, control: &Control) -> Vec<Vec2> {
         let place = |frame: &Placement| Vec2::new(frame.x, frame.z);
         (0..frames).map(|_| place(&driver.next(control, None).root)).collect()
@@ -106,7 +106,7 @@ mod tests {
         assert!(ran > driver.speeds()[0] + 0.4, "{ran} m/s");
     }
 
-    /// Somebody who only goes straight on, at a speed.
+    /// A driver whose only clip goes straight on at a constant speed.
     fn straight(speed: f32) -> Driver {
         let clips = [circle(600, speed, 0.0)];
         Driver::new(Arc::new(DrivingClips::new(Proportions::default(), 60.0, &clips, &[], &[]).unwrap()))
@@ -156,7 +156,7 @@ mod tests {
         }
     }
 
-    /// In each clip an arm turns at a rate of its own; at a transition it turns on at the rate that it had.
+    /// In each clip an arm turns at a different rate; after a transition the arm first keeps its previous rate.
     #[test]
     fn a_transition_changes_no_turn_rate() {
         let arm = Role::LeftUpperArm.index();
@@ -178,7 +178,7 @@ mod tests {
             if let ([.., a, b, c], true) = (shown.as_slice(), next.switched) {
                 let turned = |from: &Pose, to: &Pose| log(to.rotations[arm] * from.rotations[arm].inverse()) * 60.0;
                 let change = turned(b, c) - turned(a, b);
-                // The arm of a clip that was left a moment ago still slows down.
+                // The arm still slows down after an earlier transition.
                 assert!(change.length() < 0.5, "frame {frame}: {change:?} rad/s");
                 transitions += 1;
             }
@@ -186,7 +186,7 @@ mod tests {
         assert!(transitions > 5, "{transitions} transitions");
     }
 
-    /// A jump on the spot: a second of rest, a crouch, half a second of flight 0.3 m up, a second of rest.
+    /// A jump on the spot: one second of rest, a crouch, half a second of flight 0.3 m up, one second of rest.
     fn jump() -> NeutralClip {
         let stand = Proportions::default().offsets[0].y;
         let height = |frame: usize| match frame {

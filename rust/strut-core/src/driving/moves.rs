@@ -1,33 +1,33 @@
-//! Moves that a driver plays when they are asked for: what a clip does between two rests.
+//! Moves that a driver plays on request: the motion of a clip between two rests.
 
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
 use crate::math::{Vec2, Vec3};
 use std::ops::Range;
 
-/// Points whose speeds tell a move from a rest.
+/// Joints whose speeds distinguish a move from a rest.
 const POINTS: [Role; 6] = [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
-/// At rest the fastest of them is slower than this, m/s, in the mean of the frames so near, seconds …
+/// At rest the fastest of them is slower than this, m/s, in the mean over frames within this time, seconds …
 const REST_SPEED: f32 = 0.75;
 const MEAN_HALF_SECS: f32 = 1.0 / 30.0;
-/// … and none is farther from where it is at the beginning of the clip, metres: a fist or a foot that is held out does not
-/// rest.
+/// … and none is farther than this from its place at the beginning of the clip, metres: a fist or a foot that is held
+/// out is not at rest.
 const REST_DISTANCE: f32 = 0.2;
-/// A move takes at least so long, seconds, and is once faster than this, m/s.
+/// A move takes at least this long, seconds, and its peak speed is higher than this, m/s.
 const LEAST_SECS: f32 = 1.0 / 3.0;
 const LEAST_PEAK: f32 = 1.0;
 
-/// A shorter time without a planted foot is not the flight of a jump, seconds.
+/// Shortest time without a planted foot that counts as the flight of a jump, seconds.
 const LEAST_FLIGHT_SECS: f32 = 0.1;
 
-/// What can be asked of somebody besides going.
+/// A move that can be requested besides locomotion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Move {
-    /// Jumps.
+    /// A jump.
     Jump,
-    /// Strikes with a fist.
+    /// A strike with a fist.
     Punch,
-    /// Kicks.
+    /// A kick.
     Kick,
 }
 
@@ -35,7 +35,7 @@ impl Move {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Jump, Self::Punch, Self::Kick];
 
-    /// Its name, which the names of its actions begin with, as in "jump" and "jumping".
+    /// Its name, with which the names of its actions begin, as in "jump" and "jumping".
     pub fn name(self) -> &'static str {
         match self {
             Self::Jump => "jump",
@@ -44,12 +44,12 @@ impl Move {
         }
     }
 
-    /// The move of this name.
+    /// Returns the move of this name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|of| of.name() == name)
     }
 
-    /// The move that clips of an action have.
+    /// The move that clips of an action contain.
     pub(super) fn of_action(action: &str) -> Option<Self> {
         let action = action.to_ascii_lowercase();
         Self::ALL.into_iter().find(|of| action.starts_with(of.name()))
@@ -66,14 +66,14 @@ pub(super) struct MoveRows {
 }
 
 impl MoveRows {
-    /// The same where the clip begins at a row.
+    /// Shifts the rows for a clip that begins at row `first`.
     pub(super) fn after(&self, first: usize) -> Self {
         let shifted = |rows: &Range<usize>| first + rows.start..first + rows.end;
         Self { action: self.action, rows: shifted(&self.rows), flight: self.flight.as_ref().map(shifted) }
     }
 }
 
-/// The moves of a clip, by its frames; `contacts` has one entry per pose.
+/// The moves of a clip, as frame ranges; `contacts` has one entry per pose.
 pub(super) fn moves_in(
     action: Move,
     proportions: &Proportions,
@@ -111,14 +111,14 @@ fn flight_in(contacts: &[[bool; 2]], rate_hz: f32) -> Option<Range<usize>> {
     flights.into_iter().max_by_key(ExactSizeIterator::len).filter(|of| of.len() as f32 >= LEAST_FLIGHT_SECS * rate_hz)
 }
 
-/// Greatest distance of corresponding points, by height and by how far they are from the hips: wherever the body is and
-/// faces.
+/// Greatest distance of corresponding points by height and by distance from the hips: independent of the body's place
+/// and heading.
 fn distance(a: &[Vec3; POINTS.len()], b: &[Vec3; POINTS.len()]) -> f32 {
     let place = |of: &[Vec3; POINTS.len()], i: usize| Vec2::new((of[i] - of[0]).with_y(0.0).length(), of[i].y);
     (0..POINTS.len()).map(|i| place(a, i).distance(place(b, i))).fold(0.0, f32::max)
 }
 
-/// Speed of the fastest point in every frame, m/s, in the mean of the frames around it.
+/// Speed of the fastest point in every frame, m/s, as a mean over the frames around it.
 fn fastest(points: &[[Vec3; POINTS.len()]], rate_hz: f32) -> Vec<f32> {
     let speeds: Vec<f32> = (0..points.len())
         .map(|i| {
@@ -137,7 +137,7 @@ fn fastest(points: &[[Vec3; POINTS.len()]], rate_hz: f32) -> Vec<f32> {
         .collect()
 }
 
-/// Successive frames that are so.
+/// Runs of successive frames that satisfy a predicate.
 fn runs_of(frames: usize, is_so: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
     let mut runs = Vec::new();
     let mut begin = 0;

@@ -1,14 +1,14 @@
-//! A path drawn on the ground, by its length.
+//! A path on the ground, parametrised by arc length.
 
 use crate::math::Vec2;
 
-/// More points than this are thinned.
+/// Paths with more points than this are thinned.
 const MAX_POINTS: usize = 512;
-/// How far ahead on the path the nearest point is looked for, metres: a path may cross itself.
+/// Range ahead of the progress in which the nearest point is searched, metres: a path may cross itself.
 const REACH: f32 = 0.6;
-/// Points nearer to each other than this are one, metres.
+/// Points nearer to each other than this are merged, metres.
 const LEAST_DISTANCE: f32 = 1e-3;
-/// Steps in which the nearest point is looked for, metres.
+/// Step of the search for the nearest point, metres.
 const STEP: f32 = 0.02;
 
 /// A line of at least two points.
@@ -20,7 +20,7 @@ pub struct Path {
 }
 
 impl Path {
-    /// The line through points (x, z), metres; `None` where fewer than two are distinct, or one is not finite.
+    /// Creates the line through points (x, z), metres; `None` if fewer than two are distinct, or one is not finite.
     pub fn new(points: &[Vec2]) -> Option<Self> {
         if !points.iter().all(|p| p.is_finite()) {
             return None;
@@ -44,7 +44,7 @@ impl Path {
         self.lengths[self.lengths.len() - 1]
     }
 
-    /// The point at a length from the beginning; the ends beyond them.
+    /// Returns the point at an arc length, clamped to the ends.
     pub fn at(&self, length: f32) -> Vec2 {
         let (from, to) = self.piece(length);
         let (a, b) = (self.lengths[from], self.lengths[to]);
@@ -52,13 +52,14 @@ impl Path {
         self.points[from] + (self.points[to] - self.points[from]) * t
     }
 
-    /// The direction there, of length 1.
+    /// Returns the unit direction at an arc length.
     pub fn direction(&self, length: f32) -> Vec2 {
         let (from, to) = self.piece(length);
         (self.points[to] - self.points[from]) / (self.lengths[to] - self.lengths[from])
     }
 
-    /// The length at which the path is nearest to a place, from `progress` on and not far beyond it: never back.
+    /// Returns the arc length at which the path is nearest to a place, between `progress` and a short distance ahead of
+    /// it.
     pub fn nearest(&self, progress: f32, place: Vec2) -> f32 {
         let steps = (REACH / STEP) as u32;
         let lengths = (0..=steps).map(|i| (progress + i as f32 * STEP).min(self.length()));
@@ -66,7 +67,7 @@ impl Path {
         lengths.reduce(|best, other| if distance(other) < distance(best) { other } else { best }).unwrap_or(progress)
     }
 
-    /// The points before and after a length.
+    /// The points before and after an arc length.
     fn piece(&self, length: f32) -> (usize, usize) {
         let to = self.lengths.partition_point(|&l| l < length).clamp(1, self.points.len() - 1);
         (to - 1, to)

@@ -1,4 +1,4 @@
-//! Where the root is asked to be: what follows from a stick, or from a path.
+//! Target trajectory of the root, from a stick or from a path.
 
 use super::features::{HORIZONS_SECS, Trajectory};
 use super::path::Path;
@@ -8,14 +8,14 @@ use std::f32::consts::LN_2;
 
 /// Half-life with which velocity and heading follow a stick, seconds.
 const STICK_HALF_LIFE_SECS: f32 = 0.27;
-/// Half-life with which a character comes back to its path, seconds.
+/// Half-life with which a character returns to its path, seconds.
 const PATH_HALF_LIFE_SECS: f32 = 0.3;
-/// Somebody who is so near to the end of their path is asked to stop, metres: a stop takes its way.
+/// Within this distance of the end of its path a character is told to stop, metres: stopping takes some distance.
 pub(super) const STOP_BEFORE: f32 = 0.3;
-/// Slower than this nobody faces where they go, m/s.
+/// Below this speed the heading does not follow the direction of motion, m/s.
 const STILL: f32 = 1e-3;
 
-/// How the root is now, in the world.
+/// Present state of the root in the world.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RootState {
     pub(super) place: Vec2,
@@ -24,7 +24,7 @@ pub(super) struct RootState {
     pub(super) turn_rate: f32,
 }
 
-/// The way of a root that takes the velocity `wanted` and the heading `goal`: critically damped springs.
+/// Trajectory of a root that approaches the velocity `wanted` and the heading `goal`: critically damped springs.
 pub(super) fn by_stick(now: &RootState, wanted: Vec2, goal: f32) -> Trajectory {
     let y = 2.0 * LN_2 / STICK_HALF_LIFE_SECS;
     let j0 = now.velocity - wanted;
@@ -37,23 +37,23 @@ pub(super) fn by_stick(now: &RootState, wanted: Vec2, goal: f32) -> Trajectory {
     })
 }
 
-/// Where somebody is on a path, and how they follow it.
+/// A character's state on its path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OnPath<'a> {
     pub(super) path: &'a Path,
-    /// How far along it, metres.
+    /// Covered arc length, metres.
     pub(super) progress: f32,
-    /// How fast, m/s.
+    /// Speed, m/s.
     pub(super) speed: f32,
-    /// Where the styled character is, and how many times as fast as the root it goes.
+    /// Place of the styled character, and the ratio of its speed to the root's.
     pub(super) styled: Vec2,
     pub(super) share: f32,
-    /// So far to the right of the path they are asked to be, metres: against an offset to the left that stays.
+    /// Target offset to the right of the path, metres: compensates a lasting offset to the left.
     pub(super) aim: f32,
 }
 
-/// The way of a root along a path. What is drawn is the styled character; the root is asked for what brings that one onto the
-/// path.
+/// Trajectory of a root along a path. The styled character is what is drawn, so the root's target is the one that
+/// brings the styled character onto the path.
 pub(super) fn by_path(now: &RootState, on: OnPath) -> Trajectory {
     let OnPath { path, progress, speed, styled, share, aim } = on;
     let off = styled - path.at(progress);
@@ -68,18 +68,18 @@ pub(super) fn by_path(now: &RootState, on: OnPath) -> Trajectory {
     })
 }
 
-/// The direction to the right of one over the ground (x, z), where +X is to the left of +Z.
+/// The direction on the ground (x, z) to the right of another; +X is to the left of +Z.
 pub(super) fn to_the_right(direction: Vec2) -> Vec2 {
     Vec2::new(-direction.y, direction.x)
 }
 
-/// A vector of the frame of a root with this heading in the world.
+/// Transforms a vector from the frame of a root with this heading to the world.
 pub(super) fn in_world(heading: f32, v: Vec2) -> Vec2 {
     let (sine, cosine) = sin_cos(heading);
     Vec2::new(cosine * v.x + sine * v.y, cosine * v.y - sine * v.x)
 }
 
-/// A trajectory in the frame of the root.
+/// Transforms a trajectory to the frame of the root.
 pub(super) fn in_root(now: &RootState, of: &Trajectory) -> Trajectory {
     of.map(|(place, heading)| (in_world(-now.heading, place - now.place), wrap_angle(heading - now.heading)))
 }

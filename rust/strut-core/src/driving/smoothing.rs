@@ -1,9 +1,10 @@
-//! Smoothing by local cubics (Savitzky and Golay 1964): what a least-squares cubic over a window of samples has in its middle.
+//! Smoothing by local cubics (Savitzky and Golay 1964): the value of a least-squares cubic in the middle of a window of
+//! samples.
 
 /// Coefficients of a cubic.
 const TERMS: usize = 4;
 
-/// The values of least-squares cubics over windows of `2 half + 1` samples; at the ends over what there is of the window.
+/// The values of least-squares cubics over windows of `2 half + 1` samples, truncated at the ends.
 pub(super) fn smoothed(samples: &[[f64; 2]], half: usize) -> Vec<[f64; 2]> {
     (0..samples.len())
         .map(|i| {
@@ -29,7 +30,7 @@ pub(super) fn smoothed(samples: &[[f64; 2]], half: usize) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The constant term of the cubic of normal equations, by elimination from the highest power down.
+/// The constant term of the cubic that solves the normal equations, by elimination from the highest power down.
 fn constant_term(moments: [f64; 2 * TERMS - 1], mut right: [[f64; 2]; TERMS], terms: usize) -> [f64; 2] {
     let mut matrix: [[f64; TERMS]; TERMS] = std::array::from_fn(|j| std::array::from_fn(|k| moments[j + k]));
     for pivot in (1..terms).rev() {

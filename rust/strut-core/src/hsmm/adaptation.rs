@@ -1,23 +1,24 @@
-//! A style as a change of the model of all styles: a linear transform for every joint, then the mean between that and what
-//! its own steps say (`docs/methods/hsmm.md` §6c).
+//! Adaptation of the model of all styles to one style: a linear transform for every joint, then the maximum a posteriori mean
+//! with the style's own steps (`docs/methods/hsmm.md` §6c).
 
 use super::model::{SIDES, STATES, Stream, StyleMeans};
 use super::statistics::{Sample, SharedVariances, Statistics, states};
 use crate::humanoid::JOINTS;
 use crate::math::linear::solve_positive_definite;
 
-/// Rounds of alignment and estimation, of either method.
+/// Rounds of alignment and estimation in each of the two stages.
 const ROUNDS: usize = 3;
-/// How much the transform holds to none, and its shift.
+/// Ridge of the transform towards the identity, and of its shift towards zero.
 const RIDGE: [f64; 4] = [10.0, 10.0, 10.0, 10.0 * 1e-6];
-/// Frames, and steps, that the transformed model counts as against the style's own; and frames where there are many steps.
+/// Weight of the transformed model relative to the style's own statistics, in frames and in steps; and in frames if there are
+/// many steps.
 const FRAMES: f64 = 1.0;
 const FRAMES_OF_MANY: f64 = 5.0;
 const STEPS: f64 = 2.0;
-/// Steps that are many.
+/// Least number of steps that counts as many.
 const MANY_STEPS: f64 = 100.0;
 
-/// The means of a style with these samples, all of which are of the style.
+/// Returns the means of a style from its samples.
 pub(super) fn adapt(samples: &[&Sample], all: &StyleMeans, shared: &SharedVariances) -> StyleMeans {
     let mut means = all.clone();
     for _ in 0..ROUNDS {
@@ -30,7 +31,8 @@ pub(super) fn adapt(samples: &[&Sample], all: &StyleMeans, shared: &SharedVarian
     means
 }
 
-/// One 3 × 4 transform for every joint and all its states: pose and shift, and velocity and acceleration without the shift.
+/// Estimates a 3 × 4 transform for every joint and all its states: poses are transformed and shifted, velocities and
+/// accelerations only transformed.
 fn transformed(all: &StyleMeans, shared: &SharedVariances, sums: &Statistics) -> StyleMeans {
     let mut means = all.clone();
     for joint in 0..JOINTS {
@@ -61,7 +63,7 @@ fn transformed(all: &StyleMeans, shared: &SharedVariances, sums: &Statistics) ->
             }
             match solve_positive_definite(&mut matrix, &mut right) {
                 Some(()) => right,
-                // No transform: the row of the identity.
+                // Singular: the row of the identity.
                 None => std::array::from_fn(|i| f64::from(u8::from(i == row))),
             }
         });
@@ -86,7 +88,7 @@ fn transformed(all: &StyleMeans, shared: &SharedVariances, sums: &Statistics) ->
     means
 }
 
-/// Maximum a posteriori: what was known before counts like a few frames.
+/// Maximum a posteriori: the prior counts as a few frames.
 fn mean_with_own(before: &StyleMeans, sums: &Statistics) -> StyleMeans {
     let mut means = before.clone();
     let steps: f64 = sums.steps.iter().sum();

@@ -1,15 +1,15 @@
-//! The states of a step's frames: Viterbi's recursion over durations (`docs/methods/hsmm.md` §5).
+//! Alignment of a step's frames to states: Viterbi recursion over durations (`docs/methods/hsmm.md` §5).
 
 use super::model::{Observation, STATES};
 use crate::math::float_funcs::double;
 use std::f64::consts::TAU;
 
-/// One side's states, ready to be compared with frames.
+/// One side's states, prepared for comparison with frames.
 #[derive(Clone, Debug)]
 pub(super) struct States<'a> {
     means: &'a [Observation; STATES],
     inverse_variances: [Observation; STATES],
-    /// Log of the Gaussians' factors.
+    /// Logarithms of the Gaussians' normalisation factors.
     constants: [f64; STATES],
     durations: [f64; STATES],
     duration_variances: [f64; STATES],
@@ -47,14 +47,14 @@ impl<'a> States<'a> {
         -0.5 * (double::ln(TAU * variance) + distance * distance / variance)
     }
 
-    /// The likeliest durations of the states of a step, and the log-likelihood of the step; `None` if it has fewer frames
-    /// than there are states.
+    /// Returns the most likely durations of the states of a step, and the log-likelihood of the step; `None` if it has fewer
+    /// frames than there are states.
     pub(super) fn align(&self, step: &[Observation]) -> Option<([usize; STATES], f64)> {
         let frames = step.len();
         if frames < STATES {
             return None;
         }
-        // For every state the sums of the frames' likelihoods before each frame.
+        // For every state, the cumulative log-likelihoods of the frames.
         let cumulative: Vec<Vec<f64>> = (0..STATES)
             .map(|state| {
                 let mut sum = 0.0;
@@ -65,7 +65,7 @@ impl<'a> States<'a> {
                 std::iter::once(0.0).chain(sums).collect()
             })
             .collect();
-        // The best way for the states so far to fill the frames up to each, and the duration of the last of them.
+        // Best log-likelihood of the states so far for each end frame, and the duration of the last state.
         let mut best = vec![f64::NEG_INFINITY; frames + 1];
         best[0] = 0.0;
         let mut chosen = Vec::with_capacity(STATES);
@@ -93,7 +93,7 @@ impl<'a> States<'a> {
     }
 }
 
-/// Durations of a step's states before anything is known: equal ones. `None` if there are fewer frames than states.
+/// Equal durations of a step's states, for the first round. `None` if there are fewer frames than states.
 pub(super) fn equal_split(frames: usize) -> Option<[usize; STATES]> {
     let border = |state: usize| state * frames / STATES;
     (frames >= STATES).then(|| std::array::from_fn(|state| border(state + 1) - border(state)))

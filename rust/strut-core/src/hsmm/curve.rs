@@ -7,15 +7,15 @@ use crate::humanoid::Role;
 use crate::math::{Vec3, exp_map};
 use std::sync::Arc;
 
-/// Steps that are walked before the pair that is shown: they have a past then.
+/// Steps that are walked before the displayed pair, so that its trajectory has a past.
 pub(super) const STEPS_BEFORE: u64 = 2;
 
 /// One frame of a [`JointCurve`]; angles in radians from the joint's mean rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
-    /// The angle that is walked.
+    /// The synthesised angle.
     pub angle: f32,
-    /// Mean of the state that the frame is in.
+    /// Mean of the frame's state.
     pub mean: f32,
     /// Standard deviation of that state.
     pub deviation: f32,
@@ -28,14 +28,14 @@ pub struct CurvePoint {
 /// A joint's angle through a left step and a right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointCurve {
-    /// The axis of the joint's own frame that it turns about most: 0 to 2.
+    /// The axis of the joint's own frame about which it turns most: 0 to 2.
     pub axis: usize,
-    /// A point for every frame.
+    /// One point per frame.
     pub points: Vec<CurvePoint>,
 }
 
 impl JointCurve {
-    /// Of a mixture of styles for the steps of the left foot and one for those of the right, one weight a style.
+    /// Curve of one mixture of styles for the left steps and one for the right steps, with one weight per style.
     ///
     /// # Errors
     /// See [`WeightsError`].
@@ -79,7 +79,7 @@ impl JointCurve {
     }
 }
 
-/// The means of the steps of either foot, of a mixture of styles for each.
+/// The mixed means for the steps of either foot.
 pub(super) fn mixed_sides(model: &WalkModel, average: &StyleMeans, weights: [&[f32]; SIDES]) -> [StyleMeans; SIDES] {
     weights.map(|weights| model.mix(average, &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>()))
 }

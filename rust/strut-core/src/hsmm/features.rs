@@ -1,4 +1,4 @@
-//! Walks as degrees of freedom (`docs/methods/hsmm.md` §3).
+//! Conversion of walks to degrees of freedom (`docs/methods/hsmm.md` §3).
 
 use super::RATE_HZ;
 use super::model::Observation;
@@ -13,30 +13,30 @@ use thiserror::Error;
 
 pub(super) use crate::rotation_row::row_of;
 
-/// Shortest way that has a heading, metres.
+/// Least travelled distance from which a heading can be computed, metres.
 const LEAST_WAY: f32 = 0.3;
-/// Greatest mean angle between where a body faces and where it goes in all, degrees.
+/// Greatest mean angle between the body's heading and its direction of travel, degrees.
 const MOST_ASIDE: f32 = 25.0;
-/// Rotations are averaged over every so many frames.
+/// Rotations are averaged over every n-th frame.
 const REFERENCE_STRIDE: usize = 4;
 
-/// Why a clip is not one of walking.
+/// Error of a clip that is not a walk.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TrackError {
     /// It has too many frames at [`RATE_HZ`].
     #[error(transparent)]
     TooLong(#[from] TooManyFrames),
-    /// The body stays where it is.
+    /// The body stays in place.
     #[error("the body moves {0:.2} m in all; a walk of at least {LEAST_WAY} m was expected")]
     NoWay(f32),
-    /// It does not face where it goes.
+    /// The body does not face its direction of travel.
     #[error(
         "the body faces {0:.0}° away from its way on average; a walk straight ahead, at most {MOST_ASIDE}° off, was expected"
     )]
     Turns(f32),
 }
 
-/// A clip of walking straight ahead, at [`RATE_HZ`] and with its heading taken off.
+/// A clip of walking straight ahead, at [`RATE_HZ`] and without its heading.
 #[derive(Clone, Debug)]
 pub struct Track {
     /// Poses that face +Z on average.
@@ -46,7 +46,7 @@ pub struct Track {
 }
 
 impl Track {
-    /// Of a clip at any rate.
+    /// Creates a track from a clip at any rate.
     ///
     /// # Errors
     /// See [`TrackError`].
@@ -78,7 +78,7 @@ impl Track {
         Ok(Self { poses, positions: worlds.into_iter().map(|world| world.positions).collect() })
     }
 
-    /// Its first half and its second.
+    /// Splits the track into halves.
     pub fn halves(&self) -> [Self; 2] {
         let middle = self.poses.len() / 2;
         let (poses, positions) = (self.poses.split_at(middle), self.positions.split_at(middle));
@@ -97,7 +97,7 @@ pub(super) fn reference(tracks: &[&Track]) -> [Quat; JOINTS] {
     mean_rotations(tracks.iter().flat_map(|track| &track.poses).step_by(REFERENCE_STRIDE))
 }
 
-/// Poses with velocities and accelerations per frame; the end frames stand for what is beyond them.
+/// Poses with velocities and accelerations per frame; beyond the ends the end frames are repeated.
 pub(super) fn observations(rows: &[RotationRow]) -> Vec<Observation> {
     let at = |t: usize| {
         let (before, after) = (&rows[t.saturating_sub(1)], &rows[(t + 1).min(rows.len() - 1)]);

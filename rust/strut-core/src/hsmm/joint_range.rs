@@ -1,18 +1,18 @@
-//! Soft limits of the joints: what exaggerated styles may ask for (`docs/methods/hsmm.md` §10; the paper's future work).
+//! Soft limits of the joints for exaggerated styles (`docs/methods/hsmm.md` §10; the paper's future work).
 
 use crate::math::float_funcs::exp;
 
-/// Greatest margin within which a limit is felt, radians, and as a share of the range.
+/// Greatest margin of a soft limit, radians, and as a share of the range.
 const MARGIN: f32 = 0.1;
 const MARGIN_SHARE: f32 = 0.1;
 
-/// A degree of freedom within its range: itself, but near the ends, which it passes by a margin at most.
+/// Limits a degree of freedom softly: unchanged inside its range, and at most a margin outside.
 pub(super) fn limited(x: f32, [low, high]: [f32; 2]) -> f32 {
     let margin = MARGIN.min(MARGIN_SHARE * (high - low));
     if margin <= 0.0 {
         return x.clamp(low, high);
     }
-    // The limit begins to be felt a margin before it.
+    // The soft limit begins a margin before the end of the range.
     if x > high - margin {
         high - margin + saturating(x - (high - margin), 2.0 * margin)
     } else if x < low + margin {
@@ -22,7 +22,7 @@ pub(super) fn limited(x: f32, [low, high]: [f32; 2]) -> f32 {
     }
 }
 
-/// A number that is not negative, as long as it is small, and never more than `most`: a hyperbolic tangent.
+/// Saturates a non-negative number at `most` by a hyperbolic tangent; small numbers hardly change.
 pub(super) fn saturating(x: f32, most: f32) -> f32 {
     let e = exp(-2.0 * (x / most));
     most * ((1.0 - e) / (1.0 + e))

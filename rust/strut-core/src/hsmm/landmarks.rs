@@ -1,4 +1,4 @@
-//! Takes of a style that differ too much to be one (`docs/methods/hsmm.md` §6: styles with two takes).
+//! Splitting styles whose takes differ too much (`docs/methods/hsmm.md` §6: styles with two takes).
 
 use super::features::{Track, reference};
 use super::model::{SIDES, STATES, Side, StyleMeans};
@@ -7,12 +7,12 @@ use super::training::LabelledClip;
 use crate::humanoid::JOINTS;
 use crate::math::{Quat, Vec3, exp_map};
 
-/// Mean angle between the joints, degrees, above which two takes are different expressions of a style.
+/// Mean angle between the joints above which two takes are different expressions of a style, degrees.
 const APART: f64 = 6.0;
 
-/// The style of every clip: its own, with a letter where its takes are different expressions, as in `proud A` and `proud B`.
-/// Takes are put together as long as their mean steps are near each other on average; one without a step of either foot goes
-/// with the first.
+/// Returns the style name of every clip: its own, with a letter if the takes of its style are different expressions, as in
+/// `proud A` and `proud B`. Takes are clustered by the mean distance of their mean steps; one without steps of a foot
+/// joins the first.
 pub fn landmarks(clips: &[LabelledClip<'_>]) -> Vec<String> {
     let tracks: Vec<_> = clips.iter().map(|clip| clip.track).collect();
     let reference = reference(&tracks);
@@ -35,7 +35,7 @@ pub fn landmarks(clips: &[LabelledClip<'_>]) -> Vec<String> {
     names
 }
 
-/// Those of a model's styles that a name is of: the style itself, or all its landmarks.
+/// Returns the indices of a model's styles of a name: the style itself, or all its landmarks.
 pub fn styles_named(styles: &[String], name: &str) -> Vec<usize> {
     let of = |is: &dyn Fn(&str) -> bool| (0..styles.len()).filter(|&i| is(&styles[i])).collect();
     let same: Vec<usize> = of(&|style| style == name);
@@ -48,14 +48,14 @@ fn landmark(style: &str, group: usize) -> String {
     format!("{style} {}", letter.to_string().repeat(group / 26 + 1))
 }
 
-/// The mean poses of a clip's steps, each cut into equal parts; `None` if those of a foot are missing.
+/// The mean poses of a clip's steps, each cut into equal parts; `None` if a foot has no steps.
 fn mean_steps(track: &Track, reference: &[Quat; JOINTS]) -> Option<StyleMeans> {
     let sample = Sample::new(0, track, reference);
     let has = |side: Side| sample.steps.iter().any(|step| step.side == side);
     (has(Side::Left) && has(Side::Right)).then(|| Statistics::aligned(&[&sample], None).means())
 }
 
-/// Mean angle between the joints of two clips' mean steps, degrees.
+/// Mean angle between the joints of the mean steps of two clips, degrees.
 fn distance(a: &StyleMeans, b: &StyleMeans) -> f64 {
     let rotation = |of: &StyleMeans, side: usize, state: usize, j: usize| {
         let row = &of.means[side][state][0];
@@ -67,7 +67,7 @@ fn distance(a: &StyleMeans, b: &StyleMeans) -> f64 {
     angles.map(f64::from).sum::<f64>() / (SIDES * STATES * JOINTS) as f64
 }
 
-/// Takes in groups of near ones, by the mean distance of all pairs; the group of the first take comes first.
+/// Clusters takes by the mean distance of all pairs; the cluster of the first take comes first.
 fn grouped(takes: &[usize], means: &[Option<StyleMeans>]) -> Vec<Vec<usize>> {
     let (known, others): (Vec<usize>, Vec<usize>) = takes.iter().partition(|&&take| means[take].is_some());
     let between = |a: usize, b: usize| match (&means[a], &means[b]) {

@@ -1,19 +1,19 @@
-//! Maximum-likelihood parameter generation: the trajectory whose poses, velocities and accelerations agree best with their
-//! means (`docs/methods/hsmm.md` §8).
+//! Maximum-likelihood parameter generation: the trajectory whose poses, velocities and accelerations fit their means best
+//! (`docs/methods/hsmm.md` §8).
 //!
-//! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2 and
-//! Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals, which [`Banded`] solves for all frames. Where only the next
-//! frame is wanted and the two before it are known, [`CostToGo`] goes back from the last frame to it.
+//! For each degree of freedom it minimises Σₜ p (cₜ − m)² + p′ (Δcₜ − m′)² + p″ (Δ²cₜ − m″)², with Δcₜ = (cₜ₊₁ − cₜ₋₁) / 2
+//! and Δ²cₜ = cₜ₊₁ − 2cₜ + cₜ₋₁: a symmetric system with five diagonals, which [`Banded`] solves for all frames. If only the
+//! next frame is needed and the two before it are known, [`CostToGo`] recurses backwards from the last frame to it.
 
 use super::model::Stream;
 use crate::math::lanes::Lane;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// The scalar type of a trajectory: one degree of freedom, or four side by side.
+/// The scalar type of a trajectory: one degree of freedom, or four in parallel.
 pub(super) trait Number:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// A constant.
+    /// Converts a constant.
     fn of(value: f32) -> Self;
 }
 
@@ -29,25 +29,25 @@ impl Number for Lane {
     }
 }
 
-/// A mean and how much it counts: the inverse of its variance.
+/// A mean and its weight: the inverse of its variance.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Term<T> {
     pub(super) mean: T,
     pub(super) weight: T,
 }
 
-/// What a frame t is drawn by: its pose, and the velocity and acceleration of the frame before, which it takes part in.
+/// The quadratic terms in which cₜ appears: its pose, and the velocity and the acceleration of the frame before.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FrameTerms<T> {
-    /// Of cₜ.
+    /// Term of cₜ.
     pub(super) pose: Term<T>,
-    /// Of (cₜ − cₜ₋₂) / 2.
+    /// Term of (cₜ − cₜ₋₂) / 2.
     pub(super) velocity: Term<T>,
-    /// Of cₜ − 2cₜ₋₁ + cₜ₋₂.
+    /// Term of cₜ − 2cₜ₋₁ + cₜ₋₂.
     pub(super) acceleration: Term<T>,
 }
 
-/// The likeliest value of a frame, whatever the two before it are: cₜ = q (r − α cₜ₋₂ − β cₜ₋₁).
+/// The optimal value of a frame as a function of the two before it: cₜ = q (r − α cₜ₋₂ − β cₜ₋₁).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Choice<T> {
     alpha: T,
@@ -57,13 +57,13 @@ pub(super) struct Choice<T> {
 }
 
 impl<T: Number> Choice<T> {
-    /// The value after cₜ₋₂ and cₜ₋₁.
+    /// Returns the value after cₜ₋₂ and cₜ₋₁.
     pub(super) fn after(&self, [before, last]: [T; 2]) -> T {
         self.q * (self.r - self.alpha * before - self.beta * last)
     }
 }
 
-/// What the frames from t on cost at least, as a function of a = cₜ₋₂ and b = cₜ₋₁:
+/// Least cost of the frames from t on, as a function of a = cₜ₋₂ and b = cₜ₋₁:
 /// J(a, b) = A a² + 2B ab + C b² − 2D a − 2E b and a constant. After the last frame it is zero.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct CostToGo<T> {
@@ -75,9 +75,9 @@ pub(super) struct CostToGo<T> {
 }
 
 impl<T: Number> CostToGo<T> {
-    /// With the frame before these, and how it is chosen. All of J but the terms of that frame is a function of it and of
-    /// the frame before; what remains after the least over it is of the same form (dynamic programming, as in linear-quadratic
-    /// control).
+    /// Prepends a frame; returns the new cost and the frame's optimal value. All of J except the terms of that frame is a
+    /// function of it and of the frame before; minimising over the frame gives the same form (dynamic programming, as in
+    /// linear-quadratic control).
     #[inline]
     pub(super) fn with(&self, frame: &FrameTerms<T>) -> (Self, Choice<T>) {
         let (p, v, g) = (frame.pose.weight, frame.velocity.weight, frame.acceleration.weight);
@@ -99,19 +99,19 @@ impl<T: Number> CostToGo<T> {
     }
 }
 
-/// A state of one frame: the side's index and the state's.
+/// State of one frame: the indices of its side and its state.
 pub(super) type FrameState = (usize, usize);
 
-/// A system with five diagonals and its right-hand side; keeps its memory.
+/// A system with five diagonals and its right-hand side; reuses its memory.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Banded<T> {
-    /// The diagonal, the one beside it, and the next; entry t couples t with t, t + 1 and t + 2.
+    /// The main diagonal and the two next to it; entry t couples t with t, t + 1 and t + 2.
     diagonals: [Vec<T>; 3],
     right: Vec<T>,
 }
 
 impl<T: Number> Banded<T> {
-    /// Begins anew with so many frames.
+    /// Clears the system and sets its number of frames.
     pub(super) fn begin(&mut self, frames: usize) {
         for values in self.diagonals.iter_mut().chain([&mut self.right]) {
             values.clear();
@@ -128,7 +128,7 @@ impl<T: Number> Banded<T> {
         self.right[t] = self.right[t] + value;
     }
 
-    /// cₜ is near a mean.
+    /// Adds the term of cₜ near a mean.
     #[cfg(any(test, feature = "baselines"))]
     pub(super) fn pose(&mut self, t: usize, of: Term<T>) {
         self.weigh_pose(t, of.weight);
@@ -143,7 +143,7 @@ impl<T: Number> Banded<T> {
         self.pull(t, of.weight * of.mean);
     }
 
-    /// (cₜ₊₁ − cₜ₋₁) / 2 is near a mean.
+    /// Adds the term of (cₜ₊₁ − cₜ₋₁) / 2 near a mean.
     #[cfg(any(test, feature = "baselines"))]
     pub(super) fn velocity(&mut self, t: usize, of: Term<T>) {
         self.weigh_velocity(t, of.weight);
@@ -163,7 +163,7 @@ impl<T: Number> Banded<T> {
         self.pull(t - 1, T::of(0.0) - half * of.mean);
     }
 
-    /// cₜ₊₁ − 2cₜ + cₜ₋₁ is near a mean.
+    /// Adds the term of cₜ₊₁ − 2cₜ + cₜ₋₁ near a mean.
     #[cfg(any(test, feature = "baselines"))]
     pub(super) fn acceleration(&mut self, t: usize, of: Term<T>) {
         self.weigh_acceleration(t, of.weight);
@@ -206,14 +206,14 @@ impl<T: Number> Banded<T> {
         self.pull(1, later.weight * (later.mean - last));
     }
 
-    /// The trajectory through the states of all frames, for terms by (side, state, part). The first frame and the last have
-    /// no deltas.
+    /// Computes the trajectory for the states of all frames and terms by (side, state, part). The first and the last frame
+    /// have no deltas.
     pub(super) fn through(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
         self.weigh(states, |side, state, part| term(side, state, part).weight);
         self.through_weighed(states, term)
     }
 
-    /// Begins anew with the weights of the terms of all frames, by which the trajectories through any means are found.
+    /// Resets the system to the weights of the terms of all frames, for trajectories through any means.
     pub(super) fn weigh(&mut self, states: &[FrameState], weight: impl Fn(usize, usize, Stream) -> T) {
         self.begin(states.len());
         for (t, &(side, state)) in states.iter().enumerate() {
@@ -226,7 +226,7 @@ impl<T: Number> Banded<T> {
         self.factorise();
     }
 
-    /// The trajectory through states for terms whose weights are those of the last [`Banded::weigh`].
+    /// Computes the trajectory for terms whose weights are those of the last [`Banded::weigh`].
     pub(super) fn through_weighed(
         &mut self,
         states: &[FrameState],
@@ -243,14 +243,14 @@ impl<T: Number> Banded<T> {
         self.substitute()
     }
 
-    /// The trajectory. The matrix is positive definite where every frame's pose has a weight.
+    /// Solves for the trajectory. The matrix is positive definite if every frame's pose has a weight.
     #[cfg(any(test, feature = "baselines"))]
     pub(super) fn solve(&mut self) -> &[T] {
         self.factorise();
         self.substitute()
     }
 
-    /// Replaces the diagonals by D and the two columns of L of the matrix's decomposition L D Lᵀ.
+    /// Replaces the diagonals by D and the two subdiagonals of L of the matrix's decomposition L D Lᵀ.
     fn factorise(&mut self) {
         let [d0, d1, d2] = &mut self.diagonals;
         for t in 0..d0.len() {
@@ -325,7 +325,7 @@ mod tests {
         system.solve().to_vec()
     }
 
-    /// The frames that follow the first, and what they are drawn by.
+    /// The frames that follow the first, with their terms.
     fn frames(terms: &Terms) -> impl DoubleEndedIterator<Item = FrameTerms<f64>> {
         terms.windows(2).map(|pair| FrameTerms {
             pose: term(pair[1][0]),
@@ -334,7 +334,7 @@ mod tests {
         })
     }
 
-    /// The trajectory of the frames that follow the first, of which two values are known.
+    /// The trajectory of the frames that follow the first, given two known values.
     fn recursion(terms: &Terms, known: [f64; 2]) -> Vec<f64> {
         let (mut cost, mut choices) = (CostToGo::default(), Vec::new());
         for frame in frames(terms).rev() {
@@ -379,7 +379,7 @@ mod tests {
         #[test]
         fn it_goes_on_from_frames_that_are_known(terms in terms(40)) {
             let all = solve(&terms);
-            // With two frames of the solution known and all that follows, the rest is the solution again.
+            // If two frames of the solution and all later terms are known, the rest is the solution again.
             let mut system = Banded::default();
             begin(&mut system, &terms[12..]);
             let of = |part: usize| [11, 12].map(|t: usize| term(terms[t][part]));

@@ -1,10 +1,9 @@
 //! Walk synthesis: Tilmanne, Dutoit, "Continuous Control of Style and Style Transitions through Linear Interpolation in
 //! Hidden Markov Model Based Walk Synthesis", 2012, with the decisions in `docs/methods/hsmm.md`.
 //!
-//! Steps of recorded walks ([`steps_of`]) train a hidden semi-Markov model of five states for either side, and every style
-//! is a set of its means ([`train`]). Means are added and scaled as vectors ([`WalkModel::mix`]), a banded system turns them
-//! into a trajectory, and the supporting foot says where the body goes ([`Walker`]).
-//!
+//! Steps of recorded walks ([`steps_of`]) train a hidden semi-Markov model of five states for either side; every style is a
+//! set of its means ([`train`]). Means are added and scaled as vectors ([`WalkModel::mix`]), a banded system turns them into
+//! a trajectory, and the supporting foot determines the path of the body ([`Walker`]).
 //! Walks are modelled at [`RATE_HZ`]; degrees of freedom are exponential maps of the joints about their mean rotations.
 
 mod adaptation;

@@ -1,4 +1,4 @@
-//! The model of a set of walk styles: plain numbers.
+//! The model of a set of walk styles: plain data.
 
 use crate::humanoid::{JOINTS, Proportions};
 use crate::math::Quat;
@@ -6,7 +6,7 @@ use crate::rotation_row::{ROTATION_DIMS, RotationRow, rotations_of};
 
 /// States of a step, from left to right.
 pub const STATES: usize = 5;
-/// A step is that of the left or the right foot.
+/// Steps of the left and of the right foot.
 pub const SIDES: usize = 2;
 
 /// A pose, its velocity and its acceleration, per frame.
@@ -43,15 +43,15 @@ impl Side {
     }
 }
 
-/// For every state of either side.
+/// One value for every state of either side.
 pub type PerState<T> = [[T; STATES]; SIDES];
 
-/// All numbers of all states, one after the other.
+/// All numbers of all states as one slice.
 pub fn flattened(of: &PerState<Observation>) -> &[f64] {
     of.as_flattened().as_flattened().as_flattened()
 }
 
-/// [`flattened`], to be changed.
+/// Mutable version of [`flattened`].
 pub(super) fn flattened_mut(of: &mut PerState<Observation>) -> &mut [f64] {
     of.as_flattened_mut().as_flattened_mut().as_flattened_mut()
 }
@@ -63,15 +63,15 @@ pub struct StyleMeans {
     pub means: Box<PerState<Observation>>,
     /// Mean durations, frames.
     pub durations: PerState<f64>,
-    /// Mean length of a step as it is walked, metres; 0 where that was not measured.
+    /// Mean length of a synthesised step, metres; 0 if it was not measured.
     pub step_length: f64,
-    /// How much longer than in proportion a step is asked to be for every unit of the style's weight below 0, and above 1,
-    /// metres: 0 where the legs can swing as far as the length in proportion takes. A mixture of styles has none of its own.
+    /// Correction of the proportional step length per unit of the style's weight below 0, and above 1, metres: 0 if the legs
+    /// can swing far enough for the proportional length. It is 0 in mixtures of styles.
     pub step_length_bends: [f64; 2],
 }
 
 impl StyleMeans {
-    /// All zero.
+    /// A style with zeros only.
     pub(super) fn zero() -> Self {
         Self {
             means: Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]),
@@ -81,7 +81,7 @@ impl StyleMeans {
         }
     }
 
-    /// With a pose added to that of every state.
+    /// Adds a pose to that of every state.
     pub(super) fn with_pose(&self, added: &RotationRow) -> Self {
         let mut means = self.clone();
         for state in means.means.as_flattened_mut() {
@@ -90,7 +90,7 @@ impl StyleMeans {
         means
     }
 
-    /// Adds `weight` times another, whose length does not bend in it.
+    /// Adds `weight` times another style, without its bends.
     pub(super) fn add(&mut self, weight: f64, other: &Self) {
         flattened_mut(&mut self.means).iter_mut().zip(flattened(&other.means)).for_each(|(a, b)| *a += weight * b);
         let durations = self.durations.as_flattened_mut().iter_mut();
@@ -102,9 +102,9 @@ impl StyleMeans {
 /// A model of walk styles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WalkModel {
-    /// The body that walks.
+    /// The body of the walker.
     pub proportions: Proportions,
-    /// The centres of the exponential maps; that of the hips is free of the heading.
+    /// The centres of the exponential maps; that of the hips does not contain the heading.
     pub reference: [Quat; JOINTS],
     /// Variances of observations, shared by all styles.
     pub variances: Box<PerState<Observation>>,
@@ -128,14 +128,13 @@ impl WalkModel {
         average
     }
 
-    /// The rotations of a pose's degrees of freedom; that of the hips is free of the heading.
+    /// Converts a pose's degrees of freedom to rotations; that of the hips does not contain the heading.
     pub fn rotations(&self, row: &RotationRow) -> [Quat; JOINTS] {
         rotations_of(&self.reference, row)
     }
 
-    /// A style of these weights, one a style of the model; the remainder to a sum of 1 is the weight of the `average`
-    /// (`docs/methods/hsmm.md` §9). One style alone with weight 1 is that style to the bit, but
-    /// for the bends of its length.
+    /// Mixes styles by weights, one per style of the model; the remainder to a sum of 1 is the weight of the `average`
+    /// (`docs/methods/hsmm.md` §9). A single style of weight 1 is reproduced bit for bit, except for the bends of its length.
     pub fn mix(&self, average: &StyleMeans, weights: &[f64]) -> StyleMeans {
         let mut mixed = StyleMeans::zero();
         let rest = 1.0 - weights.iter().sum::<f64>();

@@ -1,4 +1,5 @@
-//! The trajectory of one degree of freedom, where one can say how much its promises count (`docs/methods/hsmm.md` §8).
+//! Trajectory of one degree of freedom with adjustable weights of the static, Δ and Δ² statistics (`docs/methods/hsmm.md`
+//! §8).
 
 use super::curve::{CurvePoint, STEPS_BEFORE, mixed_sides};
 use super::mlpg::{Banded, FrameState, Term};
@@ -7,35 +8,35 @@ use super::walker::{RuntimeWalkModel, WeightsError, counted_end, least_delta_var
 use crate::humanoid::Role;
 use thiserror::Error;
 
-/// Steps that follow the pair that is shown: the end, which has no deltas, is out of sight.
+/// Steps that follow the displayed pair, so that the end, which has no deltas, is not displayed.
 const STEPS_AFTER: u64 = 4;
 /// Least and greatest factor of a variance.
 pub const VARIANCE_FACTOR: [f64; 2] = [0.001, 1000.0];
-/// Greatest ρ of durations, either way, 1 / frames.
+/// Greatest absolute value of ρ of the durations, 1 / frames.
 pub const MAX_RHO: f32 = 10.0;
 
-/// Why there is no trajectory.
+/// Error of a trajectory's parameters.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PathError {
-    /// The weights are none.
+    /// A weight is invalid.
     #[error(transparent)]
     Weights(#[from] WeightsError),
-    /// A joint has three axes.
+    /// The axis is out of range; a joint has three.
     #[error("there is no axis {0}; 0 to 2 were expected")]
     Axis(usize),
-    /// A factor of a variance is not a number, or out of range.
+    /// A factor of a variance is NaN or out of range.
     #[error(
         "a factor of a variance is {0}; a number from {least} to {greatest} was expected",
         least = VARIANCE_FACTOR[0],
         greatest = VARIANCE_FACTOR[1]
     )]
     Variance(f64),
-    /// A ρ is not a number, or too large.
+    /// A ρ is NaN or out of range.
     #[error("ρ is {0}; a number between -{MAX_RHO} and {MAX_RHO} was expected")]
     Rho(f32),
 }
 
-/// What may be changed about a trajectory.
+/// Adjustable parameters of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathOptions {
     /// Factors of the variances of poses, velocities and accelerations, σ², σ′² and σ″²: [`VARIANCE_FACTOR`].
@@ -50,19 +51,20 @@ impl Default for PathOptions {
     }
 }
 
-/// The trajectory of one degree of freedom through a left step and a right one: the likeliest of a walk of whole steps, in
-/// double precision, without the limits of joints. A [`super::Walker`] looks [`super::HORIZON`] frames ahead for the same.
+/// The trajectory of one degree of freedom over a left step and a right one: the most likely one of a walk of whole steps, in
+/// double precision, without the limits of joints. A [`super::Walker`] approximates it with [`super::HORIZON`] frames of
+/// look-ahead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointPath {
-    /// A point for every frame; deviations are those that the options ask for.
+    /// One point per frame; the deviations are scaled by the options.
     pub points: Vec<CurvePoint>,
-    /// Frames of every state of a left step and of a right one, before they are rounded in sum.
+    /// Unrounded durations of the states of a left step and of a right one, frames.
     pub durations: [[f32; STATES]; SIDES],
 }
 
 impl JointPath {
-    /// Of a mixture of styles for the steps of the left foot and one for those of the right, one weight a style, about an
-    /// axis of the joint's own frame, 0 to 2.
+    /// Computes the trajectory about an axis of the joint's own frame, 0 to 2, for one mixture of styles in left steps and
+    /// one in right steps, with one weight per style.
     ///
     /// # Errors
     /// See [`PathError`].
@@ -91,7 +93,7 @@ impl JointPath {
         let variance = |side: usize, state: usize, part: Stream| {
             let least = if part == Stream::Static { 0.0 } else { least_delta };
             let own = model.variances[side][state][part as usize][d].max(least);
-            // What never varies is certain, not certain beyond measure.
+            // A degree of freedom without variance gets variance 1.
             options.variance[part as usize] * if own > 0.0 { own } else { 1.0 }
         };
         let term = |side: usize, state: usize, part: Stream| Term {
@@ -118,7 +120,7 @@ impl JointPath {
     }
 }
 
-/// The states of the frames of all steps, and the frames of the pair that is shown.
+/// The states of the frames of all steps, and the frames of the displayed pair.
 fn states_of_steps(durations: &[[f32; STATES]; SIDES]) -> (Vec<FrameState>, std::ops::Range<usize>) {
     let shown = STEPS_BEFORE..STEPS_BEFORE + SIDES as u64;
     let (mut states, mut pair) = (Vec::new(), 0..0);

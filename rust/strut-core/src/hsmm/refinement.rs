@@ -1,7 +1,7 @@
 //! Refinement of means by the minimum generation error criterion (`docs/methods/hsmm.md` §6d).
 //!
-//! Trajectories that agree with means and variances at best move less than what these were measured on. But each degree of
-//! freedom of a trajectory is linear in its 30 means, so that least squares find better ones.
+//! Maximum-likelihood trajectories move less than the recordings that the means were measured on. But each degree of freedom
+//! of a trajectory is linear in its 30 means, so least squares finds better ones.
 
 use super::mlpg::{Banded, FrameState, Term};
 use super::model::{SIDES, STATES, Stream, StyleMeans};
@@ -11,21 +11,21 @@ use crate::rotation_row::ROTATION_DIMS;
 #[cfg(any(test, feature = "baselines"))]
 use crate::rotation_row::RotationRow;
 
-/// Means of one degree of freedom.
+/// Number of means of one degree of freedom.
 const MEANS: usize = SIDES * STATES * Stream::ALL.len();
-/// How much the means hold to what they were. With less, states that last a frame or two swing far out to make up for their
-/// neighbours, and mixtures, whose states last differently, do not.
+/// Ridge towards the original means. With less, the means of states that last a frame or two overshoot to compensate for
+/// their neighbours, which fails in mixtures, whose states have other durations.
 const RIDGE: f64 = 3.0;
 /// Rounds of alignment and refinement.
 const ROUNDS: usize = 3;
 
-/// The first frame of steps that follow each other, and the state of every frame from there.
+/// A run of consecutive steps: its first frame, and the state of every frame from there.
 pub(super) struct Chain {
     pub(super) begin: usize,
     pub(super) states: Vec<FrameState>,
 }
 
-/// A sample's steps with the likeliest states, those that follow each other together.
+/// Aligns a sample's steps to their most likely states; consecutive steps form a chain.
 pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVariances) -> Vec<Chain> {
     let sides = states_of(means, shared);
     let mut chains: Vec<Chain> = Vec::new();
@@ -43,7 +43,7 @@ pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVarianc
     chains
 }
 
-/// The trajectory of a style through states.
+/// The trajectory of a style for a sequence of states.
 #[cfg(any(test, feature = "baselines"))]
 pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &SharedVariances) -> Vec<RotationRow> {
     let (mut rows, mut system) = (vec![[0.0; ROTATION_DIMS]; states.len()], Banded::default());
@@ -58,12 +58,12 @@ pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &Share
     rows
 }
 
-/// The refined means of a style with these samples.
+/// Returns the refined means of a style from its samples.
 pub(super) fn refine(samples: &[&Sample], means: &StyleMeans, shared: &SharedVariances) -> StyleMeans {
     (0..ROUNDS).fold(means.clone(), |refined, _| refine_aligned(samples, &refined, means, shared))
 }
 
-/// Means nearest to some others for steps whose states are the likeliest by means that were refined before.
+/// Refines `means` for steps that are aligned by the previously refined means.
 fn refine_aligned(
     samples: &[&Sample],
     aligned: &StyleMeans,

@@ -1,4 +1,4 @@
-//! The path of the root (`docs/methods/hsmm.md` §11): the model gives the supporting foot.
+//! The path of the root (`docs/methods/hsmm.md` §11): the model determines the supporting foot.
 
 use super::model::Side;
 use crate::root_path::Support;

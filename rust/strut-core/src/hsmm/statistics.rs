@@ -1,4 +1,4 @@
-//! Sufficient statistics of aligned steps: what means and variances are computed from (§5).
+//! Sufficient statistics of aligned steps, from which means and variances are computed (§5).
 
 use super::alignment::{States, equal_split};
 use super::features::{Track, observations};
@@ -11,7 +11,7 @@ use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 /// Least variance of a duration, frames².
 const LEAST_DURATION_VARIANCE: f64 = 0.25;
 
-/// A clip as the model sees it.
+/// A clip prepared for training.
 #[derive(Debug)]
 pub(super) struct Sample {
     pub(super) style: usize,
@@ -21,14 +21,14 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// A clip of a style of this number.
+    /// Creates the sample of a clip of style number `style`.
     pub(super) fn new(style: usize, track: &Track, reference: &[Quat; JOINTS]) -> Self {
         let rows = track.rows(reference);
         Self { style, observations: observations(&rows), rows, steps: steps_of(track) }
     }
 }
 
-/// Variances that all styles share.
+/// Variances common to all styles.
 #[derive(Clone, Debug)]
 pub(super) struct SharedVariances {
     pub(super) variances: Box<PerState<Observation>>,
@@ -80,7 +80,7 @@ impl Statistics {
         }
     }
 
-    /// Of steps whose states are the likeliest by a model, or of equal length without one.
+    /// Statistics of steps aligned to their most likely states by a model, or to states of equal length without one.
     pub(super) fn aligned(samples: &[&Sample], model: Option<(&StyleMeans, &SharedVariances)>) -> Self {
         let mut sums = Self::zero();
         let states = model.map(|(means, shared)| states_of(means, shared));
@@ -111,7 +111,7 @@ impl Statistics {
         }
     }
 
-    /// The pose which added to the means of all states makes the frames likeliest.
+    /// The pose offset to the means of all states that maximises the likelihood of the frames.
     pub(super) fn pose_beside(&self, means: &StyleMeans, shared: &SharedVariances) -> RotationRow {
         let pose = Stream::Static as usize;
         std::array::from_fn(|d| {
@@ -125,7 +125,7 @@ impl Statistics {
         })
     }
 
-    /// As if the frames were without a pose that is added to all; the squares stay as they are.
+    /// Subtracts a pose offset from the frames' sums; the sums of squares are unchanged.
     pub(super) fn take_pose(&mut self, added: &RotationRow) {
         for (side, state) in states() {
             let frames = self.frames[side][state];
@@ -134,7 +134,7 @@ impl Statistics {
         }
     }
 
-    /// Means of everything.
+    /// Means of observations and durations.
     pub(super) fn means(&self) -> StyleMeans {
         let mut means = StyleMeans::zero();
         for (side, state) in states() {
@@ -170,7 +170,7 @@ impl Statistics {
     }
 }
 
-/// Variances that are shared: with those between styles in them, poses would count for too little.
+/// Mean of the styles' variances. It excludes the variance between styles, with which poses would have too little weight.
 pub(super) fn mean_variances<'a>(of: impl Iterator<Item = &'a SharedVariances> + Clone) -> SharedVariances {
     let count = of.clone().count().max(1) as f64;
     let mut mean = SharedVariances {
@@ -193,7 +193,7 @@ pub(super) fn states() -> impl Iterator<Item = (usize, usize)> {
     (0..SIDES).flat_map(|side| (0..STATES).map(move |state| (side, state)))
 }
 
-/// The states of both sides, ready to be compared with frames.
+/// The states of both sides, prepared for comparison with frames.
 pub(super) fn states_of<'a>(means: &'a StyleMeans, shared: &SharedVariances) -> [States<'a>; SIDES] {
     std::array::from_fn(|side| {
         let (durations, variances) = (means.durations[side], shared.duration_variances[side]);

@@ -1,4 +1,4 @@
-//! Walks cut into steps (`docs/methods/hsmm.md` §4).
+//! Segmentation of walks into steps (`docs/methods/hsmm.md` §4).
 
 use super::features::Track;
 use super::model::Side;
@@ -6,29 +6,29 @@ use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use std::ops::Range;
 
-/// Fewest frames between two strikes of a foot.
+/// Least number of frames between two strikes of a foot.
 const LEAST_DISTANCE: usize = 10;
-/// Least prominence of a strike: how far before the hips the foot comes, metres, and as a share of the foot's range.
+/// Least prominence of a strike in the foot's distance in front of the hips, metres, and as a share of the foot's range.
 const LEAST_PROMINENCE: f32 = 0.04;
 const PROMINENCE_SHARE: f32 = 0.35;
-/// From the foremost point the foot comes to rest within so many frames …
+/// The foot comes to rest within this many frames of its foremost point …
 const LATEST_CONTACT: usize = 5;
-/// … at less than this share of the greatest speed in so many frames before.
+/// … below this share of its greatest speed in this many frames before.
 const CONTACT_SPEED_SHARE: f32 = 0.25;
 const SWING_FRAMES: usize = 10;
-/// Frames of a step.
+/// Range of a step's duration, frames.
 const LENGTHS: Range<usize> = 6..46;
 
-/// One step of a clip: from the strike of the one foot to that of the other.
+/// One step of a clip: from the strike of one foot to that of the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// The foot that swings and strikes last.
     pub side: Side,
-    /// Its frames; the last strike's is the next step's.
+    /// Its frames; the frame of the last strike belongs to the next step.
     pub frames: Range<usize>,
 }
 
-/// All steps of a clip, in order; those that are not neighbours leave out frames in between.
+/// Returns all steps of a clip, in order; there may be gaps between them.
 pub fn steps_of(track: &Track) -> Vec<Step> {
     let mut strikes: Vec<(usize, Side)> = [(Side::Left, Role::LeftFoot), (Side::Right, Role::RightFoot)]
         .into_iter()
@@ -40,7 +40,7 @@ pub fn steps_of(track: &Track) -> Vec<Step> {
     steps.filter(|step| LENGTHS.contains(&step.frames.len())).collect()
 }
 
-/// Frames at which a foot comes to rest before the hips.
+/// Frames at which a foot comes to rest in front of the hips.
 fn strikes(positions: &[[Vec3; JOINTS]], foot: Role) -> Vec<usize> {
     let ahead: Vec<f32> = positions.iter().map(|p| (p[foot.index()] - p[0]).z).collect();
     let ahead = smoothed(&ahead);
@@ -56,7 +56,7 @@ fn strikes(positions: &[[Vec3; JOINTS]], foot: Role) -> Vec<usize> {
     peaks(&ahead, LEAST_PROMINENCE.max(PROMINENCE_SHARE * range)).into_iter().map(contact).collect()
 }
 
-/// Savitzky and Golay's filter of five points and order two; the end points stay as they are.
+/// Savitzky-Golay filter of five points and order two; the end points are unchanged.
 fn smoothed(values: &[f32]) -> Vec<f32> {
     let mut out = values.to_vec();
     for (i, w) in values.windows(5).enumerate() {
@@ -65,7 +65,7 @@ fn smoothed(values: &[f32]) -> Vec<f32> {
     out
 }
 
-/// Local maxima in ascending order, of near ones the greatest, that rise so much above what surrounds them.
+/// Local maxima of sufficient prominence in ascending order; of near ones, the greatest is kept.
 fn peaks(values: &[f32], least_prominence: f32) -> Vec<usize> {
     let inner = 1..values.len().saturating_sub(1);
     let mut maxima: Vec<usize> = inner.filter(|&i| values[i] > values[i - 1] && values[i] >= values[i + 1]).collect();
@@ -81,7 +81,7 @@ fn peaks(values: &[f32], least_prominence: f32) -> Vec<usize> {
     kept
 }
 
-/// How far a maximum rises above the higher of the valleys between it and higher ground, or the ends.
+/// Prominence of a maximum: its height above the higher of the valleys between it and higher ground, or the ends.
 fn prominence(values: &[f32], peak: usize) -> f32 {
     let valley = |side: &mut dyn Iterator<Item = &f32>| {
         side.take_while(|v| **v <= values[peak]).copied().fold(values[peak], f32::min)

@@ -7,7 +7,7 @@ use crate::math::{Vec3, exp_map};
 use crate::parallel::Sequential;
 use std::sync::{Arc, LazyLock};
 
-/// Half a minute of a gait, trembling as people do: what never varies would be certain beyond measure.
+/// Thirty seconds of a gait with a slight tremor, so that no variance is zero.
 fn track(gait: &Gait) -> Track {
     let (proportions, mut poses) = (Proportions::default(), walk(gait, 1800, 0.1).poses);
     let mut seed = 1_u32;
@@ -21,7 +21,7 @@ fn track(gait: &Gait) -> Track {
     Track::new(&HumanoidMotion { proportions, rate_hz: SINE_RATE_HZ, poses }).unwrap()
 }
 
-/// A model of gaits, by clips whose steps are not all of one length.
+/// A model of gaits, trained on clips with steps of two durations.
 fn model_of(gaits: &[(&str, Gait)]) -> WalkModel {
     let tracks: Vec<(&str, Track)> = gaits
         .iter()
@@ -34,7 +34,7 @@ fn model_of(gaits: &[(&str, Gait)]) -> WalkModel {
 /// Upright and bent walking.
 static MODEL: LazyLock<WalkModel> = LazyLock::new(|| model_of(&[("upright", NEUTRAL), ("bent", BENT)]));
 
-/// The model of both, and of one alone.
+/// Runtime model of the first `styles` styles.
 pub(crate) fn runtime(styles: usize) -> Arc<RuntimeWalkModel> {
     let mut model = MODEL.clone();
     model.styles.truncate(styles);
@@ -203,12 +203,12 @@ fn what_touches_the_ground_stays_where_it_is() {
 
 #[test]
 fn an_hour_of_walking_neither_drifts_nor_grows() {
-    /// Frames of an hour, and of the ten seconds at its ends that are compared.
+    /// Frames of an hour, and of the ten seconds at either end that are compared.
     const HOUR: usize = 3600 * RATE_HZ as usize;
     const ENDS: usize = 10 * RATE_HZ as usize;
     let mut walker = walker(&[0.6, 0.7]);
     let frames = |walker: &mut Walker| -> Vec<Pose> { (0..ENDS).map(|_| *walker.advance()).collect() };
-    // Steps come to their length.
+    // The step length settles.
     frames(&mut walker);
     let first = frames(&mut walker);
     (0..HOUR - 3 * ENDS).for_each(|_| _ = walker.advance());
@@ -219,7 +219,7 @@ fn an_hour_of_walking_neither_drifts_nor_grows() {
     for joint in 0..JOINTS {
         let angle = |poses| mean(&|pose| pose.rotations[joint].angle(), poses);
         let drift = angle(&last) - angle(&first);
-        // 0.009 rad was measured: the ends hold different parts of a step.
+        // 0.009 rad was measured: the ends contain different parts of a step.
         assert!(drift.abs() < 0.02, "joint {joint}: {drift} rad");
     }
     let end = walker.pose().root;
@@ -243,7 +243,7 @@ fn a_beat_is_kept() {
 fn steps_come_to_end_on_the_beat() {
     let mut walker = walker(&[1.0, 0.0]);
     (0..50).for_each(|_| _ = walker.advance());
-    // 120 a minute are 15 frames; a beat is 8.2 frames from now.
+    // 120 steps a minute are 15 frames each; a beat is 8.2 frames from now.
     walker.set_beat(120.0, 8.2 / RATE_HZ);
     let strikes: Vec<u32> = (1..200)
         .filter(|_| {
@@ -313,7 +313,7 @@ fn who_stops_stands_still_and_can_go_again() {
     (0..60).for_each(|_| _ = walker.advance());
     let mut other = super::tests::walker(&[1.0, 0.0]);
     (0..60).for_each(|_| _ = other.advance());
-    // The first of its two seconds is the beginning.
+    // The walk starts in the first of the two seconds.
     let share = (walker.pose().root.z - begin) / other.pose().root.z;
     assert!((0.5..0.9).contains(&share), "{share}");
 }
@@ -352,13 +352,13 @@ fn steps_are_as_long_as_the_mixture_says() {
             (weights, mean_step_length(&mut walker(&weights), 40) / expected - 1.0)
         })
         .collect();
-    // 0.045 without: a mixture of joints' angles is no mixture of lengths.
+    // 0.045 without the correction: step lengths do not mix like joint angles.
     assert!(off.iter().all(|(_, off)| off.abs() < 0.02), "{off:?}");
 }
 
 #[test]
 fn steps_get_longer_all_the_way_where_legs_reach_their_limit() {
-    // In twice the long steps thighs would swing by half more than was recorded.
+    // With twice the long style, the thighs would swing half as far again as recorded.
     let gaits = [("short", Gait { swing: 0.1, ..NEUTRAL }), ("long", Gait { swing: 0.7, ..NEUTRAL })];
     let model = model_of(&gaits);
     let [_, twice] = model.means[1].step_length_bends;
@@ -374,7 +374,7 @@ fn steps_get_longer_all_the_way_where_legs_reach_their_limit() {
     assert!(lengths.is_sorted(), "{lengths:.4?}");
     let asked = 2.0 * model.means[1].step_length - model.average().step_length + twice;
     let off = lengths[12] / asked - 1.0;
-    // 0.19 in proportion.
+    // 0.19 with the proportional length.
     assert!(off.abs() < 0.03, "{off}");
 }
 
@@ -406,7 +406,7 @@ fn transitions_are_not_heaped_up() {
         planned += 1;
     }
     assert_eq!(planned, 1000);
-    // What is there goes on, and there is room again where it is forgotten.
+    // Planned transitions continue, and `set_styles` makes room for new ones.
     walker.advance();
     walker.set_styles(&[1.0, 0.0]).unwrap();
     assert!(walker.plan_transition(4, 2, [&[0.0, 1.0]; SIDES]).is_ok());
@@ -438,7 +438,7 @@ fn nothing_is_allocated_while_walking() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// The likeliest trajectory by definition: the normal equations of all terms in one dense matrix, eliminated with pivots.
+/// The most likely trajectory by definition: the normal equations of all terms in one dense matrix, eliminated with pivoting.
 fn dense_trajectory(
     states: &[(usize, usize)],
     d: usize,
@@ -482,7 +482,7 @@ fn dense_trajectory(
     x
 }
 
-/// Weights of the steps of either foot, and what they mix.
+/// Weights of the steps of either foot, and their mixtures.
 fn both<'a>(left: &'a [f32], right: &'a [f32]) -> ([&'a [f32]; SIDES], [StyleMeans; SIDES]) {
     let of = |weights: &[f32]| MODEL.mix(&MODEL.average(), &weights.iter().map(|w| f64::from(*w)).collect::<Vec<_>>());
     ([left, right], [of(left), of(right)])
@@ -498,7 +498,7 @@ fn a_path_is_the_solution_of_the_dense_system() {
     for variance in [[1.0; 3], [1.0, 1000.0, 1000.0], [1.0, 1.0, 0.03], [0.001, 1.0, 1.0], [50.0, 0.2, 3.0]] {
         for rho in [[0.0; 2], [1.5, -2.0]] {
             let found = path(weights, (Role::LeftUpperLeg, 0), PathOptions { variance, rho });
-            // The whole walk again: two steps, the pair, four more; states end where their durations' sums are rounded to.
+            // The whole walk: two steps, the pair, four more; states end at the rounded sums of their durations.
             let (mut states, mut sum, mut begins) = (Vec::new(), 0.0, Vec::new());
             for step in 0..8 {
                 begins.push(states.len());

@@ -15,9 +15,9 @@ use thiserror::Error;
 
 /// Rounds of alignment and estimation.
 const ROUNDS: usize = 15;
-/// Least variance of an observation, as a share of the variance over all frames.
+/// Least variance of an observation, as a share of its variance over all frames.
 const LEAST_VARIANCE_SHARE: f64 = 0.01;
-/// Steps of either foot from which on a style has variances of its own to speak of.
+/// Least number of steps of either foot from which a style's own variances are reliable.
 const ENOUGH_STEPS: usize = 20;
 
 /// A clip of walking in a style.
@@ -29,11 +29,11 @@ pub struct LabelledClip<'a> {
     pub track: &'a Track,
 }
 
-/// How a model is trained.
+/// Training options.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Whether means are refined until trajectories are nearest to the recorded ones. Without, they are those of the frames:
-    /// better to recognise styles by, and joints move less.
+    /// Whether means are refined so that trajectories are nearest to the recorded ones. Without, they are the means of the
+    /// frames: better for recognising styles, but joints move less.
     pub refined: bool,
 }
 
@@ -43,24 +43,24 @@ impl Default for Options {
     }
 }
 
-/// Why clips give no model.
+/// Error of clips that give no model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum TrainError {
     /// No clip has a step.
     #[error("no clip holds a step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected")]
     NoStep,
-    /// A style's clips have no step.
+    /// The clips of a style have no step.
     #[error(
         "the clips of style '{0}' hold no step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected"
     )]
     NoStepInStyle(String),
-    /// No step is that of the left foot, or of the right one. A style may have steps of one foot only, if others have those
-    /// of the other: it is taken to differ from them in either foot's steps alike.
+    /// The clips have no step of the left foot, or none of the right one. A style may have steps of one foot only if other
+    /// styles have steps of the other foot: its difference from them is assumed to be the same for both feet.
     #[error("the clips hold steps of one foot only")]
     OneSided,
 }
 
-/// A model of these clips, one style for every name, in the order of the names' first use: [`Trainer`] without a pause.
+/// Trains a model on clips, one style for every name, in the order of the names' first use: [`Trainer`] without a pause.
 ///
 /// # Errors
 /// See [`TrainError`].
@@ -74,17 +74,17 @@ pub fn train(
     Ok(model)
 }
 
-/// How far a [`Trainer`] has come.
+/// Progress of a [`Trainer`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TrainProgress {
-    /// Pieces of work that are done.
+    /// Units of work done.
     pub done: usize,
-    /// All pieces of work; a style makes two, all styles together one.
+    /// Total units of work: two per style, and one for all styles together.
     pub total: usize,
 }
 
-/// Training in steps: between two of them whoever runs it may do other things, or give it up. The model does not depend on
-/// how many styles a step takes.
+/// Training in steps; between them the caller may do other work or stop it. The model does not depend on the number of styles
+/// per step.
 #[derive(Debug)]
 pub struct Trainer {
     proportions: Proportions,
@@ -93,16 +93,16 @@ pub struct Trainer {
     styles: Vec<String>,
     samples: Vec<Sample>,
     floor: Observation,
-    /// The variances of every style that has been trained alone.
+    /// The variances of every style that has been trained separately.
     own: Vec<SharedVariances>,
-    /// The means of what styles have in common, and what they share; once all have been trained alone.
+    /// The means of all styles together, and the shared variances; set when all styles have been trained separately.
     pooled: Option<(StyleMeans, SharedVariances)>,
-    /// The means of every style that is done.
+    /// The means of every finished style.
     means: Vec<StyleMeans>,
 }
 
 impl Trainer {
-    /// Training on these clips.
+    /// Prepares training on these clips.
     ///
     /// # Errors
     /// See [`TrainError`].
@@ -151,7 +151,7 @@ impl IncrementalJob for Trainer {
     type Output = WalkModel;
     type Error = Infallible;
 
-    /// Goes on by as many styles as the executor runs together.
+    /// Processes as many styles as the executor runs in parallel.
     fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<TrainProgress>, Infallible> {
         let (count, styles) = (self.styles.len(), executor.batch_size());
         if self.own.len() < count {
@@ -193,7 +193,7 @@ impl IncrementalJob for Trainer {
     }
 }
 
-/// Steps of a style that are those of the left foot and of the right.
+/// Numbers of a style's steps of the left foot and of the right foot.
 fn steps_by_side(samples: &[Sample], style: usize) -> [usize; SIDES] {
     let mut sides = [0; SIDES];
     let of_style = samples.iter().filter(|s| s.style == style);
@@ -201,7 +201,7 @@ fn steps_by_side(samples: &[Sample], style: usize) -> [usize; SIDES] {
     sides
 }
 
-/// Shares of the variances over all frames.
+/// Least variances, as shares of the variances over all frames.
 fn least_variances(samples: &[Sample]) -> Observation {
     let count = samples.iter().map(|s| s.observations.len()).sum::<usize>().max(1) as f64;
     let all = || samples.iter().flat_map(|s| &s.observations);
@@ -209,13 +209,13 @@ fn least_variances(samples: &[Sample]) -> Observation {
         std::array::from_fn(|d| {
             let mean = all().map(|o| o[part][d]).sum::<f64>() / count;
             let variance = all().map(|o| (o[part][d] - mean) * (o[part][d] - mean)).sum::<f64>() / count;
-            // A joint that never moves would otherwise be certain beyond all numbers.
+            // Keeps the variance of a joint that never moves above zero.
             (LEAST_VARIANCE_SHARE * variance).max(1e-9)
         })
     })
 }
 
-/// A model of one style's steps alone: only its variances are of use.
+/// Trains on one style's steps; only its variances are used.
 fn train_alone(samples: &[&Sample], floor: &Observation) -> SharedVariances {
     let first = Statistics::aligned(samples, None);
     let mut means = first.means();
@@ -228,8 +228,8 @@ fn train_alone(samples: &[&Sample], floor: &Observation) -> SharedVariances {
     shared
 }
 
-/// Means and durations of all styles' steps together, by variances that stay. Every style is taken to differ by a pose that is
-/// added to all its states (adaptive training, §6a): what is left is alike, and states are not blurred by what is not.
+/// Trains the means and durations of all styles' steps together with fixed variances. Every style is modelled as a pose
+/// offset to all its states (adaptive training, §6a), so that the differences of styles do not blur the states.
 fn train_means(styles: &[Vec<&Sample>], shared: &SharedVariances) -> StyleMeans {
     let mut means = Statistics::aligned(&styles.concat(), None).means();
     let mut added = vec![[0.0; ROTATION_DIMS]; styles.len()];
@@ -246,7 +246,7 @@ fn train_means(styles: &[Vec<&Sample>], shared: &SharedVariances) -> StyleMeans 
     means
 }
 
-/// Least and greatest values in all steps.
+/// Least and greatest values over all steps.
 fn range_of(samples: &[Sample]) -> [RotationRow; 2] {
     let rows = || samples.iter().flat_map(|s| s.steps.iter().flat_map(|step| &s.rows[step.frames.clone()]));
     [f64::min as fn(f64, f64) -> f64, f64::max]

@@ -1,4 +1,4 @@
-//! Endless walk synthesis, frame by frame; controls act on the next frame (`docs/methods/hsmm.md` §8, §9 and §11).
+//! Endless walk synthesis, frame by frame; controls take effect in the next frame (`docs/methods/hsmm.md` §8, §9 and §11).
 
 mod controls;
 mod durations;
@@ -31,19 +31,19 @@ use step_length::{StepLength, WalkedFrame};
 
 const LANES: usize = PADDED / WIDTH;
 
-/// Where a frame stands: the step and the state in it, with when they began in frames.
+/// Position of a frame: its step and state, and when they began, in frames.
 #[derive(Clone, Copy, Debug, Default)]
 struct Position {
     step: u64,
-    /// As reckoned: a fraction of a frame.
+    /// Unrounded.
     step_begin: f64,
     state: usize,
-    /// As counted, and as reckoned.
+    /// Beginning of the state, rounded and unrounded.
     begin: u64,
     reckoned: f64,
 }
 
-/// The state that a frame is in: its means, and how much they count.
+/// The state of a frame: its means and their weights.
 #[derive(Clone, Copy, Debug)]
 struct Frame<'a> {
     means: &'a StateMeans,
@@ -56,7 +56,7 @@ impl Frame<'_> {
     }
 }
 
-/// What a frame is drawn by that follows another.
+/// The terms of a frame that follows another.
 fn terms(before: &Frame, frame: &Frame, l: usize) -> FrameTerms<Lane> {
     FrameTerms {
         pose: frame.term(Stream::Static, l),
@@ -65,7 +65,7 @@ fn terms(before: &Frame, frame: &Frame, l: usize) -> FrameTerms<Lane> {
     }
 }
 
-/// The least cost of all frames but the first, which they follow.
+/// The cost to go of all frames after the first.
 fn cost_to_go(frames: &[Frame], l: usize) -> CostToGo<Lane> {
     frames.windows(2).rev().fold(CostToGo::default(), |rest, pair| rest.with(&terms(&pair[0], &pair[1], l)).0)
 }
@@ -75,7 +75,7 @@ fn cost_to_go(frames: &[Frame], l: usize) -> CostToGo<Lane> {
 pub struct Walker {
     runtime: Arc<RuntimeWalkModel>,
     planner: Planner,
-    /// Turn of a step, radians.
+    /// Turn per step, radians.
     turn: f32,
     heading: f32,
     frame: u64,
@@ -83,7 +83,7 @@ pub struct Walker {
     /// The last two frames, and the side, the state and the means of the last one.
     emitted: [Padded; 2],
     last: (usize, usize, StateMeans),
-    /// Steps and states of the last frame and those within the horizon.
+    /// Steps and states of the last frame and of those within the horizon.
     path: Vec<(u64, usize)>,
     root: RootPath,
     pose: Pose,
@@ -91,7 +91,7 @@ pub struct Walker {
 }
 
 impl Walker {
-    /// Walks in the average of all styles, from the origin along +Z.
+    /// Creates a walker in the average of all styles, from the origin along +Z.
     pub fn new(runtime: Arc<RuntimeWalkModel>) -> Self {
         let mut walker = Self {
             planner: Planner::new(Arc::clone(&runtime)),
@@ -111,7 +111,7 @@ impl Walker {
         walker
     }
 
-    /// Restarts at a place with a heading; styles and controls stay.
+    /// Restarts at a place with a heading; styles and controls are kept.
     pub fn reset(&mut self, at: Vec3, heading: f32) {
         self.root.reset(at);
         self.heading = wrap_angle(heading);
@@ -120,12 +120,12 @@ impl Walker {
         self.begin();
     }
 
-    /// Number of the step that the last frame belongs to, and the foot that swings in it.
+    /// Number of the last frame's step, and the foot that swings in it.
     pub fn step(&self) -> (u64, Side) {
         (self.path[0].0, side_of(self.path[0].0))
     }
 
-    /// Number of the step that the next frame belongs to: the first that can be planned for.
+    /// Number of the next frame's step: the first that can be planned.
     pub fn next_step(&self) -> u64 {
         self.position.step
     }
@@ -135,27 +135,27 @@ impl Walker {
         self.path[0].1
     }
 
-    /// How long the states of the last frame's step last, frames.
+    /// Durations of the states of the last frame's step, frames.
     pub fn durations(&self) -> &[f32; STATES] {
         &self.planner.step(self.path[0].0).durations
     }
 
-    /// Feet that are on the ground in the last frame, left and right.
+    /// Whether the left and the right foot are on the ground in the last frame.
     pub fn planted(&self) -> [bool; 2] {
         self.root.planted()
     }
 
-    /// Where the body faces, radians about +Y from +Z: to the left is positive.
+    /// Heading of the body, radians about +Y from +Z; positive is to the left.
     pub fn heading(&self) -> f32 {
         self.heading
     }
 
-    /// Moves the body aside from the next frame on, [x, z] in metres: its foot slides by as much.
+    /// Shifts the body from the next frame on, [x, z] in metres; its foot slides by the same distance.
     pub(crate) fn shift(&mut self, by: Vec2) {
         self.root.shift(by);
     }
 
-    /// The joints of the last frame in the world.
+    /// World transforms of the last frame's joints.
     pub fn world(&self) -> WorldPose {
         self.root.world()
     }
@@ -165,7 +165,7 @@ impl Walker {
         &self.pose
     }
 
-    /// The next frame.
+    /// Synthesises the next frame.
     pub fn advance(&mut self) -> &Pose {
         self.follow_path();
         let row = self.next_row();
@@ -189,9 +189,9 @@ impl Walker {
         &self.pose
     }
 
-    /// Sees to the lengths of steps after a frame of one with so much walking in it.
+    /// Updates the step-length correction after a frame; `walking` is the share of walking in it.
     fn follow_length(&mut self, step: u64, walking: f32) {
-        // Lengths were measured within the limits.
+        // Lengths were measured with the limits on.
         let follows = self.runtime.has_step_lengths && self.planner.limits && walking == 1.0;
         let length = follows.then(|| self.planner.step(step).length.max(0.0));
         if let Some(swing) = self.step_length.advance(WalkedFrame { step, length, place: self.pose.root }) {
@@ -200,7 +200,7 @@ impl Walker {
         }
     }
 
-    /// Foot, point and place in the world that touch the ground.
+    /// Foot, point of its sole, and place in the world of the ground contact.
     #[cfg(any(test, feature = "baselines"))]
     pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.root.contact()
@@ -218,7 +218,7 @@ impl Walker {
         self.remember_means();
     }
 
-    /// Takes up the path of this frame; then the position is that of the next one.
+    /// Computes the path from this frame on, and sets the position to that of the next frame.
     fn follow_path(&mut self) {
         self.planner.forget_transitions_before(self.position.step);
         self.path.clear();
@@ -244,7 +244,7 @@ impl Walker {
         self.frame += 1;
     }
 
-    /// The last frame, whose state is kept, and those of the path.
+    /// The last frame, whose state is stored, and those of the path.
     fn frames(&self) -> [Frame<'_>; HORIZON + 2] {
         let (side, state, means) = &self.last;
         let frame =
@@ -256,7 +256,7 @@ impl Walker {
         })
     }
 
-    /// The first frame of the likeliest trajectory along the path, which goes on from the frames before.
+    /// The first frame of the most likely trajectory along the path, given the previous frames.
     fn next_row(&self) -> Padded {
         let frames = self.frames();
         let mut row = [0.0; PADDED];
@@ -267,8 +267,8 @@ impl Walker {
         row
     }
 
-    /// The first two frames of the likeliest trajectory along the path, which has no past: there are no deltas before its
-    /// third frame.
+    /// The first two frames of the most likely trajectory along the path without previous frames: there are no deltas before
+    /// its third frame.
     fn first_rows(&self) -> [Padded; 2] {
         let frames = self.frames();
         let mut rows = [[0.0; PADDED]; 2];
@@ -283,7 +283,7 @@ impl Walker {
         rows
     }
 
-    /// Keeps this frame's means for the next frame's system.
+    /// Stores this frame's means for the next frame's system.
     fn remember_means(&mut self) {
         let (number, state) = self.path[0];
         self.last = (side_of(number) as usize, state, self.planner.step(number).means[state]);
@@ -298,7 +298,7 @@ mod tests {
     use crate::hsmm::tests::walker;
     use std::f32::consts::PI;
 
-    /// The first two frames along the path by the banded system in double precision, going on from the frames before or not.
+    /// The first two frames along the path by the banded system in double precision, with or without the previous frames.
     fn by_banded_system(walker: &Walker, d: usize, goes_on: bool) -> [f64; 2] {
         let frames = walker.frames();
         let term = |i: usize, part: Stream| {

@@ -1,23 +1,23 @@
-//! Which clips are walks.
+//! Selection of the clips that are walks.
 
 use super::features::Track;
 use super::steps::steps_of;
 use crate::database::Database;
 use crate::humanoid::HumanoidMotion;
 
-/// The action that is walking, where clips have any of that name.
+/// Name of the walking action.
 pub const WALK: &str = "walk";
 
-/// The clips of a database that may be walks, by their numbers: those of [`WALK`], or all where there is no such action.
+/// Returns the indices of a database's clips that may be walks: those of [`WALK`], or all if there is no such action.
 pub fn walks_among(db: &Database) -> Vec<usize> {
     let walk = db.action_index(WALK);
     (0..db.clips.len()).filter(|&i| walk.is_none_or(|walk| db.clips[i].action == walk)).collect()
 }
 
-/// A clip as a walk, with the number of its steps.
+/// Converts a clip to a track, with the number of its steps.
 ///
 /// # Errors
-/// If the clip is not a walk; with the reason.
+/// The reason, if the clip is not a walk.
 pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), String> {
     let track = Track::new(motion).map_err(|e| e.to_string())?;
     match steps_of(&track).len() {
@@ -26,8 +26,8 @@ pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), String> {
     }
 }
 
-/// The action to learn walking from, of walks with their actions and numbers of steps: that with the most steps, and of two
-/// with as many the one that comes first.
+/// Returns the action to train walking on, from the actions and step counts of walks: the one with the most steps, and the
+/// first of several with as many.
 pub fn walking_action<A: Copy + PartialEq>(walks: &[(A, usize)]) -> Option<A> {
     let steps = |action: A| walks.iter().filter(|w| w.0 == action).map(|w| w.1).sum::<usize>();
     let most = walks.iter().map(|w| steps(w.0)).max()?;

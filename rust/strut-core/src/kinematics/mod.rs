@@ -1,4 +1,4 @@
-//! From rotations to positions and back.
+//! Forward and inverse kinematics of the canonical humanoid.
 
 mod forward;
 mod soles;

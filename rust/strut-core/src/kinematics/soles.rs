@@ -1,15 +1,15 @@
-//! Heel and ball of a foot: the points that touch the ground.
+//! Heel and ball of a foot, the points that touch the ground.
 
 use super::forward::{WorldPose, world_from_local};
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::math::{Quat, Vec3};
 
-/// How far behind the ankle the heel lies, as a share of the distance from ankle to toes on the ground.
+/// Distance of the heel behind the ankle, as a share of the distance from ankle to toes on the ground.
 const HEEL_SHARE: f32 = 0.35;
-/// Height difference of heel and ball over which the pivot passes from one to the other, metres.
+/// Height difference of heel and ball over which the pivot changes from one to the other, metres.
 const PIVOT_BLEND: f32 = 0.04;
 
-/// Where the soles are on the feet: below ankle and toes at the height that these have in the T-pose.
+/// Positions of the soles on the feet: below ankle and toes, by the heights that these have in the T-pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Soles {
     heel_in_foot: [Vec3; 2],
@@ -56,20 +56,20 @@ impl Soles {
 impl Soles {
     /// Ground points of a foot relative to its ankle, given the world rotations of foot and toes.
     ///
-    /// `toes_in_foot` is where the toe joint lies in the foot's frame, metres.
+    /// `toes_in_foot` is the position of the toe joint in the foot's frame, metres.
     pub fn from_ankle(&self, side: usize, [foot, toes]: [Quat; 2], toes_in_foot: Vec3) -> Sole {
         Sole { heel: foot * self.heel_in_foot[side], ball: foot * toes_in_foot + toes * self.ball_in_toes[side] }
     }
 }
 
 impl Sole {
-    /// The point that the foot turns on: heel or ball, by which is lower.
+    /// The pivot of the foot: heel or ball, whichever is lower, blended in between.
     pub fn pivot(&self) -> Vec3 {
         let heel_share = self.heel_share();
         self.heel * heel_share + self.ball * (1.0 - heel_share)
     }
 
-    /// How much the foot turns on its heel rather than on its ball, 0–1.
+    /// Weight of the heel in the pivot, 0–1.
     pub fn heel_share(&self) -> f32 {
         (0.5 + (self.ball.y - self.heel.y) / PIVOT_BLEND).clamp(0.0, 1.0)
     }
@@ -79,8 +79,7 @@ impl Sole {
         self.heel.y.min(self.ball.y)
     }
 
-    /// How far the point that the foot turns on, heel or ball by which is lower, has moved from an earlier
-    /// frame; horizontal.
+    /// Horizontal displacement of the pivot, heel or ball by which is lower, since an earlier frame.
     pub fn pivot_travel(&self, earlier: &Self) -> Vec3 {
         let heel_share = self.heel_share();
         let travel = (self.heel - earlier.heel) * heel_share + (self.ball - earlier.ball) * (1.0 - heel_share);

@@ -1,16 +1,16 @@
 //! Analytic inverse kinematics of a limb of two bones: thigh and shin, or upper arm and forearm.
 //!
-//! It keeps what the limb does and changes only how far it reaches: the bend stays in its plane and on
-//! its side, further bending goes about the anatomical hinge, and near full extension the reach is
-//! softened so that a knee does not snap straight. A target at the present position changes nothing.
+//! It changes only the reach of the limb: the bend keeps its plane and its side, further bending is about the anatomical
+//! hinge, and near full extension the reach is softened so that a knee does not snap straight. A target at the present
+//! position changes nothing.
 
 use super::WorldPose;
 use crate::humanoid::{PARENTS, Pose, Proportions, Role};
 use crate::math::float_funcs::exp;
 use crate::math::{Quat, Vec3};
 
-/// Share of the limb's length before full extension in which reaching is softened. Knees of real walks
-/// straighten to within 1 to 3 % of it; a larger share would shorten natural steps.
+/// Share of the limb's length before full extension over which reaching is softened. Knees in real walks straighten to within
+/// 1 to 3 % of it; a larger share would shorten natural steps.
 pub const SOFT_SHARE: f32 = 0.02;
 
 /// A limb of the canonical humanoid that inverse kinematics can place.
@@ -41,8 +41,8 @@ impl Limb {
         }
     }
 
-    /// Where the knee or elbow moves when the limb bends, in the canonical frame of the upper bone:
-    /// knees forward, elbows backward.
+    /// Direction in which the knee or elbow moves when the limb bends, in the canonical frame of the upper bone: knees
+    /// forward, elbows backward.
     pub const fn pole(self) -> Vec3 {
         match self {
             Limb::LeftLeg | Limb::RightLeg => Vec3::Z,
@@ -60,31 +60,30 @@ pub struct TwoBones {
     pub middle: Vec3,
     /// Ankle or wrist.
     pub end: Vec3,
-    /// Direction in which the middle joint moves when the limb bends about its hinge; any length. It
-    /// decides only about bending that the limb does not show yet.
+    /// Direction in which the middle joint moves when the limb bends about its hinge; any length. It only affects bending
+    /// beyond the present bend.
     pub pole: Vec3,
 }
 
-/// What brings a limb to its target.
+/// Rotations that bring a limb to its target, and the resulting positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
     /// World rotation to apply to the upper bone: `world' = upper_turn * world`.
     pub upper_turn: Quat,
     /// World rotation to apply to the lower bone.
     pub lower_turn: Quat,
-    /// Where the middle joint comes to lie.
+    /// New position of the middle joint.
     pub middle: Vec3,
-    /// Where the end comes to lie.
+    /// New position of the end.
     pub end: Vec3,
 }
 
 impl TwoBones {
-    /// Turns both bones so that the end comes as near to `target` as lengths and soft limit allow.
+    /// Rotates both bones so that the end comes as near to `target` as lengths and soft limit allow.
     ///
-    /// The limb swings the shortest way to the target's direction; then the middle joint moves off the
-    /// line from upper joint to target by the offset that the lengths demand, along its former offset,
-    /// and whatever exceeds the former offset along the pole. A limb with a bone of no length, or
-    /// numbers that are not finite, stays as it is.
+    /// The limb swings to the target's direction by the shortest rotation. Then the middle joint moves off the line from
+    /// upper joint to target by the offset that the lengths require: along its former offset and, for any excess over that,
+    /// along the pole. A limb with a bone of length zero, or with numbers that are not finite, is unchanged.
     pub fn reach(&self, target: Vec3) -> Reach {
         let unchanged =
             Reach { upper_turn: Quat::IDENTITY, lower_turn: Quat::IDENTITY, middle: self.middle, end: self.end };
@@ -121,9 +120,9 @@ impl TwoBones {
     }
 }
 
-/// The distance that a limb takes for a wanted one: at least what the folded limb allows, and from
-/// [`SOFT_SHARE`] before full extension approached exponentially. A limb that is straighter than that
-/// already may stay so: up to its present extension nothing is softened.
+/// The reached distance for a wanted one: at least the distance of the folded limb, and from [`SOFT_SHARE`] before full
+/// extension an exponential approach. A limb that is already straighter may stay so: up to its present extension nothing is
+/// softened.
 fn limited_distance(wanted: f32, current: f32, upper_length: f32, lower_length: f32) -> f32 {
     let full = upper_length + lower_length;
     let soft_from = (full * (1.0 - SOFT_SHARE)).max(current.min(full));
@@ -138,9 +137,9 @@ fn limited_distance(wanted: f32, current: f32, upper_length: f32, lower_length: 
     softened.max((upper_length - lower_length).abs()).max(1e-4 * full)
 }
 
-/// Moves the end joint of `limb` (ankle or wrist) to `target` by turning its two bones; the end joint
-/// keeps its world rotation. `world` must be the forward kinematics of `pose` and stays so.
-/// Returns the distance in metres between target and end joint that remains.
+/// Moves the end joint of `limb` (ankle or wrist) to `target` by rotating its two bones; the end joint keeps its world
+/// rotation. `world` must be the forward kinematics of `pose` and is updated with it. Returns the remaining distance between
+/// target and end joint, metres.
 pub fn two_bone_ik(proportions: &Proportions, pose: &mut Pose, world: &mut WorldPose, limb: Limb, target: Vec3) -> f32 {
     let [upper, middle, end] = limb.roles().map(Role::index);
     let bones = TwoBones {
@@ -156,7 +155,7 @@ pub fn two_bone_ik(proportions: &Proportions, pose: &mut Pose, world: &mut World
     for joint in [upper, middle, end] {
         pose.rotations[joint] = world.rotations[PARENTS[joint]].inv_mul(world.rotations[joint]);
     }
-    // Positions from offsets, not from the solution: rounding must not part `world` from `pose`.
+    // Positions from offsets, not from the solution: rounding must not make `world` and `pose` differ.
     world.positions[middle] = world.positions[upper] + world.rotations[upper] * proportions.offsets[middle];
     world.positions[end] = world.positions[middle] + world.rotations[middle] * proportions.offsets[end];
     for toes in (end + 1..PARENTS.len()).filter(|&j| PARENTS[j] == end) {

@@ -57,8 +57,8 @@ pub fn wrap_angle(x: f32) -> f32 {
     x - turns * std::f32::consts::TAU
 }
 
-/// The share of the way to a target covered in `dt` by exponential smoothing with this half-life
-/// (both in seconds); 1 when the half-life is zero.
+/// The share of the distance to a target covered in `dt` by exponential smoothing with this half-life (both in seconds); 1 if
+/// the half-life is zero.
 pub fn half_life_share(dt_secs: f32, half_life_secs: f32) -> f32 {
     if half_life_secs <= 0.0 { 1.0 } else { 1.0 - exp2(-dt_secs / half_life_secs) }
 }

@@ -1,4 +1,4 @@
-//! Gaussian weights, and smoothing of short sequences by them.
+//! Gaussian weights, and smoothing of short sequences with them.
 
 use super::float_funcs::exp;
 
@@ -22,15 +22,15 @@ fn kernel(sigma: f32) -> Vec<f32> {
     weights
 }
 
-/// The values smoothed, with the end values repeated beyond the ends.
+/// Smooths the values; the end values are repeated beyond the ends.
 pub(crate) fn smoothed(values: &[f32], sigma_frames: f32) -> Vec<f32> {
     let last = values.len() as isize - 1;
     convolved(values, sigma_frames, |i| values[i.clamp(0, last) as usize])
 }
 
-/// The values smoothed, reflected through the end points beyond the ends: the ends keep their values, a
-/// straight line stays straight, and an increasing sequence stays increasing, its slopes within their range.
-/// σ is at most a third of the sequence, so that nothing beyond the reflection is asked for.
+/// Smooths the values, reflected through the end points beyond the ends: the ends keep their values, a straight line stays
+/// straight, and an increasing sequence stays increasing, its slopes within their range. σ is at most a third of the
+/// sequence, so that no value beyond the reflection is needed.
 pub(crate) fn smoothed_with_fixed_ends(values: &[f32], sigma_frames: f32) -> Vec<f32> {
     let last = values.len() as isize - 1;
     let sigma_frames = sigma_frames.min((last / 3).max(0) as f32);

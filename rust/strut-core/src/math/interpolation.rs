@@ -19,8 +19,8 @@ where
     [two * t3 - three * t2 + one, t3 - two * t2 + t, three * t2 - two * t3, t3 - t2]
 }
 
-/// Slope at a knot with which a cubic stays between its values, from the slopes of the chords before and after it: their
-/// harmonic mean, zero at an extreme (Fritsch and Butland 1984, for knots at equal distances).
+/// Slope at a knot for which a cubic stays between its values, from the slopes of the chords before and after it: their
+/// harmonic mean, zero at an extremum (Fritsch and Butland 1984, for equidistant knots).
 pub fn monotone_slope(before: f32, after: f32) -> f32 {
     if before * after <= 0.0 { 0.0 } else { 2.0 * before * after / (before + after) }
 }

@@ -1,8 +1,8 @@
-//! Four numbers side by side: arithmetic on whole rows of degrees of freedom.
+//! SIMD lanes of four numbers: arithmetic on whole rows of degrees of freedom.
 //!
-//! glam's vector is an SIMD register where there are any; compilers do not find them in loops over arrays of four.
-//! Of its operations only those are offered that act on each number on its own and are exact by IEEE 754, so that
-//! the bits are the same with and without SIMD.
+//! glam's vector is a SIMD register where the target has them; compilers do not vectorise loops over arrays of four. Only
+//! operations that act on each number separately and are exact in IEEE 754 are offered, so the bits are the same with and
+//! without SIMD.
 
 use glam::Vec4;
 use std::ops::{Add, AddAssign, Div, Mul, Sub};
@@ -15,32 +15,32 @@ pub(crate) const WIDTH: usize = 4;
 pub(crate) struct Lane(Vec4);
 
 impl Lane {
-    /// Four times the same.
+    /// Four copies of a number.
     #[inline]
     pub(crate) fn splat(v: f32) -> Self {
         Self(Vec4::splat(v))
     }
 
-    /// The numbers `WIDTH · l` … of a row whose length is a multiple of [`WIDTH`].
+    /// Reads the numbers `WIDTH · l` … of a row whose length is a multiple of [`WIDTH`].
     #[inline]
     pub(crate) fn of(row: &[f32], l: usize) -> Self {
         Self(bytemuck::pod_read_unaligned(bytemuck::cast_slice(&row[WIDTH * l..][..WIDTH])))
     }
 
-    /// The same of a row of integers.
+    /// [`Lane::of`] for a row of integers.
     #[inline]
     pub(crate) fn of_integers(row: &[i16], l: usize) -> Self {
         let four = &row[WIDTH * l..][..WIDTH];
         Self(Vec4::from_array(std::array::from_fn(|i| f32::from(four[i]))))
     }
 
-    /// Puts the numbers back where [`Lane::of`] takes them from.
+    /// Writes the numbers to the place that [`Lane::of`] reads.
     #[inline]
     pub(crate) fn write(self, row: &mut [f32], l: usize) {
         row[WIDTH * l..][..WIDTH].copy_from_slice(self.0.as_ref());
     }
 
-    /// Each number through a function.
+    /// Applies a function to each number.
     #[inline]
     pub(crate) fn map(self, f: impl Fn(f32) -> f32) -> Self {
         Self(Vec4::from_array(self.to_array().map(f)))
@@ -52,7 +52,7 @@ impl Lane {
         self.0.to_array()
     }
 
-    /// The sum of the four, always in this order.
+    /// The sum of the four numbers, always in this order.
     #[inline]
     pub(crate) fn sum(self) -> f32 {
         let [a, b, c, d] = self.to_array();

@@ -1,4 +1,4 @@
-//! Small deterministic mathematics; knows nothing of skeletons.
+//! Small deterministic mathematics, independent of skeletons.
 
 pub mod exp_map;
 pub mod float_funcs;

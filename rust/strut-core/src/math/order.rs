@@ -1,9 +1,9 @@
-//! Sorting by a number, and comparing with zero.
+//! Sorting by a number, and comparison with zero.
 
-/// Puts items into ascending order of a number; items of equal numbers keep their order.
+/// Sorts items by a number in ascending order; the sort is stable.
 ///
-/// One sort serves every type: each further instantiation of the standard library's adds 2 kB to what visitors
-/// of the page download, and these lists are short.
+/// One instantiation serves every type: each further one of the standard library's sort adds 2 kB to the download of the
+/// page, and these lists are short.
 pub fn sort_by_number<T>(items: &mut Vec<T>, number: impl Fn(&T) -> f32) {
     let mut order: Vec<(f32, usize)> = items.iter().enumerate().map(|(i, item)| (number(item), i)).collect();
     sort_pairs(&mut order);
@@ -11,7 +11,7 @@ pub fn sort_by_number<T>(items: &mut Vec<T>, number: impl Fn(&T) -> f32) {
     items.extend(order.into_iter().filter_map(|(_, i)| unsorted[i].take()));
 }
 
-/// The number, or 0 where it is negative or not a number. In WebAssembly `f32::max` is a function call, too slow for a loop.
+/// The number, or 0 if it is negative or NaN. In WebAssembly `f32::max` is a function call, too slow for a loop.
 #[inline]
 pub(crate) fn positive(number: f32) -> f32 {
     if number > 0.0 { number } else { 0.0 }

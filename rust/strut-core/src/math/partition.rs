@@ -1,29 +1,30 @@
-//! Two groups of points: Boley, "Principal Direction Divisive Partitioning", 1998. Points are ordered along the line that they
-//! spread most along, and divided where the groups' means are farthest apart for their sizes, which is what two-means minimises.
+//! Division of points into two groups: Boley, "Principal Direction Divisive Partitioning", 1998. Points are ordered along the
+//! direction of their largest variance, and divided such that the sum of squares between the groups is largest, which is the
+//! objective of two-means.
 
-/// Rounds of power iteration. Where two directions spread nearly alike, either divides the points as well as the other.
+/// Rounds of power iteration. If two directions have almost the same variance, either divides the points equally well.
 const ROUNDS: usize = 32;
 
 /// A division of points into two groups.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Partition {
-    /// Indices of the points of each group, ascending; the first group holds point 0.
+    /// Indices of the points of each group, ascending; the first group contains point 0.
     pub(crate) groups: [Vec<usize>; 2],
-    /// Distance of the groups' means, positive.
+    /// Distance between the groups' means, positive.
     pub(crate) distance: f64,
-    /// Share of the points' variance that lies between the groups: in (0, 1].
+    /// Share of the points' variance that is between the groups: in (0, 1].
     pub(crate) explained: f64,
 }
 
-/// The best division along the principal direction into groups of at least `least` points; `None` if there are too few of
-/// them, or all are equal.
+/// Returns the best division along the principal direction into groups of at least `least` points; `None` if there are too
+/// few points, or all are equal.
 pub(crate) fn principal_partition<const D: usize>(points: &[[f64; D]], least: usize) -> Option<Partition> {
     let n = points.len();
     let least = least.max(1);
     if n < 2 * least {
         return None;
     }
-    // From the first point on, so that equal points have no rounding errors to be divided by.
+    // Relative to the first point, so that equal points give exact zeros instead of rounding errors.
     let apart: Vec<[f64; D]> = points.iter().map(|p| std::array::from_fn(|i| p[i] - points[0][i])).collect();
     let mean = mean_of(&apart);
     let centred: Vec<[f64; D]> = apart.iter().map(|p| std::array::from_fn(|i| p[i] - mean[i])).collect();
@@ -55,7 +56,7 @@ pub(crate) fn principal_partition<const D: usize>(points: &[[f64; D]], least: us
     (distance > 0.0).then(|| Partition { groups, distance, explained: (between / total).min(1.0) })
 }
 
-/// The unit vector along which centred points spread most; `None` if they do not spread.
+/// The unit vector of the largest variance of centred points; `None` if they have none.
 fn principal_direction<const D: usize>(centred: &[[f64; D]]) -> Option<[f64; D]> {
     let farthest = centred.iter().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b)))?;
     let mut direction = unit(*farthest)?;
@@ -70,13 +71,13 @@ fn principal_direction<const D: usize>(centred: &[[f64; D]]) -> Option<[f64; D]>
     Some(direction)
 }
 
-/// `None` for a vector without length, or one whose length is no finite number.
+/// `None` for a vector of length zero, or of a length that is not finite.
 fn unit<const D: usize>(v: [f64; D]) -> Option<[f64; D]> {
     let length = dot(&v, &v).sqrt();
     (length > 0.0 && length.is_finite()).then(|| v.map(|v| v / length))
 }
 
-/// The mean of some points; 0 without any.
+/// The mean of points; 0 without any.
 pub(crate) fn mean_of<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
     let share = 1.0 / points.len().max(1) as f64;
     let mut mean = [0.0; D];

@@ -1,7 +1,7 @@
 //! Unit quaternions.
 //!
-//! Ours rather than glam's, whose SIMD layout and trigonometry give other bits in scalar WebAssembly
-//! (measured, `docs/` of `docs/methods/mar.md` §5).
+//! A separate type instead of glam's, whose SIMD layout and trigonometry give different bits in scalar WebAssembly (see
+//! `docs/methods/mar.md` §5).
 
 use super::Vec3;
 use super::float_funcs::{acos, atan2, sin, sin_cos};
@@ -30,20 +30,20 @@ impl Default for Quat {
 }
 
 impl Quat {
-    /// No rotation.
+    /// The identity rotation.
     pub const IDENTITY: Self = Self { x: 0.0, y: 0.0, z: 0.0, w: 1.0 };
 
-    /// From components, taken as they are.
+    /// Creates a quaternion from components, without normalising.
     pub const fn from_xyzw(x: f32, y: f32, z: f32, w: f32) -> Self {
         Self { x, y, z, w }
     }
 
-    /// From [x, y, z, w].
+    /// Creates a quaternion from [x, y, z, w], without normalising.
     pub const fn from_array(a: [f32; 4]) -> Self {
         Self { x: a[0], y: a[1], z: a[2], w: a[3] }
     }
 
-    /// As [x, y, z, w].
+    /// Returns [x, y, z, w].
     pub const fn to_array(self) -> [f32; 4] {
         [self.x, self.y, self.z, self.w]
     }
@@ -141,7 +141,7 @@ impl Quat {
         self.inverse() * v
     }
 
-    /// The one of ±`self` that lies nearer to `o`; both are the same rotation.
+    /// Returns the one of ±`self` that is nearer to `o`; both are the same rotation.
     pub fn nearest_to(self, o: Self) -> Self {
         if self.dot(o) < 0.0 { -self } else { self }
     }
@@ -152,7 +152,7 @@ impl Quat {
         2.0 * atan2(v, self.w.abs())
     }
 
-    /// Spherical interpolation the short way; `t` in [0, 1].
+    /// Spherical interpolation along the shortest arc; `t` in [0, 1].
     pub fn slerp(self, to: Self, t: f32) -> Self {
         let to = to.nearest_to(self);
         let cos_half = self.dot(to);
@@ -167,7 +167,7 @@ impl Quat {
             .normalized()
     }
 
-    /// Split into `swing * twist`, the twist being the part about the unit vector `axis`.
+    /// Splits the rotation into `swing * twist`; the twist is the part about the unit vector `axis`.
     pub fn swing_twist(self, axis: Vec3) -> (Self, Self) {
         let p = axis.dot(Vec3::new(self.x, self.y, self.z));
         let twist = Self { x: axis.x * p, y: axis.y * p, z: axis.z * p, w: self.w }.normalized();

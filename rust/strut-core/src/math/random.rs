@@ -6,7 +6,7 @@
 pub struct SplitMix64(u64);
 
 impl SplitMix64 {
-    /// The sequence of a seed.
+    /// Creates the sequence of a seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -20,18 +20,18 @@ impl SplitMix64 {
         z ^ (z >> 31)
     }
 
-    /// A number from 0 to below 1.
+    /// A random number in [0, 1).
     pub fn share(&mut self) -> f32 {
         (self.next_u64() >> 40) as f32 / (1 << 24) as f32
     }
 
-    /// A number below `end`, which is positive.
+    /// A random number below `end`, which is positive.
     pub fn below(&mut self, end: usize) -> usize {
-        // The high half of a product: a bias of end / 2⁶⁴ does not matter.
+        // The high half of a product: a bias of end / 2⁶⁴ is negligible.
         ((u128::from(self.next_u64()) * end as u128) >> 64) as usize
     }
 
-    /// Puts things into another order (Fisher and Yates).
+    /// Shuffles a slice (Fisher-Yates).
     pub fn shuffle<T>(&mut self, things: &mut [T]) {
         for i in (1..things.len()).rev() {
             things.swap(i, self.below(i + 1));

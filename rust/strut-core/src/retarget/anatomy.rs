@@ -1,4 +1,4 @@
-//! Whether a bound body is that of a human: what walks on four legs has arms or a trunk as long as legs, and stands on them.
+//! Check that a bound body is human: a four-legged animal has arms or a trunk as long as its legs, and stands on all fours.
 
 use super::body_tree::BodyTree;
 use super::rest_pose::positions;
@@ -8,32 +8,32 @@ use crate::kinematics::Limb;
 use crate::math::{Quat, Vec3};
 use crate::skeleton::Skeleton;
 
-/// Arms of people are two thirds as long as their legs, those of four-legged animals about as long.
+/// Human arms are two thirds as long as the legs; those of four-legged animals are about as long.
 const LONGEST_ARMS: f32 = 0.85;
-/// Trunks of people are half as long as their legs, from the hip joints to the shoulders; those of four-legged animals about
-/// as long.
+/// The human trunk, from the hip joints to the shoulders, is half as long as the legs; that of four-legged animals about as
+/// long.
 const LONGEST_TRUNK: f32 = 0.8;
-/// The zero pose is that of one who stands upright above this cosine between the trunk and the legs.
+/// The zero pose is upright if the cosine between trunk and legs is above this.
 const UPRIGHT: f32 = 0.8;
-/// The trunk lies rather than stands on the legs below this cosine.
+/// The trunk is horizontal rather than upright if this cosine is below this.
 const LYING_TRUNK: f32 = 0.5;
-/// Hands that reach this far down from the hips, in lengths of the legs, stand where the feet stand; hanging ones reach a
+/// Hands that reach this far down from the hips, in leg lengths, are at the height of the feet; hanging hands reach a
 /// quarter.
 const STANDING_HANDS: f32 = 0.7;
-/// Share of the frames in which a body must stand on its hands.
+/// Share of the frames in which an animal must stand on its hands.
 const MOST_FRAMES: f32 = 0.8;
 
-/// What makes a body that of a four-legged animal.
+/// Evidence that a body is four-legged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourLegs {
-    /// Length of the arms over that of the legs.
+    /// Ratio of the arms' length to the legs'.
     pub arms_per_leg: f32,
-    /// Length of the trunk, hip joints to shoulders, over that of the legs.
+    /// Ratio of the length of the trunk, from hip joints to shoulders, to the legs'.
     pub trunk_per_leg: f32,
 }
 
-/// Whether a body stands on four legs in most frames, and has the proportions for it. People who crawl or sit do not, nor
-/// do figures with long arms who stand, be it in the zero pose only.
+/// Returns the evidence if a body stands on four legs in most frames and has the proportions for it. This excludes people who
+/// crawl or sit, and figures with long arms that are upright, even if only in the zero pose.
 pub(super) fn four_legs(
     skeleton: &Skeleton,
     roles: &[Option<usize>; JOINTS],
@@ -57,10 +57,10 @@ pub(super) fn four_legs(
     (standing >= MOST_FRAMES * stands.len() as f32).then_some(FourLegs { arms_per_leg, trunk_per_leg })
 }
 
-/// The joints that tell two legs from four, left and right.
+/// The joints that distinguish two legs from four, left and right.
 struct Joints {
-    /// Where the legs begin: the first joints below the hips. Names that say little leave the thigh of an animal, which has
-    /// three long bones in a leg, above the role of the upper leg.
+    /// Start of the legs: the first joints below the hips. An animal's leg has three long bones; with ambiguous names the
+    /// role of the upper leg may be assigned below its thigh.
     hips: [usize; 2],
     /// Joints of the legs from there to the feet.
     legs: [Vec<usize>; 2],
@@ -80,7 +80,7 @@ impl Joints {
             let up = std::iter::successors(Some(feet[side]), |&j| tree.parents[j]);
             let mut leg: Vec<usize> = up.take_while(|&j| j != pelvis && j != feet[1 - side]).collect();
             leg.reverse();
-            // A pelvis that bears both thighs belongs to no leg.
+            // A pelvis that is the parent of both thighs belongs to neither leg.
             let shared =
                 |j: usize| std::iter::successors(Some(feet[1 - side]), |&j| tree.parents[j]).any(|other| other == j);
             leg.retain(|&j| !shared(j) || j == thighs[side]);
@@ -96,13 +96,13 @@ impl Joints {
         })
     }
 
-    /// From the hips to the feet, the shoulders and the hands, means of both sides.
+    /// Vectors from the hips to the feet, the shoulders and the hands, means of both sides.
     fn toward_ends(&self, at: impl Fn(usize) -> Vec3) -> [Vec3; 3] {
         let middle = |[a, b]: [usize; 2]| 0.5 * (at(a) + at(b));
         [self.feet, self.shoulders, self.hands].map(|pair| middle(pair) - middle(self.hips))
     }
 
-    /// Length of the trunk in the zero pose over that of the legs.
+    /// Ratio of the trunk's length to the legs' in the zero pose.
     fn trunk_per_leg(&self, zero: &[Vec3]) -> f32 {
         let length = |leg: &[usize]| leg.windows(2).map(|bone| (zero[bone[1]] - zero[bone[0]]).length()).sum::<f32>();
         let legs = 0.5 * self.legs.iter().map(|leg| length(leg)).sum::<f32>();
@@ -110,13 +110,13 @@ impl Joints {
         trunk.length() / legs
     }
 
-    /// Cosine between the way up the trunk and the way up the legs.
+    /// Cosine between the directions up the trunk and up the legs.
     fn upright(&self, at: impl Fn(usize) -> Vec3) -> f32 {
         let [legs, trunk, _] = self.toward_ends(at);
         -trunk.normalize_or_zero().dot(legs.normalize_or_zero())
     }
 
-    /// Whether the trunk lies and the hands reach as far down as feet do.
+    /// Whether the trunk is horizontal and the hands reach as far down as the feet.
     fn stand_on_hands_and_feet(&self, at: impl Fn(usize) -> Vec3) -> bool {
         let [legs, _, hands] = self.toward_ends(&at);
         self.upright(at) < LYING_TRUNK && hands.dot(legs.normalize_or_zero()) > STANDING_HANDS * legs.length()

@@ -1,4 +1,4 @@
-//! Which way is up in a file, and whether the file is a mirror image: read from the body, as no file says it.
+//! Detection of a file's up axis and of mirrored files from the body, because files do not specify them.
 
 use super::rest_pose::RestPose;
 use super::sample::Sample;
@@ -8,21 +8,21 @@ use crate::math::{Quat, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI};
 use std::fmt;
 
-/// A body stands along an axis that its direction from feet to head is nearer to than this: cosine of 45°.
+/// A body stands along an axis if the cosine of its direction from feet to head is above this: 45°.
 const STANDS: f32 = 0.7;
-/// A body goes over the ground if its hips travel this far across its up axis, in lengths of its legs, and at most a third
-/// of it along the axis.
+/// A body travels over the ground if its hips move this far across its up axis, in leg lengths, and at most a third of that
+/// along the axis.
 const TRAVEL: f32 = 0.7;
-/// Least cosine of a standing body's thighs with the axis from its feet to its head, where the zero pose says nothing.
+/// Least cosine between a standing body's thighs and the axis from its feet to its head, if the zero pose is inconclusive.
 const THIGHS_ALONG: f32 = 0.5;
-/// Height of the hip joints over the origin of a body that stands still, in lengths of its legs.
+/// Height of the hip joints above the origin of a body that stands still, in leg lengths.
 const HIPS_OVER_ORIGIN: std::ops::Range<f32> = 0.8..1.3;
-/// Feet are flat on the ground if they are pitched like those of the zero pose within this: radians.
+/// Feet are flat on the ground if their pitch differs from that in the zero pose by less than this, radians.
 const FLAT_SOLE: f32 = 0.26;
-/// Toes point and knees bend backwards where the mean sum of their cosines with the way forward is below this: that of
-/// recordings is above 0.6.
+/// Toes point and knees bend backwards if the mean sum of their cosines with the forward direction is below this; in
+/// recordings it is above 0.6.
 const BACKWARDS: f32 = -0.3;
-/// Distance of the knee from the straight leg, twice, that makes a leg plainly bent, in lengths of the leg.
+/// A leg is clearly bent if twice the distance of the knee from the straight leg exceeds this, in leg lengths.
 const PLAINLY_BENT: f32 = 0.2;
 
 /// An up axis of a file.
@@ -38,7 +38,7 @@ pub enum UpAxis {
 }
 
 impl UpAxis {
-    /// All of them with their spelling on command lines and in JSON.
+    /// All axes with their names on command lines and in JSON.
     pub const ALL: [(UpAxis, &'static str); 6] = [
         (UpAxis::X, "x"),
         (UpAxis::NegX, "-x"),
@@ -48,12 +48,12 @@ impl UpAxis {
         (UpAxis::NegZ, "-z"),
     ];
 
-    /// The axis of this spelling.
+    /// Returns the axis of a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|(_, n)| n.eq_ignore_ascii_case(name)).map(|(axis, _)| *axis)
     }
 
-    /// Spelling on command lines and in JSON.
+    /// Name on command lines and in JSON.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(axis, _)| *axis == self).map_or("y", |(_, name)| *name)
     }
@@ -70,7 +70,7 @@ impl UpAxis {
         }
     }
 
-    /// Rotation from the file's axes to ours, which takes this axis to +Y by the least turn.
+    /// Rotation from the file's axes to ours: the shortest one that takes this axis to +Y.
     pub fn to_y(self) -> Quat {
         match self {
             UpAxis::X => Quat::from_rotation_z(FRAC_PI_2),
@@ -88,7 +88,7 @@ impl UpAxis {
 }
 
 impl fmt::Display for UpAxis {
-    /// As in a sentence: `+Z`.
+    /// Formats the axis for messages: `+Z`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (sign, letter) = match self.name().strip_prefix('-') {
             Some(letter) => ('−', letter),
@@ -102,18 +102,18 @@ impl fmt::Display for UpAxis {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Up {
     pub(super) axis: UpAxis,
-    /// The axis along which the body lies or stands most of the time, where it was not taken for up.
+    /// The axis along which the body is most of the time, if it was not accepted as up with certainty.
     pub(super) doubt: Option<UpAxis>,
 }
 
-/// Reads the up axis from the body.
+/// Detects the up axis from the body.
 ///
-/// The axis along which the body stands in most frames is up, if the zero pose stands along it too: then all of the file is
-/// turned. If the zero pose stands along another axis, the root alone is turned, or the body lies down: it stands if it goes
-/// over the ground across that axis, or stands still on the soles of its feet. Where the zero pose says nothing, the frames
-/// alone decide: those in which the thighs are along the trunk, as on all fours the trunk is level. Where the frames say
-/// nothing, as of somebody who crawls, the zero pose's axis is up if the body goes over the ground across it and not across
-/// +Y.
+/// The axis along which the body stands in most frames is up if the zero pose stands along it too: then the whole file is
+/// rotated. If the zero pose stands along another axis, either only the root is rotated, or the body lies down. It stands if
+/// it travels over the ground across that axis, or stands still on the soles of its feet. If the zero pose is inconclusive,
+/// the frames decide, by those in which the thighs are parallel to the trunk, because on all fours the trunk is horizontal.
+/// If the frames are inconclusive, as in crawling, the zero pose's axis is up if the body travels over the ground across it
+/// and not across +Y.
 pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> Up {
     let at = |r: Role| roles[r.index()].unwrap_or(0);
     let top = [Role::Head, Role::Neck, Role::Chest, Role::Spine].iter().find_map(|r| roles[r.index()]).unwrap_or(0);
@@ -144,8 +144,8 @@ pub(super) fn up_axis(roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &R
     }
 }
 
-/// Whether the body stands along an axis without going anywhere: its hips are as high over the origin as its legs are long,
-/// and its feet are pitched as in the zero pose, which stands. Feet of somebody who lies point away.
+/// Whether the body stands along an axis in place: its hips are as high above the origin as its legs are long, and its feet
+/// are pitched as in the zero pose, which is standing. The feet of a lying body point away.
 fn stands_still(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample, rest: &RestPose) -> bool {
     let at = |r: Role| roles[r.index()];
     let up = axis.direction();
@@ -171,7 +171,7 @@ fn stands_still(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample, 
     10 * stands.iter().filter(|stands| **stands).count() >= 9 * stands.len()
 }
 
-/// Whether the hips travel over the ground that lies across an axis, and not along the axis.
+/// Whether the hips travel across an axis, and not along it.
 fn travels_across(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample) -> bool {
     let at = |r: Role| roles[r.index()].unwrap_or(0);
     let [hips, hip, knee, ankle] = [Role::Hips, Role::LeftUpperLeg, Role::LeftLowerLeg, Role::LeftFoot].map(at);
@@ -185,7 +185,7 @@ fn travels_across(axis: UpAxis, roles: &[Option<usize>; JOINTS], sample: &Sample
     across > TRAVEL * leg && along < across / 3.0
 }
 
-/// Whether toes point and knees bend backwards, as the sides are named: the file is a mirror image, as left-handed programs
+/// Whether toes point and knees bend backwards for the named sides: the file is then a mirror image, as left-handed programs
 /// write it.
 pub(super) fn is_mirrored(roles: &[Option<usize>; JOINTS], sample: &Sample) -> bool {
     let at = |r: Role| roles[r.index()];
@@ -201,7 +201,7 @@ pub(super) fn is_mirrored(roles: &[Option<usize>; JOINTS], sample: &Sample) -> b
         let ahead = (w[left[0]].0 - w[right[0]].0).cross(w[top].0 - hips).normalize_or_zero();
         let foot = |leg: [usize; 3], toes: Option<usize>| toes.map_or(Vec3::ZERO, |t| w[t].0 - w[leg[2]].0);
         let toes = (foot(left, toes[0]) + foot(right, toes[1])).normalize_or_zero();
-        // Legs that are almost straight say little of their knees.
+        // Almost straight legs have little weight.
         let bend = |[hip, knee, ankle]: [usize; 3]| {
             let leg = (w[knee].0 - w[hip].0).length() + (w[ankle].0 - w[knee].0).length();
             let bend = (2.0 * w[knee].0 - w[hip].0 - w[ankle].0) / (PLAINLY_BENT * leg.max(f32::MIN_POSITIVE));

@@ -1,10 +1,10 @@
-//! From one canonical body to another.
+//! Retargeting between canonical bodies.
 
 use super::scale::BodyScale;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::kinematics::world_from_local;
 
-/// Takes poses from one canonical body to another, one at a time and without allocation.
+/// Retargets poses from one canonical body to another, one at a time and without allocation.
 #[derive(Clone, Copy, Debug)]
 pub struct BetweenBodies {
     from: Proportions,
@@ -13,12 +13,13 @@ pub struct BetweenBodies {
 }
 
 impl BetweenBodies {
-    /// From a body of these proportions to one of those.
+    /// Creates the retargeting between two bodies.
     pub fn new(from: &Proportions, to: &Proportions) -> Self {
         Self { from: *from, to: *to, scale: BodyScale::between(from, to) }
     }
 
-    /// The pose on the other body: the same directions, the travel scaled by the legs, feet and hands in their places.
+    /// Returns the pose on the other body: the same directions, the travel scaled by the legs, feet and hands in their
+    /// places.
     pub fn pose(&self, pose: &Pose) -> Pose {
         let world = world_from_local(&self.from, pose);
         let mut pose = *pose;
@@ -27,8 +28,8 @@ impl BetweenBodies {
     }
 }
 
-/// The clip on another canonical body: as [`super::from_humanoid`] followed by [`super::to_humanoid`], but
-/// without a skeleton in between.
+/// Retargets a clip to another canonical body: like [`super::from_humanoid`] followed by [`super::to_humanoid`], but without
+/// a skeleton in between.
 pub fn between_bodies(motion: &HumanoidMotion, body: &Proportions) -> HumanoidMotion {
     let retarget = BetweenBodies::new(&motion.proportions, body);
     let poses = motion.poses.iter().map(|pose| retarget.pose(pose)).collect();

@@ -1,4 +1,4 @@
-//! How a file's skeleton maps to the canonical humanoid.
+//! Mapping of a file's skeleton to the canonical humanoid.
 
 use super::anatomy::{FourLegs, four_legs};
 use super::axes::{UpAxis, up_axis};
@@ -14,7 +14,7 @@ use crate::note::{Note, NoteCode};
 use crate::skeleton::Skeleton;
 use thiserror::Error;
 
-/// Roles that a skeleton must have; the others may be missing.
+/// Roles that a skeleton must have; the others are optional.
 const REQUIRED: [Role; 14] = [
     Role::LeftUpperLeg,
     Role::LeftLowerLeg,
@@ -32,11 +32,11 @@ const REQUIRED: [Role; 14] = [
     Role::Spine,
 ];
 
-/// Usual length units: metres, and the words for a note.
+/// Usual length units: metres, and their names in notes.
 const UNITS: [(f32, &str); 5] =
     [(1.0, "metres"), (0.01, "centimetres"), (0.0254, "inches"), (0.001, "millimetres"), (0.1, "decimetres")];
-/// Plausible leg lengths, hip joint to ankle, from children to basketball players: metres. The unit is chosen that puts
-/// the leg in this range; at most one of the usual units does.
+/// Plausible leg lengths, hip joint to ankle, from children to basketball players: metres. The unit that puts the leg in this
+/// range is chosen; at most one of the usual units does.
 const LEG_RANGE: std::ops::RangeInclusive<f32> = 0.6..=1.1;
 /// Leg length assumed for skeletons in an unknown unit, metres.
 const USUAL_LEG: f32 = 0.85;
@@ -47,22 +47,21 @@ const ANKLE_HEIGHT_PER_DROP: f32 = 1.55;
 /// The same for skeletons without toes or with level feet: share of the leg, the mannequin's.
 const ANKLE_HEIGHT_PER_LEG: f32 = 0.147;
 
-/// What is known of a rigged character.
+/// Known facts of a rigged character.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CharacterFacts {
     /// Metres per unit of the skeleton's offsets; finite and above 0.
     pub metres_per_unit: f32,
     /// Height of the soles in the zero pose along the body's up axis, in the unit of the offsets and from their origin.
-    /// `None` where there is no mesh to measure: it is then guessed from the ankles.
+    /// `None` without a mesh to measure: it is then guessed from the ankles.
     pub sole_height: Option<f32>,
-    /// Joints of the roles that are known, as from a VRM or by a person's choice.
+    /// Joints of the known roles, as from a VRM or a user's choice.
     pub roles: [Option<usize>; JOINTS],
 }
 
-/// Which joint plays which role, how joints are turned in the T-pose, and how large the body is.
+/// The joint of each role, the rotations of the joints in the T-pose, and the size of the body.
 ///
-/// The same skeleton gives the same binding whatever the clip, unless neither its zero pose nor its
-/// local axes resemble a body.
+/// The same skeleton gives the same binding for every clip, unless neither its zero pose nor its local axes resemble a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Binding {
     /// Joint of each role; `None` for roles that the skeleton lacks (toes, shoulders, chest, neck, head).
@@ -75,32 +74,32 @@ pub struct Binding {
     pub up: UpAxis,
     /// Rotation from the file's world to ours: the identity for files with +Y up.
     pub world_from_file: Quat,
-    /// Whether the file is a mirror image, as left-handed programs write it: it is read mirrored at its plane x = 0, and
-    /// written back so.
+    /// Whether the file is a mirror image, as left-handed programs write it: it is read, and written back, mirrored at the
+    /// plane x = 0.
     pub is_mirrored: bool,
     /// Height of the ground in the file along its up axis, metres; 0 for a character.
     pub floor_metres: f32,
     /// Metres per unit of length of the file.
     pub metres_per_unit: f32,
-    /// The body as canonical humanoid, metres. A role without a joint lies between its neighbours.
+    /// The body as canonical humanoid, metres. A role without a joint is placed between its neighbours.
     pub proportions: Proportions,
     /// Joints without a role, ascending; they keep their own motion.
     pub unmapped: Vec<usize>,
-    /// Sentences for users on what was matched and assumed.
+    /// Notes for users on matches and assumptions.
     pub notes: Vec<String>,
-    /// What may be wrong; empty for a clean clip.
+    /// Possible problems; empty for a clean clip.
     pub doubts: Vec<Note>,
     /// Parent of each file joint.
     pub(super) parents: Vec<Option<usize>>,
 }
 
-/// Why a skeleton cannot be bound.
+/// Error of a skeleton that cannot be bound.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BindError {
     /// A clip without frames.
     #[error("This motion has no frames. Export the clip again and drop it here.")]
     NoFrames,
-    /// Nothing that looks like a body.
+    /// The skeleton does not resemble a body.
     #[error("This skeleton has no legs and arms that we can find. Drop a file of a humanoid.")]
     NotHumanoid,
     /// A required role has no joint.
@@ -109,7 +108,7 @@ pub enum BindError {
     /// Several required roles of a character have no joint.
     #[error("This skeleton has no {} that we can find. Choose the joints, or drop another file.", joint_words(.0))]
     MissingRoles(Vec<Role>),
-    /// A chosen joint is not in the skeleton, or does not hang on the joint of the role above.
+    /// A chosen joint is not in the skeleton, or is not a descendant of the joint of the role above.
     #[error("{} cannot be the {}: it does not hang on the rest of the body.", joint_named(.joint), joint_word(*.role))]
     Misplaced {
         /// The role.
@@ -117,7 +116,7 @@ pub enum BindError {
         /// The joint's name, or its index if there is no such joint.
         joint: String,
     },
-    /// A name of a chosen joint that the skeleton lacks.
+    /// The skeleton has no joint of a chosen name.
     #[error("This skeleton has no joint '{joint}', which was chosen as the {}.", joint_word(*.role))]
     UnknownJoint {
         /// The role.
@@ -132,10 +131,10 @@ pub enum BindError {
         .0.arms_per_leg, .0.trunk_per_leg
     )]
     NotHuman(FourLegs),
-    /// A limb bone without length.
+    /// A limb bone has length 0.
     #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
     NoLength(Role),
-    /// A character beyond all sizes of bodies.
+    /// A character's size is outside the range of bodies.
     #[error("This body is far too small or too large. Give the length of its unit in metres.")]
     Size,
 }
@@ -167,7 +166,7 @@ fn joint_word(role: Role) -> &'static str {
     }
 }
 
-/// Names of joints in a row: `left ankle or right ankle`; of more than four the first three.
+/// Joint names in a list: `left ankle or right ankle`; of more than four the first three.
 fn joint_words(roles: &[Role]) -> String {
     let words: Vec<&str> = roles.iter().map(|role| joint_word(*role)).collect();
     match words.as_slice() {
@@ -178,18 +177,18 @@ fn joint_words(roles: &[Role]) -> String {
     }
 }
 
-/// How a sentence begins with a joint, which may have no name.
+/// Formats a joint, which may have no name, for the beginning of a sentence.
 fn joint_named(name: &str) -> String {
     if name.is_empty() { "A joint without a name".to_owned() } else { format!("Joint '{name}'") }
 }
 
 impl Binding {
-    /// The binding of a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in
-    /// which the character was modelled, and its offsets are differences of positions there, so that its joints' frames are
-    /// aligned with the world.
+    /// Binds a rigged character, of which more is known than of a clip. The zero pose of `skeleton` is the pose in which the
+    /// character was modelled, and its offsets are differences of positions there, so its joints' frames are aligned with the
+    /// world.
     ///
-    /// Where all required roles are given no others are looked for, and the confidence is 1. A role that is found beside
-    /// given ones and does not fit them is left out.
+    /// If all required roles are given, no others are searched, and the confidence is 1. A detected role that conflicts with
+    /// given ones is omitted.
     ///
     /// # Errors
     /// See [`BindError`].
@@ -226,8 +225,8 @@ impl Binding {
         of(&roles, found.confidence)
     }
 
-    /// The joint of each role of a character as far as it can be found beside those that are known: what
-    /// [`Binding::of_character`] refuses is asked of a person with these for a proposal.
+    /// Returns the joints of a character's roles as far as they are known or can be detected: a proposal for the user when
+    /// [`Binding::of_character`] fails.
     pub fn likely_roles_of_character(skeleton: &Skeleton, known: &[Option<usize>; JOINTS]) -> [Option<usize>; JOINTS] {
         let mut roles = find_roles(skeleton, &Sample::of(&zero_pose_of(skeleton))).joint_of_role;
         for (role, given) in roles.iter_mut().zip(known) {
@@ -236,12 +235,12 @@ impl Binding {
         roles
     }
 
-    /// Whether a skeleton has the hierarchy that was bound, so that its motions may use this binding.
+    /// Whether a skeleton has the bound hierarchy, so that its motions may use this binding.
     pub fn fits(&self, skeleton: &Skeleton) -> bool {
         skeleton.joints().iter().map(|j| j.parent).eq(self.parents.iter().copied())
     }
 
-    /// The binding of a skeleton whose roles are known, without its floor.
+    /// Binds a skeleton whose roles are known, without its floor.
     pub(super) fn of(
         skeleton: &Skeleton,
         sample: &Sample,
@@ -313,7 +312,7 @@ impl Binding {
     }
 }
 
-/// A character as it was modelled, as a clip of one frame.
+/// A character's zero pose as a clip of one frame.
 pub(super) fn zero_pose_of(skeleton: &Skeleton) -> Motion {
     Motion {
         skeleton: skeleton.clone(),
@@ -323,7 +322,8 @@ pub(super) fn zero_pose_of(skeleton: &Skeleton) -> Motion {
     }
 }
 
-/// The required roles without a joint. Hips and spine are found between the limbs: they miss only where no limb does.
+/// The required roles without a joint. Hips and spine are derived from the limbs, so they are listed only if no limb is
+/// missing.
 fn missing_roles(roles: &[Option<usize>; JOINTS]) -> Vec<Role> {
     let missing = |role: &Role| roles[role.index()].is_none();
     let limbs: Vec<Role> =
@@ -331,7 +331,7 @@ fn missing_roles(roles: &[Option<usize>; JOINTS]) -> Vec<Role> {
     if limbs.is_empty() { REQUIRED.into_iter().filter(missing).collect() } else { limbs }
 }
 
-/// Every required role has a joint, and every joint hangs on that of the nearest role above.
+/// Checks that every required role has a joint, and that every joint descends from that of the nearest role above.
 pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Result<(), BindError> {
     if let Some(&role) = REQUIRED.iter().find(|r| roles[r.index()].is_none()) {
         return Err(BindError::Missing(role));
@@ -345,7 +345,7 @@ pub(super) fn check_roles(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) 
     }
 }
 
-/// The roles whose joint does not exist or does not hang on that of the nearest role above, with the joint.
+/// The roles whose joint does not exist or does not descend from that of the nearest role above, with the joint.
 fn misplaced(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Vec<(Role, usize)> {
     let tree = BodyTree::of_skeleton(skeleton, roles);
     let parent = |j: usize| tree.parents.get(j).copied().flatten();
@@ -357,7 +357,7 @@ fn misplaced(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Vec<(Role,
     joints.filter(|&(role, joint)| joint >= skeleton.len() || !hangs(role, joint)).collect()
 }
 
-/// Toes that lie at the ankle say nothing about the foot: it is as if there were none.
+/// Removes toes at the place of the ankle, which are no evidence of the foot's direction.
 pub(super) fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
     let at = |roles: &[Option<usize>; JOINTS], role: Role| roles[role.index()];
     for [knee, foot, toes] in
@@ -370,7 +370,7 @@ pub(super) fn leave_out_toes_without_length(sample: &Sample, roles: &mut [Option
     }
 }
 
-/// A hand that lies at the elbow ends no forearm: the first joint below it that lies elsewhere does.
+/// Moves a hand at the place of the elbow to the first joint below it that is elsewhere.
 pub(super) fn move_hands_without_length(skeleton: &Skeleton, sample: &Sample, roles: &mut [Option<usize>; JOINTS]) {
     let at = |roles: &[Option<usize>; JOINTS], role: Role| roles[role.index()];
     for [upper, lower, hand] in [
@@ -392,7 +392,7 @@ pub(super) fn move_hands_without_length(skeleton: &Skeleton, sample: &Sample, ro
     }
 }
 
-/// Positions of all roles in the T-pose, file units; a role without a joint lies between its neighbours.
+/// Positions of all roles in the T-pose, file units; a role without a joint is placed between its neighbours.
 fn role_positions(roles: &[Option<usize>; JOINTS], at_rest: &[Vec3]) -> [Vec3; JOINTS] {
     let known = |r: Role| roles[r.index()].map(|j| at_rest[j]);
     let mut out = [Vec3::ZERO; JOINTS];
@@ -439,7 +439,7 @@ fn leg_drop(p: &Proportions) -> f32 {
     legs.iter().sum()
 }
 
-/// Height of the ankles above the soles of a body whose soles are not known, in the unit of the offsets.
+/// Height of the ankles above the soles of a body without known soles, in the unit of the offsets.
 fn usual_ankle_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
     let y = |r: Role| -p.offsets[r.index()].y;
     let side = |r: Role| if roles[r.index()].is_some() { y(r) } else { 0.0 };
@@ -450,7 +450,7 @@ fn usual_ankle_height(roles: &[Option<usize>; JOINTS], p: &Proportions) -> f32 {
 }
 
 /// Mean height of the ankles above given soles, metres: feet keep the slope of the zero pose, and so their height. `None`
-/// where the soles are not given or the zero pose is not upright.
+/// without given soles, or if the zero pose is not upright.
 fn ankle_over_sole(
     facts: &CharacterFacts,
     skeleton: &Skeleton,
@@ -465,8 +465,8 @@ fn ankle_over_sole(
     Some((ankles - sole) * facts.metres_per_unit)
 }
 
-/// Takes away roles that were found but do not descend from those above them or are not above those below: as long as fewer
-/// are misplaced without a role, the one without which the fewest are.
+/// Removes detected roles that conflict with the hierarchy: repeatedly the one whose removal leaves the fewest misplaced
+/// roles, as long as their number falls.
 fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS], facts: &CharacterFacts) {
     let is_optional = |role: &Role| facts.roles[role.index()].is_none() && !REQUIRED.contains(role);
     let mut left = misplaced(skeleton, roles).len();
@@ -483,7 +483,7 @@ fn leave_out_misplaced(skeleton: &Skeleton, roles: &mut [Option<usize>; JOINTS],
     }
 }
 
-/// A length for people: one digit after the point, or as many as show the first that is not 0.
+/// Formats a length for users: one decimal, or as many as show its first significant digit.
 fn significant(length: f32) -> String {
     let (mut digits, mut shown) = (1, 10.0 * length);
     while shown < 1.0 && digits < 9 {

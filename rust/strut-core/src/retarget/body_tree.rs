@@ -1,30 +1,31 @@
-//! The tree of a body: its joints as they hang on the hips.
+//! The tree of a body: its joints as descendants of the hips.
 //!
-//! It is the file's own unless the file begins elsewhere, at the chest, the head or a tracker. World transforms and what is
-//! written back follow the file's tree in any case; what a role hangs on, and in which order rest rotations are read, follow
+//! It equals the file's tree unless the file's root is elsewhere, at the chest, the head or a tracker. World transforms and
+//! the output always follow the file's tree; the parents of roles, and the order in which rest rotations are computed, follow
 //! the body's.
 
 use crate::humanoid::{JOINTS, Role};
 use crate::skeleton::Skeleton;
 
-/// How joints hang on the hips.
+/// A hierarchy of joints below the hips.
 pub(super) struct BodyTree {
     /// Parent of each joint.
     pub(super) parents: Vec<Option<usize>>,
-    /// Joints in an order in which parents come first.
+    /// Joints in an order with parents first.
     pub(super) order: Vec<usize>,
-    /// The joint at whose place the bone of each joint begins. A bone begins at its own joint where that is its lower end; in a
-    /// file that begins at the chest, the spine ends there, and begins where the file has the hips.
+    /// The joint at whose position the bone of each joint begins. A bone begins at its own joint, except on the path between
+    /// the file's root and the hips: with the root at the chest, the spine's bone ends at the spine joint and begins at the
+    /// hips' joint.
     pub(super) begins: Vec<usize>,
 }
 
 impl BodyTree {
-    /// The tree of a skeleton in which joints play roles.
+    /// The tree of a skeleton with these roles.
     pub(super) fn of_skeleton(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS]) -> Self {
         Self::of(skeleton.joints().iter().map(|joint| joint.parent).collect(), roles)
     }
 
-    /// The tree of a file, parents first, in which joints play roles.
+    /// The tree of a file's parents, in an order with parents first, with these roles.
     pub(super) fn of(file_parents: Vec<Option<usize>>, roles: &[Option<usize>; JOINTS]) -> Self {
         let file = Self::of_file(file_parents);
         let joints = file.parents.len();
@@ -34,7 +35,7 @@ impl BodyTree {
         if roles.iter().flatten().copied().filter_map(known).all(hangs_on_hips) { file } else { file.rooted_at(hips) }
     }
 
-    /// The tree of a file itself.
+    /// The tree of the file itself.
     pub(super) fn of_file(parents: Vec<Option<usize>>) -> Self {
         let all = 0..parents.len();
         Self { parents, order: all.clone().collect(), begins: all.collect() }
@@ -49,13 +50,13 @@ impl BodyTree {
             begins[pair[1]] = pair[0];
         }
         parents[root] = None;
-        // The way from the new root to the old one, then everything else in its former order.
+        // The path from the new root to the old one, then everything else in its former order.
         let rest = self.order.iter().copied().filter(|joint| !way.contains(joint));
         let order = way.iter().copied().chain(rest).collect();
         Self { parents, order, begins }
     }
 
-    /// From a joint to the root, both included.
+    /// From a joint up to the root, both included.
     fn way_up(&self, joint: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(joint), |&j| self.parents[j])
     }

@@ -1,10 +1,10 @@
-//! Which joint of a skeleton plays which role: by names, and where they fail by the shape of the tree.
+//! Detection of the roles of a skeleton's joints: by names, and where these fail by the shape of the tree.
 //!
-//! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names pick the
-//! joints of each limb (best consistent chain over all paths from a leaf to the root). A part that they leave open is found on
-//! the other side or by its place between named joints; a limb of which they say next to nothing is taken from the symmetric
-//! pairs of chains. The trunk needs no names: it lies between the parent
-//! joint of the legs and that of the arms, and the hips are where the ways to the two part.
+//! A body is a tree with two pairs of equal chains: legs at the hips, arms higher up. Names determine the joints of each limb
+//! (the best consistent chain over all paths from a leaf to the root). A part without a matching name is found on the other
+//! side or by its place between named joints. A limb with almost no matching names is taken from the symmetric pairs of
+//! chains. The trunk needs no names: it lies between the parent joints of the legs and of the arms, and the hips are where
+//! the paths to the two diverge.
 
 use super::body_tree::BodyTree;
 use super::names::{NameHint, Part, Side};
@@ -24,23 +24,23 @@ type LimbParts = [Part; 4];
 const LEG: LimbParts = [Part::UpperLeg, Part::LowerLeg, Part::Foot, Part::Toes];
 const ARM: LimbParts = [Part::Shoulder, Part::UpperArm, Part::LowerArm, Part::Hand];
 
-/// Index of the first of the three parts that legs and arms must have.
+/// Index of the first of the three required parts of legs and of arms.
 const FIRST_REQUIRED: [usize; 2] = [0, 1];
 
-/// The bones on both sides of a joint that was found by its place between named ones differ by this factor at most.
+/// Greatest ratio of the bones on both sides of a joint that is found by its place between named ones.
 const UNEQUAL_BONES: f32 = 2.5;
 
-/// A joint is at its parent's place if it is nearer than this share of the next bone.
+/// A joint is at its parent's place if it is nearer than this share of the next bone's length.
 const SAME_PLACE: f32 = 0.01;
 
-/// A limb as joints of the file, in the order of its parts.
+/// Joints of a limb, in the order of its parts.
 type LimbJoints = [Option<usize>; 4];
 
 /// Contribution to the confidence of a role found by name, by the shape of the tree, or not at all.
 const BY_NAME: f32 = 1.0;
 const BY_TREE: f32 = 0.6;
 
-/// Finds the roles of a skeleton. Those that cannot be found are `None`.
+/// Finds the roles of a skeleton. Roles that are not found are `None`.
 pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
     let tree = Tree::of(skeleton, sample);
     let names: Vec<&str> = skeleton.joints().iter().map(|j| j.name.as_str()).collect();
@@ -88,10 +88,10 @@ pub(super) fn find_roles(skeleton: &Skeleton, sample: &Sample) -> FoundRoles {
 /// The hierarchy with precomputed quantities for the searches.
 struct Tree {
     parents: Vec<Option<usize>>,
-    /// An order in which parents come first.
+    /// Joints in an order with parents first.
     order: Vec<usize>,
     children: Vec<Vec<usize>>,
-    /// Distance of where each bone begins from where its parent's does, file units.
+    /// Distance between the positions where each bone and its parent's bone begin, file units.
     lengths: Vec<f32>,
 }
 
@@ -116,7 +116,7 @@ impl Tree {
         Self { children: children_of(&parents), parents, order, lengths }
     }
 
-    /// From the root to this joint, both included.
+    /// Path from the root to this joint, both included.
     fn path_to(&self, joint: usize) -> Vec<usize> {
         let mut path: Vec<usize> = std::iter::successors(Some(joint), |&j| self.parents[j]).collect();
         path.reverse();
@@ -152,7 +152,7 @@ impl Tree {
 
     /// The longest chain of bones from `joint` outwards, `joint` first.
     fn longest_chain(&self, joint: usize) -> Vec<usize> {
-        // Children follow their parents, so one backward pass knows the reach of every subtree.
+        // Children come after their parents, so one backward pass computes the reach of every subtree.
         let mut reach = vec![0.0_f32; self.parents.len()];
         let mut next = vec![None; self.parents.len()];
         for &j in self.order.iter().rev() {
@@ -180,15 +180,15 @@ fn children_of(parents: &[Option<usize>]) -> Vec<Vec<usize>> {
     children
 }
 
-/// The joints of one path from root to leaf whose names fit the limb best: parts in order, optional ones
-/// possibly missing. A required part is worth more than any choice of words.
+/// The joints of one path from root to leaf whose names match the limb best: parts in order, optional ones possibly missing.
+/// A required part counts more than any difference of words.
 fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Side) -> LimbJoints {
     let required = |i: usize| if parts[0] == Part::UpperLeg { i < 3 } else { i > 0 };
     let score = |joint: usize, i: usize| {
         let weight = if hints[joint].side == Some(side) { hints[joint].weight(parts[i]) } else { 0.0 };
         if weight > 0.0 && required(i) { weight + 1.0 } else { weight }
     };
-    // Of a joint at its parent's place and the one below it with as good a name, the latter moves the bone.
+    // If a joint is at its parent's place and its child has as good a name, the child moves the bone.
     let doubles_its_parent = |chosen: Option<usize>, joint: usize| {
         chosen.is_some_and(|j| tree.parents[joint] == Some(j) && tree.lengths[j] <= SAME_PLACE * tree.lengths[joint])
     };
@@ -199,7 +199,7 @@ fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Sid
         let above = tree.parents[joint].map_or([(0.0, [None; 4]); 5], |p| best[p]);
         let mut here = above;
         for n in 1..=4 {
-            // Part n−1 is absent, or an ancestor's, or this joint's.
+            // Part n−1 is absent, at an ancestor, or at this joint.
             if here[n - 1].0 > here[n].0 {
                 here[n] = here[n - 1];
             }
@@ -219,13 +219,13 @@ fn best_named_chain(tree: &Tree, hints: &[NameHint], parts: LimbParts, side: Sid
     winner.1
 }
 
-/// Whether a limb has the three parts that it must have.
+/// Whether a limb has its three required parts.
 fn is_complete(limb: &LimbJoints, first: usize) -> bool {
     limb[first..first + 3].iter().all(Option::is_some)
 }
 
-/// Fills what names leave open in a pair of limbs: from the other side where that is complete, else by the place between
-/// named joints.
+/// Fills the parts of a pair of limbs that names do not give: from the other side if that is complete, else by the place
+/// between named joints.
 fn complete_pair(tree: &Tree, hints: &[NameHint], pair: &mut [LimbJoints; 2], first: usize) {
     for side in [0, 1] {
         if is_complete(&pair[1 - side], first)
@@ -234,7 +234,7 @@ fn complete_pair(tree: &Tree, hints: &[NameHint], pair: &mut [LimbJoints; 2], fi
         {
             pair[side] = limb;
         }
-        // A `Shoulder` that was taken for the upper arm is a collarbone if it is one on the other side.
+        // A `Shoulder` that was matched as the upper arm is a collarbone if the other side has one.
         let [collarbone, upper, lower, end] = pair[side];
         if collarbone.is_none()
             && pair[1 - side].iter().all(Option::is_some)
@@ -250,8 +250,8 @@ fn complete_pair(tree: &Tree, hints: &[NameHint], pair: &mut [LimbJoints; 2], fi
     }
 }
 
-/// A limb with its missing parts where the other side has them: joints at the same places of an equal chain. `None` where
-/// there is no such chain, or the joints that the names give are not on it.
+/// Completes a limb by the other side: with the joints at the same places of an equal chain. `None` if there is no such
+/// chain, or the named joints are not on it.
 fn mirrored(tree: &Tree, hints: &[NameHint], complete: &LimbJoints, partial: &LimbJoints) -> Option<LimbJoints> {
     symmetric_pairs(tree)
         .iter()
@@ -268,8 +268,8 @@ fn mirrored(tree: &Tree, hints: &[NameHint], complete: &LimbJoints, partial: &Li
         })
 }
 
-/// Fills the one required part that a limb lacks by its place: such that the two bones are about equal. `other` is a joint of
-/// the opposite limb.
+/// Fills the one missing required part of a limb such that the two bones are about equal. `other` is a joint of the opposite
+/// limb.
 fn fill_gap(tree: &Tree, hints: &[NameHint], limb: &mut LimbJoints, first: usize, other: Option<usize>) {
     let nearest = |candidates: Vec<usize>, bones: &dyn Fn(usize) -> (f32, f32)| {
         let unequal = |j: usize| {
@@ -302,7 +302,7 @@ fn fill_gap(tree: &Tree, hints: &[NameHint], limb: &mut LimbJoints, first: usize
     }
 }
 
-/// Takes limbs from the shape of the tree where names say little of them: never a limb that has two of its three parts.
+/// Takes limbs from the shape of the tree if names give less than two of their three parts.
 fn take_unnamed(pair: &mut [LimbJoints; 2], by_shape: [LimbJoints; 2], first: usize) {
     let plain = pair.map(|limb| limb[first..first + 3].iter().flatten().count() >= 2);
     if !plain[0] && !plain[1] {
@@ -317,8 +317,8 @@ fn take_unnamed(pair: &mut [LimbJoints; 2], by_shape: [LimbJoints; 2], first: us
     }
 }
 
-/// Whether the names of most joints of limbs (left, right) say the other side: what walks on four legs bears its arms in front of
-/// its legs, not above them, so that the shape exchanges the sides.
+/// Whether most limb joints (left, right) are named as the other side: a four-legged animal's arms are in front of its legs,
+/// not above them, which exchanges the sides by shape.
 fn sides_exchanged(hints: &[NameHint], pairs: &[[LimbJoints; 2]; 2]) -> bool {
     let named = |limbs: usize, side: Side| {
         let joints = pairs.iter().flat_map(|pair| pair[limbs].iter().flatten());
@@ -327,7 +327,7 @@ fn sides_exchanged(hints: &[NameHint], pairs: &[[LimbJoints; 2]; 2]) -> bool {
     named(0, Side::Right) + named(1, Side::Left) > named(0, Side::Left) + named(1, Side::Right)
 }
 
-/// Share of the required parts of a pair of limbs that names gave.
+/// Share of the required parts of a pair of limbs that were found by name.
 fn share_by_name(named: &[LimbJoints; 2], found: &[LimbJoints; 2], first: usize) -> f32 {
     let required = |limbs: &[LimbJoints; 2]| limbs.map(|limb| [limb[first], limb[first + 1], limb[first + 2]]);
     let (named, found) = (required(named), required(found));
@@ -335,20 +335,20 @@ fn share_by_name(named: &[LimbJoints; 2], found: &[LimbJoints; 2], first: usize)
     same.count() as f32 / 6.0
 }
 
-/// Two chains of equal bones on the same joint.
+/// Two chains of equal bones below the same joint.
 struct Pair {
     joint: usize,
     chains: [Vec<usize>; 2],
     length: f32,
 }
 
-/// Legs and arms (left, right) of a skeleton whose names give no roles.
+/// Legs and arms (left, right) of a skeleton, by shape only.
 fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [LimbJoints; 2])> {
     let mut pairs = symmetric_pairs(tree);
     let longest = pairs.iter().map(|p| p.length).fold(0.0, f32::max);
-    // Fingers, toes and ears come in pairs too.
+    // Fingers, toes and ears come in pairs, too.
     pairs.retain(|p| p.length > 0.4 * longest);
-    // By depth, and of equal depth the longest first.
+    // Sorted by depth, with the longest first at equal depth.
     sort_by_number(&mut pairs, |p| -p.length);
     sort_by_number(&mut pairs, |p| tree.depth(p.joint) as f32);
     let nearest = pairs.first()?;
@@ -356,7 +356,7 @@ fn limbs_by_shape(tree: &Tree, sample: &Sample) -> Option<([LimbJoints; 2], [Lim
         .iter()
         .filter(|p| p.joint != nearest.joint && tree.is_ancestor(nearest.joint, p.joint))
         .max_by(|a, b| a.length.total_cmp(&b.length))?;
-    // A file that begins at the chest ends in a pelvis, on which only the longer limbs and single joints hang.
+    // A file with its root at the chest ends in a pelvis, from which only the longer limbs and single joints branch.
     let branches = |joint: usize| tree.children[joint].iter().filter(|&&c| !tree.children[c].is_empty()).count();
     let from_the_chest =
         branches(farther.joint) == 2 && branches(nearest.joint) > 3 && farther.length > 1.1 * nearest.length;
@@ -397,11 +397,11 @@ fn symmetric_pairs(tree: &Tree) -> Vec<Pair> {
     pairs
 }
 
-/// The joints of a limb on its chain: the two long bones in a row are thigh and shin, or upper arm and
-/// forearm. `first` is the part that the upper joint plays; a joint before it is the clavicle.
+/// The joints of a limb on its chain: the two longest successive bones are thigh and shin, or upper arm and forearm. `first`
+/// is the part of the upper joint; a joint before it is the clavicle.
 fn limb_joints(tree: &Tree, chain: &[usize], first: usize) -> Option<LimbJoints> {
     let total: f32 = chain[1..].iter().map(|&j| tree.lengths[j]).sum();
-    // Of joints at the same place the last one moves the bone.
+    // Of several joints at the same place, the last one moves the bone.
     let distinct: Vec<usize> = chain
         .iter()
         .enumerate()
@@ -411,7 +411,7 @@ fn limb_joints(tree: &Tree, chain: &[usize], first: usize) -> Option<LimbJoints>
     let two_bones = |i: usize| tree.distance(distinct[i], distinct[i + 2]);
     let starts = 0..distinct.len().checked_sub(2)?;
     let longest = starts.clone().map(two_bones).fold(0.0, f32::max);
-    // A clavicle and an upper arm may be as long as upper arm and forearm: the outer pair is meant.
+    // Clavicle and upper arm may be as long as upper arm and forearm: the outer pair is chosen.
     let start = starts.rev().find(|&i| two_bones(i) >= 0.8 * longest)?;
     let mut joints = [None; 4];
     for (part, slot) in joints.iter_mut().enumerate() {
@@ -420,7 +420,7 @@ fn limb_joints(tree: &Tree, chain: &[usize], first: usize) -> Option<LimbJoints>
     Some(joints)
 }
 
-/// Positive if the first leg is the left one: toes, or else knees, tell where forward is.
+/// Positive if the first leg is the left one: toes, or else knees, give the forward direction.
 fn leftness(sample: &Sample, above: usize, legs: &[LimbJoints; 2]) -> Option<f32> {
     let hips = [legs[0][0]?, legs[1][0]?];
     let knees = [legs[0][1]?, legs[1][1]?];
@@ -445,8 +445,8 @@ fn find_trunk(tree: &Tree, sample: &Sample, hints: &[NameHint], roles: &mut [Opt
     let (Some(left_arm), Some(right_arm)) = (at(Role::LeftUpperArm), at(Role::RightUpperArm)) else { return };
     let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
     let pelvis = tree.lowest_common_ancestor(left_leg, right_leg);
-    // The hips are the joint where the way to the legs and the way to the arms part. A separate pelvis below it has no role,
-    // unless the skeleton begins in the trunk: at the chest, the head or the spine.
+    // The hips are the joint where the paths to the legs and to the arms diverge. A separate pelvis below it has no role,
+    // unless the root of the skeleton is in the trunk: at the chest, the head or the spine.
     let parting = tree.lowest_common_ancestor(pelvis, bearer);
     let named_hips = tree.path_to(pelvis).into_iter().rev().take_while(|&j| j != parting);
     let named_hips = named_hips.filter(|&j| hints[j].weight(Part::Hips) > 0.0).last();
@@ -458,12 +458,12 @@ fn find_trunk(tree: &Tree, sample: &Sample, hints: &[NameHint], roles: &mut [Opt
     if let Some(hips) = rerooted {
         let tree = tree.rooted_at(hips, sample);
         let bearer = tree.lowest_common_ancestor(left_arm, right_arm);
-        // Where the spine begins, the hips end: it doubles nothing.
+        // The hips end where the spine begins: the spine joint is no duplicate of the hips.
         let spine = tree.between(hips, bearer).first().copied();
         return find_trunk_on(&tree, hints, roles, hips, spine, [left_arm, right_arm]);
     }
     let mut hips = parting;
-    // Biped hangs the thighs on the spine.
+    // Biped attaches the thighs to the spine.
     if hints[hips].weight(Part::Trunk) > 0.0
         && let Some(parent) = tree.parents[hips]
         && hints[parent].weight(Part::Hips) > 0.0
@@ -473,7 +473,7 @@ fn find_trunk(tree: &Tree, sample: &Sample, hints: &[NameHint], roles: &mut [Opt
     find_trunk_on(tree, hints, roles, hips, None, [left_arm, right_arm]);
 }
 
-/// Fills hips, spine, chest, neck and head of a tree that hangs on the hips.
+/// Fills hips, spine, chest, neck and head of a tree with its root at the hips.
 fn find_trunk_on(
     tree: &Tree,
     hints: &[NameHint],
@@ -487,11 +487,11 @@ fn find_trunk_on(
         roles[Role::Hips.index()] = Some(hips);
         return;
     }
-    // Biped hangs the clavicles on the neck.
+    // Biped attaches the clavicles to the neck.
     let parent = tree.parents[bearer].filter(|&p| p != hips);
     let chest = if hints[bearer].weight(Part::Neck) > 0.0 { parent.unwrap_or(bearer) } else { bearer };
     let head = find_head(tree, hints, bearer, [left_arm, right_arm]);
-    // A joint at its ancestor's place only doubles it (CMU's `LowerBack` and `Neck`).
+    // A joint at its ancestor's place is only a duplicate (CMU's `LowerBack` and `Neck`).
     let first_apart = |from: usize, between: &[usize]| {
         let apart = between.iter().copied().find(|&j| tree.distance(from, j) > 0.01 * tree.distance(hips, chest));
         apart.or(between.last().copied())
@@ -504,8 +504,7 @@ fn find_trunk_on(
     roles[Role::Neck.index()] = head.and_then(|h| first_apart(chest, &tree.between(chest, h)));
 }
 
-/// The head: the joint called so, else the last joint of the longest chain above the arms before it
-/// branches into a face.
+/// The head: the joint of that name, else the last joint of the longest chain above the arms before it branches into a face.
 fn find_head(tree: &Tree, hints: &[NameHint], bearer: usize, arms: [usize; 2]) -> Option<usize> {
     let named = (0..hints.len())
         .filter(|&j| j != bearer && hints[j].weight(Part::Head) > 0.0 && tree.is_ancestor(bearer, j))

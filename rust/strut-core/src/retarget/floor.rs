@@ -1,7 +1,7 @@
-//! The floor of a clip: the height at which the soles rest while they rest.
+//! The floor of a clip: the height of the soles while they rest.
 //!
-//! No standard puts the ground at height 0 of a file: optical systems leave it where they were calibrated, body models
-//! export their hips at the origin. A body that stands 5 cm off the floor bends its knees 15° more on another body.
+//! No standard puts the ground of a file at height 0: optical systems leave it at their calibration, body models export with
+//! the hips at the origin. A body 5 cm above the floor bends its knees 15° more on another body.
 
 use super::binding::Binding;
 use super::sample::local;
@@ -11,40 +11,40 @@ use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
 
-/// Leg length that the lengths and speeds below were measured on, metres.
+/// Leg length for which the lengths and speeds below were measured, metres.
 const REFERENCE_LEG: f32 = 0.8;
 /// A sole rests below this speed, m/s: the threshold of contacts (`crate::contact`).
 const RESTING_SPEED: f32 = 0.45;
-/// Speeds are differences over about this time.
+/// Speeds are differences over about this time, seconds.
 const SPEED_SECS: f64 = 1.0 / 60.0;
-/// The lowest resting soles are those at this share of all their heights from below …
+/// The lowest resting soles are those from this quantile of their heights …
 const LOWEST_SHARE: f32 = 0.1;
-/// … and up to this height above, metres: the floor is their median.
+/// … up to this distance above it, metres: the floor is their median.
 const NEAR_LOWEST: f32 = 0.03;
-/// Soles must rest for this long in all, seconds, or the clip has no floor of its own.
+/// Soles must rest for this total time, seconds, for the clip to have a measured floor.
 const LEAST_REST_SECS: f32 = 0.1;
-/// A floor nearer to 0 than this is 0, metres: the error of the estimate, and `f32` numbers stay as they are.
+/// A floor nearer to 0 than this is set to 0, metres: it is within the error of the estimate, and values then stay unchanged.
 const ZERO: f32 = 0.005;
-/// Shortest rest that counts as standing on another level, seconds, and its height over the floor, metres.
+/// Shortest rest that counts as standing on another level, seconds, and its least height above the floor, metres.
 const LEVEL_SECS: f32 = 0.25;
 const LEVEL_HEIGHT: f32 = 0.15;
 
-/// A floor is noted where it lies farther than this from height 0, metres: those of recordings lie within 4.2 cm.
+/// A floor farther than this from height 0 is noted, metres: those of recordings are within 4.2 cm.
 const NOTED: f32 = 0.05;
 
-/// Where the ground of a clip is.
+/// Ground of a clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Floor {
     /// Height in our axes, metres.
     pub(super) height: f32,
-    /// Whether a sole rests on it; otherwise it is the lowest that a sole comes.
+    /// Whether a sole rests on it; otherwise it is the lowest height of a sole.
     pub(super) is_seen: bool,
-    /// How far above it a foot stands on another level, metres; 0 where none does.
+    /// Height above it of the highest level on which a foot stands, metres; 0 without another level.
     pub(super) highest_level: f32,
 }
 
 impl Floor {
-    /// What there is to say of it.
+    /// Notes on the floor for users.
     pub(super) fn notes(&self) -> Vec<Note> {
         let cm = |metres: f32| (100.0 * metres.abs()).round();
         let side = if self.height < 0.0 { "below" } else { "above" };
@@ -64,7 +64,7 @@ impl Floor {
     }
 }
 
-/// The floor of a clip whose skeleton was bound.
+/// Measures the floor of a clip whose skeleton was bound.
 pub(super) fn floor_of(motion: &Motion, binding: &Binding) -> Floor {
     let soles = soles_of(motion, binding);
     let scale = (binding.proportions.leg_length() / REFERENCE_LEG).clamp(0.4, 2.5);
@@ -109,7 +109,7 @@ fn at_share(sorted: &[f32], share: f32) -> f32 {
     sorted.get((share * last as f32).round() as usize).copied().unwrap_or(0.0)
 }
 
-/// The highest at which a foot rests for long enough to stand there.
+/// The highest level on which a foot rests for long enough to stand there.
 fn highest_level(soles: &[[Sole; 2]], resting: &[[bool; 2]], side: usize, shortest: usize) -> Option<f32> {
     let (mut highest, mut frame) = (None, 0);
     for run in resting.chunk_by(|a, b| a[side] == b[side]) {
@@ -137,7 +137,7 @@ fn soles_of(motion: &Motion, binding: &Binding) -> Vec<[Sole; 2]> {
     let proportions: &Proportions = &binding.proportions;
     let soles = Soles::new(proportions);
     let of_role = |role: Role| binding.joint_of_role[role.index()];
-    // Only what leads to the feet is worked out.
+    // Only the ancestors of the feet are computed.
     let mut leads = vec![false; motion.skeleton.len()];
     for joint in Soles::JOINTS.iter().flatten().filter_map(|&role| of_role(role)) {
         std::iter::successors(Some(joint), |&j| binding.parents[j]).for_each(|j| leads[j] = true);
@@ -158,7 +158,7 @@ fn soles_of(motion: &Motion, binding: &Binding) -> Vec<[Sole; 2]> {
             let (toe_joint, toes) = of_role(toes)
                 .map_or_else(|| (ankle + foot * proportions.offsets[toes.index()], foot), |j| (world[j].0, turned(j)));
             let sole = soles.from_ankle(side, [foot, toes], Vec3::ZERO);
-            // Relative to the ankle and, as the toe joint was placed there, to the toe joint.
+            // The heel relative to the ankle, the ball relative to the toe joint.
             Sole { heel: ankle + sole.heel, ball: toe_joint + sole.ball }
         })
     };

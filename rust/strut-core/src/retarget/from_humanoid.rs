@@ -1,4 +1,4 @@
-//! From the canonical humanoid back to a file's skeleton.
+//! Retargeting from the canonical humanoid back to a file's skeleton.
 
 use super::Binding;
 use super::body_tree::BodyTree;
@@ -10,12 +10,12 @@ use crate::kinematics::{Limb, TwoBones, WorldPose, world_from_local};
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
 
-/// Where a joint's turn away from the T-pose comes from.
+/// Source of a joint's rotation relative to the T-pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Turn {
-    /// The role's own.
+    /// That of a role.
     Of(Role),
-    /// Between those of the lower and the upper end of the trunk, at this share of the way.
+    /// Interpolated between the lower and the upper end of the trunk, by this share.
     AlongTrunk(f32),
 }
 
@@ -25,19 +25,19 @@ pub struct FromHumanoid {
     binding: Binding,
     body: Proportions,
     scale: BodyScale,
-    /// How the soles of a character come to the ground; without it ankles are only scaled.
+    /// Adjusts a character's soles to the ground; without it ankles are only scaled.
     stance: Option<Stance>,
-    /// What each file joint takes its world rotation from; joints without keep their own local rotation.
+    /// Source of each file joint's world rotation; joints without one keep their own local rotation.
     turns: Vec<Option<Turn>>,
-    /// The joint whose translation carries the body through the world.
+    /// The joint whose translation moves the body through the world.
     mover: usize,
     positions: Vec<Vec3>,
     rotations: Vec<Quat>,
 }
 
 impl FromHumanoid {
-    /// From poses of a body of these proportions to the skeleton of `binding`. `source` is a clip of that skeleton, from
-    /// whose channels the joint that carries the body through the world is found.
+    /// Creates the retargeting from a body to the skeleton of `binding`. `source` is a clip of that skeleton; its channels
+    /// determine the joint that moves the body through the world.
     ///
     /// # Panics
     /// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).
@@ -45,10 +45,10 @@ impl FromHumanoid {
         Self::moving(binding, body, moving_joint(binding, source))
     }
 
-    /// The same for a rigged character, which has no clip: the hips carry the body, and joints between spine and chest
-    /// share the turn of the trunk, as a spine bends and does not fold.
+    /// Creates the retargeting to a rigged character, which has no clip: the hips move the body, and joints between spine and
+    /// chest share the rotation of the trunk, so that the spine bends smoothly.
     ///
-    /// Feet stand as those of the body do whatever their proportions, and `sole_points` are kept from sinking into the ground.
+    /// Feet stand like those of the body whatever their proportions, and `sole_points` are kept from penetrating the ground.
     pub fn for_character(binding: &Binding, body: &Proportions, sole_points: &[SolePoint]) -> Self {
         let hips = binding.joint_of_role[Role::Hips.index()].unwrap_or(0);
         let mut retarget = Self::moving(binding, body, hips);
@@ -88,8 +88,8 @@ impl FromHumanoid {
         }
     }
 
-    /// Writes the local transforms of one frame. They must hold a frame of the file when this is called:
-    /// joints without a role keep it, and all but the joint that carries the body keep translations.
+    /// Writes the local transforms of one frame. On entry they must contain a frame of the file: joints without a role keep
+    /// it, and all but the joint that moves the body keep their translations.
     ///
     /// # Panics
     /// If there are fewer transforms than joints.
@@ -99,7 +99,7 @@ impl FromHumanoid {
         self.mirror(translations, rotations);
     }
 
-    /// From a mirrored file to its mirror image, or back.
+    /// Converts between a mirrored file and its mirror image.
     fn mirror(&self, translations: &mut [Vec3], rotations: &mut [Quat]) {
         if self.binding.is_mirrored {
             for (translation, rotation) in translations.iter_mut().zip(rotations) {
@@ -128,22 +128,22 @@ impl FromHumanoid {
         }
     }
 
-    /// A vector in metres and our axes in the file's unit and axes.
+    /// Converts a vector from metres and our axes to the file's unit and axes.
     fn in_file(&self, v: Vec3) -> Vec3 {
         self.binding.world_from_file.inv_mul_vec3(v) / self.binding.metres_per_unit
     }
 
-    /// A place over our ground in the file's unit and axes.
+    /// Converts a place above our ground to the file's unit and axes.
     fn place_in_file(&self, place: Vec3) -> Vec3 {
         self.in_file(place + Vec3::Y * self.binding.floor_metres)
     }
 
-    /// Joint of a required role.
+    /// The joint of a required role.
     fn joint(&self, role: Role) -> usize {
         self.binding.joint_of_role[role.index()].unwrap_or(0)
     }
 
-    /// World rotations by role, W = G · Wᵣ with the rest rotation Wᵣ, as local rotations; positions follow.
+    /// Converts world rotations by role, W = G · Wᵣ with the rest rotation Wᵣ, to local rotations, and updates positions.
     fn turn_joints(&mut self, world: &WorldPose, translations: &[Vec3], rotations: &mut [Quat]) {
         for joint in 0..self.turns.len() {
             let (position, above) = match self.binding.parents[joint] {
@@ -166,7 +166,7 @@ impl FromHumanoid {
         }
     }
 
-    /// Shifts the body so that its hip joints lie where the canonical ones say.
+    /// Shifts the body so that its hip joints are at the canonical ones' places.
     fn move_body(&mut self, world: &WorldPose, translations: &mut [Vec3]) {
         let (left, right) = (Role::LeftUpperLeg, Role::RightUpperLeg);
         let canonical = 0.5 * (world.positions[left.index()] + world.positions[right.index()]);
@@ -180,7 +180,7 @@ impl FromHumanoid {
         }
     }
 
-    /// Brings the end of a limb to a target in the file's world; it keeps its world rotation.
+    /// Moves the end of a limb to a target in the file's world; the end keeps its world rotation.
     fn reach(&mut self, world: &WorldPose, limb: Limb, target: Vec3, rotations: &mut [Quat]) {
         let [upper_role, ..] = limb.roles();
         let [upper, middle, end] = limb.roles().map(|r| self.joint(r));
@@ -188,7 +188,7 @@ impl FromHumanoid {
         let bones =
             TwoBones { upper: self.positions[upper], middle: self.positions[middle], end: self.positions[end], pole };
         let reach = bones.reach(target);
-        // Joints between two roles turn rigidly with the role above them.
+        // Joints between two roles rotate rigidly with the role above them.
         let parent = |joint: usize| self.binding.parents[joint];
         let above = parent(upper).map_or(Quat::IDENTITY, |p| self.rotations[p]);
         let above_middle = parent(middle).map_or(Quat::IDENTITY, |p| reach.upper_turn * self.rotations[p]);
@@ -199,7 +199,7 @@ impl FromHumanoid {
     }
 }
 
-/// The joints strictly between spine and chest, each with its share of the way: by count, as rigs space them evenly.
+/// The joints strictly between spine and chest, each with its share of the rotation: by count, as rigs space them evenly.
 fn trunk_shares(binding: &Binding) -> Vec<(usize, f32)> {
     let [spine, chest] = [Role::Spine, Role::Chest].map(|r| binding.joint_of_role[r.index()]);
     let (Some(spine), Some(chest)) = (spine, chest) else { return Vec::new() };
@@ -210,8 +210,7 @@ fn trunk_shares(binding: &Binding) -> Vec<(usize, f32)> {
     between.iter().enumerate().map(|(i, &joint)| (joint, 1.0 - (i + 1) as f32 / steps)).collect()
 }
 
-/// The nearest of the hips and the joints above them whose position channels move it; the root of a
-/// skeleton where none does.
+/// The nearest of the hips and the joints above them that has moving position channels; the root of a skeleton without one.
 fn moving_joint(binding: &Binding, source: &Motion) -> usize {
     let hips = binding.joint_of_role[Role::Hips.index()].unwrap_or(0);
     let moves = |&joint: &usize| {
@@ -221,11 +220,11 @@ fn moving_joint(binding: &Binding, source: &Motion) -> usize {
     std::iter::successors(Some(hips), |&j| binding.parents[j]).find(moves).unwrap_or(0)
 }
 
-/// A canonical clip on the skeleton of `source`, at the canonical clip's rate.
+/// Retargets a canonical clip to the skeleton of `source`, at the canonical clip's rate.
 ///
-/// Frame i takes joints that the humanoid does not have, such as fingers, from the fractional frame
-/// `source_frames[i]` of the source, clamped to it; if there are fewer of them than poses, the last one
-/// counts for the rest. A source without frames gives a motion without frames.
+/// Frame i takes joints that the humanoid does not have, such as fingers, from the fractional frame `source_frames[i]` of the
+/// source, clamped to it. If there are fewer of them than poses, the last one is used for the rest. A source without frames
+/// gives a motion without frames.
 ///
 /// # Panics
 /// If the skeleton of `source` is not the one that was bound ([`Binding::fits`]).

@@ -1,4 +1,4 @@
-//! Feet that hang from the root: rigs for inverse kinematics leave the shin without a foot and move the foot by itself.
+//! Feet that are children of the root: rigs for inverse kinematics have shins without feet and move the feet separately.
 
 use super::binding::zero_pose_of;
 use super::find_roles::find_roles;
@@ -9,22 +9,22 @@ use crate::humanoid::Role;
 use crate::math::{Quat, Vec3};
 use crate::skeleton::Skeleton;
 
-/// A foot without a name lies this near to where a shin as long as the thigh would end, in lengths of the thigh.
+/// Greatest distance of a foot without a matching name from the end of a shin as long as the thigh, in thigh lengths.
 const NEAR: f32 = 0.6;
-/// A foot that is called so lies at most this far from the knee, in lengths of the thigh.
+/// Greatest distance of a foot with a matching name from its knee, in thigh lengths.
 const FARTHEST: f32 = 2.5;
 
-/// A foot that does not hang on its leg.
+/// A foot that does not descend from its leg.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LooseFoot {
     /// Its joint.
     pub joint: usize,
-    /// The joint of the lower leg, on which it belongs.
+    /// The joint of the lower leg to which it belongs.
     pub lower_leg: usize,
 }
 
-/// The feet of a character that hang elsewhere than on its legs, found by their names and by where they are; empty where both
-/// feet hang on legs.
+/// Returns the feet of a character that do not descend from its legs, found by names and places; empty if both feet descend
+/// from legs.
 pub fn loose_feet(skeleton: &Skeleton) -> Vec<LooseFoot> {
     let sample = Sample::of(&zero_pose_of(skeleton));
     let roles = find_roles(skeleton, &sample).joint_of_role;
@@ -40,13 +40,13 @@ pub fn loose_feet(skeleton: &Skeleton) -> Vec<LooseFoot> {
         let [Some(hip), Some(knee), None] = [upper, lower, foot].map(|role| roles[role.index()]) else { continue };
         let opposite = roles[lower.mirrored().index()];
         let thigh = (at[knee] - at[hip]).length();
-        // Where the shin ends: at the end of its bone if it has one, else as far below as the thigh is long.
+        // The end of the shin: at the end of its bone if it has one, else as far below as the thigh is long.
         let end = (0..skeleton.len()).filter(|&j| skeleton.joints()[j].parent == Some(knee)).map(|j| at[j]);
         let ankle = end.max_by(|a, b| from(*a, at[knee]).total_cmp(&from(*b, at[knee])));
         let ankle = ankle.filter(|a| from(*a, at[knee]) > 0.5 * thigh).unwrap_or(2.0 * at[knee] - at[hip]);
         let is_free = |j: usize| {
             j != 0 && !roles.contains(&Some(j)) && !way_up(knee).any(|k| k == j) && !way_up(j).any(|k| k == knee)
-                // A joint that bears others of the body is no foot.
+                // A joint with other joints of the body below it is not a foot.
                 && !roles.iter().flatten().any(|&role| way_up(role).any(|k| k == j))
         };
         let is_nearer = |j: usize| opposite.is_none_or(|other| from(at[j], at[knee]) < from(at[j], at[other]));
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use crate::skeleton::Joint;
 
-    /// Legs of a rig for inverse kinematics: the shin ends in nothing, the foot hangs on the root.
+    /// Legs of a rig for inverse kinematics: the shin has no child, and the foot is a child of the root.
     fn rig(foot: &str, side: f32) -> Skeleton {
         let mut joints = vec![Joint { name: "Root".into(), parent: None, offset: Vec3::ZERO, end: None }];
         let mut add = |name: String, parent: usize, x: f32, y: f32, z: f32| {

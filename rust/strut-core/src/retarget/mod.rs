@@ -1,4 +1,4 @@
-//! From a file's skeleton to the canonical humanoid and back (`docs/methods/mar.md` §2).
+//! Retargeting from a file's skeleton to the canonical humanoid and back (`docs/methods/mar.md` §2).
 //!
 //! A [`Binding`] holds, once per skeleton, the joint of each role, every joint's rotation in the T-pose, and the body's
 //! size. World rotations by role then transfer exactly; limb inverse kinematics keeps feet and hands at their places, as

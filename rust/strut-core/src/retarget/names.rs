@@ -1,14 +1,14 @@
 //! Evidence in a joint's name for its role.
 //!
-//! Covers the names of CMU and Xia, Bandai Namco, Mixamo, 3ds Max Biped, VRM and glTF, 100STYLE, LAFAN,
-//! Xsens, Rokoko, SMPL, Unreal, Rigify, Daz, Character Creator, MMD and others (the tables in `find_roles/tests.rs`), whatever their case, prefix and separator. A name is
-//! evidence, not proof: `LeftShoulder` is a clavicle in one convention and the upper arm in another, so
-//! each word carries weights for roles, and `find_roles` picks the best consistent chain.
+//! Covers the names of CMU and Xia, Bandai Namco, Mixamo, 3ds Max Biped, VRM and glTF, 100STYLE, LAFAN, Xsens, Rokoko, SMPL,
+//! Unreal, Rigify, Daz, Character Creator, MMD and others (the tables in `find_roles/tests.rs`), for any case, prefix and
+//! separator. A name is evidence, not proof: `LeftShoulder` is a clavicle in one convention and the upper arm in another, so
+//! each word has weights for roles, and `find_roles` picks the best consistent chain.
 
 use crate::humanoid::Role;
 use std::borrow::Cow;
 
-/// Side of the body that a name gives.
+/// Side of the body in a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// Towards +X when facing +Z.
@@ -17,7 +17,7 @@ pub(super) enum Side {
     Right,
 }
 
-/// Part of the body that a role belongs to, whatever the side.
+/// Part of the body that a role belongs to, on either side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     Hips,
@@ -35,7 +35,7 @@ pub(super) enum Part {
 }
 
 impl Part {
-    /// Role of a limb's part on this side; the trunk is not found by names alone.
+    /// Role of a limb's part on this side; the trunk is not found by names only.
     pub(super) fn on(self, side: Side) -> Role {
         let left = match self {
             Part::Hips => Role::Hips,
@@ -55,7 +55,7 @@ impl Part {
     }
 }
 
-/// Words without side, digits and separators → parts and how strongly the word means them (0 to 1).
+/// Words without side, digits and separators → parts and how strongly the word indicates them (0 to 1).
 const WORDS: &[(&str, &[(Part, f32)])] = &[
     ("hips", &[(Part::Hips, 1.0)]),
     ("pelvis", &[(Part::Hips, 1.0)]),
@@ -164,7 +164,7 @@ const WORDS: &[(&str, &[(Part, f32)])] = &[
     ("tsumasaki", &[(Part::Toes, 1.0)]),
 ];
 
-/// Prefixes of rigs, and words that mean only that this is a joint, or the upper of a pair of bones that bend and twist.
+/// Prefixes of rigs, and words that mark any joint, or the upper of a pair of bones that bend and twist.
 const FILLERS: &[&str] = &[
     "mixamorig",
     "bip",
@@ -184,7 +184,7 @@ const FILLERS: &[&str] = &[
     "jnt",
     "bone",
     "bind",
-    // Daz halves its limbs: `ThighBend` moves the thigh, `ThighTwist` only turns its skin.
+    // Daz splits its limbs: `ThighBend` moves the thigh, `ThighTwist` only rotates its skin.
     "bend",
     "stretch",
     "rig",
@@ -198,7 +198,7 @@ const FILLERS: &[&str] = &[
     "main",
 ];
 
-/// Words of joints that have no role, even where another word of their name has one.
+/// Words of joints without a role, even if another word of their name has one.
 const OTHERS: &[&str] = &[
     "thumb",
     "index",
@@ -269,34 +269,34 @@ const OTHERS: &[&str] = &[
     "捩",
 ];
 
-/// Words that say which limb, before one that says which part of it (`L_Leg_Knee`).
+/// Words that name the limb, before one that names its part (`L_Leg_Knee`).
 const LIMBS: &[&str] = &["leg", "arm"];
 
-/// What a palm is in a skeleton without hands.
+/// Parts of a palm in a skeleton without hands.
 const PALM: &[(Part, f32)] = &[(Part::Hand, 0.8)];
 
-/// A word that at least this share of a skeleton's names has says nothing of a joint.
+/// A word in at least this share of a skeleton's names is ignored.
 const COMMON: f32 = 0.6;
 
 /// Evidence in a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct NameHint {
-    /// Side, where the name gives one.
+    /// Side, if the name contains one.
     pub(super) side: Option<Side>,
-    /// Whether the name says that the joint has no role: twist bones, fingers, ends and the like.
+    /// Whether the name marks a joint without a role: twist bones, fingers, ends and the like.
     pub(super) is_other: bool,
     parts: Cow<'static, [(Part, f32)]>,
 }
 
 impl NameHint {
-    /// Reads the names of a skeleton's joints. What nearly all of them have in common (the performer's name, the kind of
-    /// rig) is passed over.
+    /// Reads the names of a skeleton's joints. Words that nearly all of them have in common (the performer's name, the type
+    /// of rig) are ignored.
     pub(super) fn of_all(names: &[&str]) -> Vec<Self> {
         let words: Vec<Vec<String>> = names.iter().map(|name| words_of(name)).collect();
         let enough = COMMON * names.len() as f32;
         let has = |word: &String| words.iter().filter(|w| w.contains(word)).count() as f32;
         let mut common: Vec<String> = Vec::new();
-        // A word that most names have is in one of the first half of them.
+        // A word that most names contain is in one of the first half of them.
         for word in words.iter().take(names.len().div_ceil(2)).flatten() {
             let known = side_of(word).is_some() || look_up(word).is_some();
             if names.len() > 4 && !known && !common.contains(word) && has(word) >= enough {
@@ -305,7 +305,7 @@ impl NameHint {
         }
         let mut hints: Vec<Self> =
             words.iter().map(|words| Self::of_words(words.iter().filter(|w| !common.contains(w)))).collect();
-        // Where nothing is called a hand, the palms are the hands.
+        // If no name contains a hand, palms are hands.
         if hints.iter().all(|hint| hint.weight(Part::Hand) == 0.0) {
             for (hint, words) in hints.iter_mut().zip(&words) {
                 let mut palm = Self::of_words(words.iter().filter(|w| *w != "palm" && !common.contains(w)));
@@ -318,7 +318,7 @@ impl NameHint {
         hints
     }
 
-    /// Reads one name by itself.
+    /// Reads a single name.
     #[cfg(test)]
     pub(super) fn of(name: &str) -> Self {
         Self::of_words(words_of(name).iter())
@@ -359,13 +359,13 @@ impl NameHint {
         }
     }
 
-    /// How strongly the name means this part, 0 to 1.
+    /// How strongly the name indicates this part, 0 to 1.
     pub(super) fn weight(&self, part: Part) -> f32 {
         self.parts.iter().find(|(p, _)| *p == part).map_or(0.0, |(_, w)| *w)
     }
 }
 
-/// The parts of this limb among those that a word may mean: the hip of a leg is no pelvis.
+/// Restricts the parts of a word to those of a limb: the hip of a leg is not the pelvis.
 fn of_limb(limb: &str, parts: &[(Part, f32)]) -> Cow<'static, [(Part, f32)]> {
     let of_leg = |part: Part| matches!(part, Part::UpperLeg | Part::LowerLeg | Part::Foot | Part::Toes);
     let of_arm = |part: Part| matches!(part, Part::Shoulder | Part::UpperArm | Part::LowerArm | Part::Hand);
@@ -383,12 +383,12 @@ fn side_of(word: &str) -> Option<Side> {
 
 fn look_up(word: &str) -> Option<&'static [(Part, f32)]> {
     let find = |word: &str| WORDS.iter().find(|(w, _)| *w == word).map(|(_, parts)| *parts);
-    // Some write the joints of a pair in the plural; `hips` is a word of its own.
+    // Some programs write the joints of a pair in the plural; `hips` is a separate word.
     find(word).or_else(|| word.strip_suffix('s').filter(|w| *w != "hip").and_then(find))
 }
 
-/// Lower-case words of a name: split at separators, digits and changes of case or script; what a namespace
-/// (`mixamorig:`) puts before the name and all digits are dropped.
+/// Lower-case words of a name: split at separators, digits and changes of case or script; a namespace before the name
+/// (`mixamorig:`) and all digits are dropped.
 fn words_of(name: &str) -> Vec<String> {
     let name = name.rsplit([':', '|']).next().unwrap_or(name);
     let chars: Vec<char> = name.chars().map(half_width).collect();
@@ -399,7 +399,7 @@ fn words_of(name: &str) -> Vec<String> {
             let camel = c.is_ascii_uppercase()
                 && (before.is_ascii_lowercase()
                     || before.is_ascii_uppercase() && after.is_some_and(char::is_ascii_lowercase));
-            // Japanese names write the side, and that a bone twists, without a separator.
+            // Japanese names have no separator at the characters for the side and for twist.
             let sign = |c: char| matches!(c, '左' | '右' | '捩');
             camel || c.is_ascii() != before.is_ascii() || sign(c) || sign(before)
         };
@@ -416,7 +416,7 @@ fn words_of(name: &str) -> Vec<String> {
     words
 }
 
-/// The ASCII letter or digit that a full-width one (`ＩＫ`) stands for.
+/// The ASCII character of a full-width one (`ＩＫ`).
 fn half_width(c: char) -> char {
     let ascii = u32::from(c).checked_sub(0xFF01 - 0x21).filter(|code| (0x21..0x7F).contains(code));
     ascii.and_then(char::from_u32).unwrap_or(c)

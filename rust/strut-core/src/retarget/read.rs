@@ -1,4 +1,4 @@
-//! Reads a clip: its roles, axes, sides and floor, each from the body or as a person says.
+//! Reading of a clip: its roles, axes, sides and floor, each detected from the body or set by the user.
 
 use super::anatomy::four_legs;
 use super::axes::is_mirrored;
@@ -11,7 +11,7 @@ use crate::humanoid::JOINTS;
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
 
-/// Confidence of joints that were found by their names: below it a third of the limbs or more were found by shape.
+/// Confidence from which joints count as found by name: below it a third of the limbs or more were found by shape.
 const BY_NAME: f32 = 0.75;
 
 impl Binding {
@@ -23,15 +23,14 @@ impl Binding {
         Self::read(motion, &ReadAs::default())
     }
 
-    /// The joint of each role as far as it can be detected: a proposal for users to correct where [`Binding::detect`] is
-    /// unsure or fails. All `None` for a clip without frames.
+    /// Returns the joint of each role as far as it can be detected: a proposal for the user if [`Binding::detect`] is unsure
+    /// or fails. All `None` for a clip without frames.
     pub fn likely_roles(motion: &Motion) -> [Option<usize>; JOINTS] {
         let sample = Sample::of(motion);
         if sample.is_empty() { [None; JOINTS] } else { find_roles(&motion.skeleton, &sample).joint_of_role }
     }
 
-    /// A binding of a clip of which a person says something; the rest is detected. The confidence in joints that were given
-    /// is 1.
+    /// Binds a clip with some properties set by the user; the rest is detected. The confidence in given joints is 1.
     ///
     /// # Errors
     /// See [`BindError`].
@@ -86,7 +85,7 @@ impl Binding {
         Ok(binding)
     }
 
-    /// Measures where the ground of a clip is, or takes what a person says.
+    /// Measures the height of a clip's ground, or takes the user's value.
     fn find_floor(&mut self, motion: &Motion, said: Option<f32>) {
         if let Some(height) = said {
             self.floor_metres = height;

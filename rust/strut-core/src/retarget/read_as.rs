@@ -1,9 +1,9 @@
-//! What a person says of a file, in place of what is read from the body.
+//! Properties of a file that the user sets instead of detecting them from the body.
 
 use super::UpAxis;
 use crate::humanoid::JOINTS;
 
-/// What a person says of a file, in place of what is read from the body.
+/// Properties of a file that the user sets instead of detecting them from the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadAs {
     /// The joint of each role.
@@ -14,9 +14,9 @@ pub struct ReadAs {
     pub up: Option<UpAxis>,
     /// Height of the floor along the up axis, metres; finite.
     pub floor_metres: Option<f32>,
-    /// Whether left and right are the other way round than they are read: a mirror image is taken as it is, any other file
-    /// as a mirror image.
+    /// Whether the detected sides are swapped: a file detected as a mirror image is read as it is, any other file as a mirror
+    /// image.
     pub swap_sides: bool,
-    /// Whether the file is a mirror image, whatever the body shows; `swap_sides` does not count then.
+    /// Whether the file is a mirror image, regardless of the body; `swap_sides` is then ignored.
     pub mirrored: Option<bool>,
 }

@@ -1,10 +1,9 @@
 //! World rotations of a file's joints when the body stands in the T-pose.
 //!
-//! Where the zero pose looks like a person (legs down, spine up, limbs straight), it is bent into the
-//! T-pose by the shortest turns. Where it does not (Bandai Namco's bones lie along a local axis), each
-//! joint's frame is read from anatomy: directions of the bones, hinge axes of knees and elbows, mean
-//! rotations of the trunk, all snapped to the nearest local coordinate axes, so that every clip of a
-//! skeleton gives the same rest pose.
+//! If the zero pose resembles a person (legs down, spine up, limbs straight), it is bent into the T-pose by the shortest
+//! rotations. If not (Bandai Namco's bones lie along a local axis), each joint's frame is derived from anatomy: directions of
+//! the bones, hinge axes of knees and elbows, mean rotations of the trunk. All are snapped to the nearest local coordinate
+//! axes, so that every clip of a skeleton gives the same rest pose.
 
 use super::body_tree::BodyTree;
 use super::sample::Sample;
@@ -15,19 +14,19 @@ use crate::skeleton::Skeleton;
 use std::f32::consts::FRAC_PI_2;
 
 /// Directions nearer than this to a coordinate axis are snapped to it: cosine of 25°. Skeletons are modelled along axes;
-/// smaller deviations are errors of the estimate.
+/// smaller deviations are estimation errors.
 const SNAP_COSINE: f32 = 0.906;
 
-/// Pitch of the line from ankle to toe joint below the horizontal, sole flat, where it is not known from the zero pose:
-/// radians. Bandai Namco's avatars stand at 39.6°; ankles of game rigs sit as high.
+/// Pitch of the line from ankle to toe joint below the horizontal with a flat sole, radians, if the zero pose does not give
+/// it. Bandai Namco's avatars have 39.6°; ankles of game rigs are as high.
 const FOOT_PITCH: f32 = 0.69;
 
-/// Upward bend of the toes against the foot, sole flat, where it is not known from the zero pose: radians.
-/// Bandai Namco's avatars stand at 16.6°.
+/// Upward bend of the toes relative to the foot with a flat sole, radians, if the zero pose does not give it. Bandai Namco's
+/// avatars have 16.6°.
 const TOE_BEND: f32 = 0.29;
 
-/// Weight of a hinge axis guessed from the mean pose against one seen in bending, which counts with the
-/// squared sine of the bend: they are equal at 8°.
+/// Weight of a hinge axis guessed from the mean pose relative to one observed in bending, which has the squared sine of the
+/// bend as weight: they are equal at 8°.
 const GUESSED_HINGE: f32 = 0.02;
 
 /// World rotation of each file joint in the T-pose facing +Z, +Y up.
@@ -35,10 +34,10 @@ pub(super) struct RestPose {
     pub(super) world_rotations: Vec<Quat>,
     /// Whether the file's zero pose served as the reference.
     pub(super) from_zero_pose: bool,
-    /// Direction of the body's up axis in the zero pose, where that served.
+    /// Direction of the body's up axis in the zero pose, if that served as the reference.
     pub(super) zero_up: Option<Vec3>,
-    /// Pitch of the left and the right foot in the zero pose, from ankle to toe joint above the horizontal, where that served:
-    /// radians.
+    /// Pitch of the left and the right foot in the zero pose, from ankle to toe joint above the horizontal, if that served as
+    /// the reference: radians.
     pub(super) zero_foot_pitch: [Option<f32>; 2],
 }
 
@@ -63,7 +62,7 @@ fn hinge_of(bone: Role) -> Vec3 {
     }
 }
 
-/// The rest pose of a skeleton whose required roles are known.
+/// Computes the rest pose of a skeleton whose required roles are known.
 pub(super) fn rest_pose(skeleton: &Skeleton, roles: &[Option<usize>; JOINTS], sample: &Sample) -> RestPose {
     let tree = BodyTree::of_skeleton(skeleton, roles);
     let body = Body { skeleton, tree, roles, sample, role_of_joint: invert(skeleton.len(), roles) };
@@ -93,7 +92,7 @@ fn invert(joints: usize, roles: &[Option<usize>; JOINTS]) -> Vec<Option<Role>> {
     role_of_joint
 }
 
-/// Positions of all joints when their world rotations are these; the root at the origin.
+/// Positions of all joints for these world rotations; the root at the origin.
 pub(super) fn positions(skeleton: &Skeleton, translations: &[Vec3], world_rotations: &[Quat]) -> Vec<Vec3> {
     let mut positions = vec![Vec3::ZERO; skeleton.len()];
     for (j, joint) in skeleton.joints().iter().enumerate() {
@@ -126,7 +125,7 @@ impl Body<'_> {
         self.tree.parents[joint]
     }
 
-    /// Mean place where the bone of a joint begins, relative to where that of `of` does and in its frame.
+    /// Mean position where the bone of a joint begins, relative to that of `of` and in its frame.
     fn mean_local(&self, of: usize, joint: usize) -> Vec3 {
         let [from, to] = [of, joint].map(|j| self.tree.begins[j]);
         if [from, to] == [of, joint] {
@@ -141,7 +140,7 @@ impl Body<'_> {
         tops.iter().find_map(|&r| self.at(r)).unwrap_or(0)
     }
 
-    /// The joint that the bone of a role points to, where there is one.
+    /// The joint to which the bone of a role points, if there is one.
     fn bone_end(&self, role: Role) -> Option<usize> {
         let end = |roles: &[Role]| roles.iter().find_map(|&r| self.at(r));
         match role {
@@ -158,8 +157,8 @@ impl Body<'_> {
 
     // ── from the zero pose ──────────────────────────────────────────────────────────────────────────
 
-    /// The rotation that takes the zero pose to facing +Z with +Y up; `None` unless it looks like a
-    /// person whose legs and arms are about straight.
+    /// The rotation that takes the zero pose to facing +Z with +Y up; `None` unless it resembles a person with about straight
+    /// legs and arms.
     fn zero_pose_frame(&self) -> Option<Quat> {
         let zero = positions(self.skeleton, &self.sample.translations, &vec![Quat::IDENTITY; self.skeleton.len()]);
         let toward = |from: Role, to: Role| (zero[self.required(to)] - zero[self.required(from)]).normalize_or_zero();
@@ -211,8 +210,7 @@ impl Body<'_> {
             if let Some((_, _, direction)) = LIMB_BONES.iter().find(|(r, ..)| *r == role) {
                 rest[j] = Quat::from_rotation_arc(rest[j] * bone, *direction) * rest[j];
             } else if matches!(role, Role::LeftFoot | Role::RightFoot) {
-                // The slope of the foot is that of the zero pose, in which people stand; not that of the
-                // shin, which may lean.
+                // The foot has the slope of the zero pose, which is standing, not that of the shin, which may lean.
                 let slope = -asin((frame * bone).normalize_or_zero().y);
                 let pitch = if (0.0..1.05).contains(&slope) { slope } else { FOOT_PITCH };
                 rest[j] = pitched(rest[j], bone, pitch);
@@ -239,7 +237,7 @@ impl Body<'_> {
         rest
     }
 
-    /// Axes of the pelvis in the hips' own frame: hip joints give left, the trunk gives up.
+    /// Axes of the pelvis in the hips' own frame: the hip joints give left, the trunk gives up.
     fn hips_frame(&self, hips: usize) -> Quat {
         let local = |r: Role| self.mean_local(hips, self.required(r));
         let left = local(Role::LeftUpperLeg) - local(Role::RightUpperLeg);
@@ -327,7 +325,7 @@ impl Body<'_> {
         let guessed = self.sample.mean(|w| {
             let trunk_frame = w[trunk].1 * rest[trunk].inverse();
             let along = trunk_frame.inv_mul_vec3(w[joint].1 * bone);
-            // Hanging arms are raised sideways before their hinge is compared; legs hang at rest.
+            // Hanging arms are raised sideways before their hinge is compared; hanging legs are at rest.
             let raised = if is_arm { Quat::from_rotation_arc(along, direction) } else { Quat::IDENTITY };
             w[joint].1.inv_mul_vec3(trunk_frame * raised.inv_mul_vec3(hinge))
         });
@@ -341,22 +339,22 @@ impl Body<'_> {
             return Quat::from_rotation_arc(above * bone, direction) * above;
         }
         let axis = snapped_across(evidence, bone);
-        // Columns: where the bone and the hinge lie locally, and where they lie in the T-pose.
+        // Columns: bone and hinge in the local frame, and in the T-pose.
         let local = Quat::from_basis(axis, bone, axis.cross(bone));
         let canonical = Quat::from_basis(hinge, direction, hinge.cross(direction));
         (canonical * local.inverse()).normalized()
     }
 }
 
-/// Upper joint, middle joint and end of the limb that a bone belongs to.
+/// Upper joint, middle joint and end of a bone's limb.
 fn limb_chain(bone: Role) -> [Role; 3] {
     use crate::kinematics::Limb;
     let limb = Limb::ALL.into_iter().find(|l| l.roles().contains(&bone));
     limb.unwrap_or(Limb::LeftLeg).roles()
 }
 
-/// `rest` turned so that the local vector `bone` points forward (+Z) and `pitch` radians down, the
-/// least turn about +Y first.
+/// Rotates `rest` so that the local vector `bone` points forward (+Z) and `pitch` radians down, first by the shortest turn
+/// about +Y.
 fn pitched(rest: Quat, bone: Vec3, pitch: f32) -> Quat {
     let direction = rest * bone.normalize_or_zero();
     let yaw = if direction.x.abs() + direction.z.abs() > 1e-3 { atan2(direction.x, direction.z) } else { 0.0 };
@@ -371,7 +369,7 @@ fn frame_of(left: Vec3, up: Vec3) -> Quat {
     Quat::from_basis(left, up, left.cross(up))
 }
 
-/// The part of `v` that is orthogonal to `to`, of unit length; any such direction if there is none.
+/// The component of `v` orthogonal to `to`, of unit length; any such direction if it is almost zero.
 fn orthogonal(v: Vec3, to: Vec3) -> Vec3 {
     let to = to.normalize_or_zero();
     let part = v - to * v.dot(to);
@@ -382,15 +380,14 @@ fn orthogonal(v: Vec3, to: Vec3) -> Vec3 {
     (helper - to * helper.dot(to)).normalize_or_zero()
 }
 
-/// The coordinate axis that a direction lies near to, or the direction itself, of unit length.
+/// The nearest coordinate axis of a direction, or the unit direction itself if none is near.
 fn snapped(v: Vec3) -> Vec3 {
     let v = v.normalize_or_zero();
     let axis = AXES.into_iter().max_by(|a, b| a.dot(v).total_cmp(&b.dot(v))).unwrap_or(Vec3::X);
     if v.dot(axis) > SNAP_COSINE { axis } else { v }
 }
 
-/// The direction across `bone` that lies nearest to `v`: a coordinate axis where the bone lies along
-/// one, the direction itself snapped where it does not.
+/// The direction orthogonal to `bone` nearest to `v`: a coordinate axis if the bone is along one, else the snapped direction.
 fn snapped_across(v: Vec3, bone: Vec3) -> Vec3 {
     let along = snapped(bone);
     if !is_axis(along) {
@@ -409,7 +406,7 @@ fn is_axis(v: Vec3) -> bool {
     AXES.contains(&v)
 }
 
-/// Of the 24 rotations that take coordinate axes to coordinate axes the one nearest to `q`.
+/// The nearest to `q` of the 24 rotations that take coordinate axes to coordinate axes.
 fn nearest_axes(q: Quat) -> Quat {
     let mut best = Quat::IDENTITY;
     for x in AXES {
@@ -423,8 +420,8 @@ fn nearest_axes(q: Quat) -> Quat {
     best
 }
 
-/// Of the rotations that take the local direction `from` to `to` the one nearest to `q`, in quarter
-/// turns about `to` where `from` is a coordinate axis.
+/// The nearest to `q` of the rotations that take the local direction `from` to `to`, in quarter turns about `to` if `from` is
+/// a coordinate axis.
 fn nearest_turn_about(to: Vec3, from: Vec3, q: Quat) -> Quat {
     let base = Quat::from_rotation_arc(from, to);
     if is_axis(from) {

@@ -3,16 +3,15 @@
 use crate::math::{Quat, Vec3, exp_map};
 use crate::motion::Motion;
 
-/// Greatest number of frames sampled, evenly spread over the clip. Every estimate is a mean that is then snapped, so that
-/// more frames would only take more time.
+/// Greatest number of frames sampled, evenly spread over the clip. Every estimate is a mean that is then snapped, so more
+/// frames would only take more time.
 const MAX_FRAMES: usize = 64;
 
 /// World transforms of every joint at some frames, in the file's units and axes.
 pub(super) struct Sample {
     parents: Vec<Option<usize>>,
     frames: Vec<Vec<(Vec3, Quat)>>,
-    /// Position of each joint in its parent's frame: `OFFSET`, or the median of the position channels
-    /// where those say otherwise.
+    /// Position of each joint in its parent's frame: `OFFSET`, or the median of the position channels if these differ.
     pub(super) translations: Vec<Vec3>,
 }
 
@@ -22,7 +21,7 @@ impl Sample {
         Self::seen(motion, false)
     }
 
-    /// The same of a motion's mirror image.
+    /// Samples a motion's mirror image.
     pub(super) fn of_mirror_image(motion: &Motion) -> Self {
         Self::seen(motion, true)
     }
@@ -42,12 +41,12 @@ impl Sample {
         self.frames.is_empty()
     }
 
-    /// A value of each frame; `f` gets the joints' world positions and rotations.
+    /// Evaluates `f` in each frame with the joints' world positions and rotations.
     pub(super) fn each<T>(&self, f: impl Fn(&[(Vec3, Quat)]) -> T) -> impl Iterator<Item = T> {
         self.frames.iter().map(move |frame| f(frame))
     }
 
-    /// Mean of a vector over the frames; `f` gets the joints' world positions and rotations.
+    /// Mean of a vector over the frames; `f` takes the joints' world positions and rotations.
     pub(super) fn mean(&self, f: impl Fn(&[(Vec3, Quat)]) -> Vec3) -> Vec3 {
         let sum = self.frames.iter().fold(Vec3::ZERO, |sum, frame| sum + f(frame));
         sum / self.frames.len().max(1) as f32
@@ -56,7 +55,7 @@ impl Sample {
     /// Mean position of `joint` in the frame of `of`.
     pub(super) fn mean_local(&self, of: usize, joint: usize) -> Vec3 {
         if self.parents[joint] == Some(of) {
-            // Exact, so that rounding in a clip does not reach the rest pose.
+            // Exact, so that rounding in a clip does not affect the rest pose.
             return self.translations[joint];
         }
         self.mean(|w| w[of].1.inv_mul_vec3(w[joint].0 - w[of].0))
@@ -74,7 +73,7 @@ impl Sample {
     }
 }
 
-/// A local transform of a file, or of the file's mirror image at the plane x = 0.
+/// A local transform of a file, or of the file mirrored at the plane x = 0.
 pub(super) fn local(translation: Vec3, rotation: Quat, mirrored: bool) -> (Vec3, Quat) {
     if mirrored { (translation * Vec3::new(-1.0, 1.0, 1.0), rotation.mirrored()) } else { (translation, rotation) }
 }
@@ -90,8 +89,8 @@ fn world_transforms(motion: &Motion, frame: usize, mirrored: bool) -> Vec<(Vec3,
     world
 }
 
-/// The offset where the position channels agree with it to 1 %, so that rounding in a clip does not
-/// change the binding; their median otherwise.
+/// The offset if the position channels agree with it to 1 %, so that rounding in a clip does not change the binding; their
+/// median otherwise.
 fn usual_translation(motion: &Motion, frames: &[usize], joint: usize, mirrored: bool) -> Vec3 {
     let of_file = usual_translation_of_file(motion, frames, joint);
     local(of_file, Quat::IDENTITY, mirrored).0

@@ -1,20 +1,20 @@
-//! How lengths change between two bodies.
+//! Scaling of lengths between two bodies.
 
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::kinematics::{Limb, two_bone_ik, world_from_local};
 use crate::math::Vec3;
 
-/// Extension of a leg, as a share of its length, from which the difference between its own ratio and the mean of both
-/// legs is corrected. Lower values spread the correction over more of the stride, higher ones make it steeper.
+/// Extension of a leg, as a share of its length, above which the difference between its own ratio and the mean of both legs
+/// is corrected. Lower values spread the correction over more of the stride, higher ones make it steeper.
 const EXTENDED: f32 = 0.9;
 
-/// Ratios of lengths of a canonical body to those of a file's body, and the vertical shift that brings the soles to the
-/// same height.
+/// Ratios of lengths of a canonical body to those of a file's body, and the vertical shift that brings the soles to the same
+/// height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct BodyScale {
-    /// Ratio of the legs (mean of both): scales the travel, so that steps fit the legs that take them.
+    /// Ratio of the legs (mean of both): scales the travel, so that steps fit the legs.
     legs: f32,
-    /// Metres added to scaled heights: ankles differ in their height above the sole.
+    /// Offset of scaled heights, metres: the height of the ankles above the soles differs.
     lift: f32,
     /// Length of each fully extended leg of the file, scaled by `legs`, as a share of the target's leg. Legs of captured
     /// skeletons differ by a few percent; left first.
@@ -26,7 +26,7 @@ pub(super) struct BodyScale {
 }
 
 impl BodyScale {
-    /// From the body of a file to a target body.
+    /// Computes the scale from the body of a file to a target body.
     pub(super) fn between(file: &Proportions, target: &Proportions) -> Self {
         let limb = |p: &Proportions, limb: Limb| {
             let [_, middle, end] = limb.roles();
@@ -43,7 +43,7 @@ impl BodyScale {
         }
     }
 
-    /// Where a point of the file's body (hip joint, ankle) lies for the target's.
+    /// Maps a point of the file's body (hip joint, ankle) to the target's.
     pub(super) fn to_target(self, point: Vec3) -> Vec3 {
         point * self.legs + Vec3::Y * self.lift
     }
@@ -53,9 +53,9 @@ impl BodyScale {
         (point - Vec3::Y * self.lift) / self.legs
     }
 
-    /// From hip joint to ankle in the target's body, given the same vector by [`Self::to_target`]: the
-    /// same direction, but a leg that the file shows straight is straight, although the file's two legs
-    /// differ in length and the target's do not. Leg `i` counts [`Limb::LEGS`].
+    /// Maps a vector from hip joint to ankle, already scaled by [`Self::to_target`], to the target's leg: the direction is
+    /// the same, and a straight leg stays straight, although the file's two legs differ in length and the target's do not.
+    /// `i` is the index in [`Limb::LEGS`].
     pub(super) fn leg_to_target(self, i: usize, hip_to_ankle: Vec3) -> Vec3 {
         let full = self.full_extension[i];
         let bent = EXTENDED * full.min(1.0);
@@ -69,16 +69,16 @@ impl BodyScale {
         self.with_extension(i, hip_to_ankle, |x| bent + (x - bent) * (full - bent) / (1.0 - bent), bent)
     }
 
-    /// The vector with its length, as a share of the leg, replaced by `map` of it from `bent` on.
+    /// Replaces the vector's length, as a share of the leg, by `map` of it if it is above `bent`.
     fn with_extension(self, i: usize, hip_to_ankle: Vec3, map: impl Fn(f32) -> f32, bent: f32) -> Vec3 {
         let extension = hip_to_ankle.length() / self.target_legs[i];
         if extension > bent { hip_to_ankle * (map(extension) / extension) } else { hip_to_ankle }
     }
 
-    /// Places the target's body, its ankles and its wrists as the file's, scaled, given the file's joint positions; `pose`
-    /// has the rotations.
+    /// Places the target's body, its ankles and its wrists at the file's scaled places, given the file's joint positions;
+    /// `pose` has the rotations.
     pub(super) fn place(self, target: &Proportions, pose: &mut Pose, file: impl Fn(Role) -> Vec3) {
-        // Hip joints are scaled like the ankles, so that the bend of the legs is kept.
+        // Hip joints are scaled like the ankles, which keeps the bend of the legs.
         let hip_joints = 0.5 * (file(Role::LeftUpperLeg) + file(Role::RightUpperLeg));
         let from_hips = |r: Role| target.offsets[r.index()];
         let below = 0.5 * (from_hips(Role::LeftUpperLeg) + from_hips(Role::RightUpperLeg));
@@ -104,7 +104,7 @@ impl BodyScale {
         self.legs
     }
 
-    /// Ratio of an arm; `i` counts [`Limb::ARMS`].
+    /// Ratio of an arm; `i` is the index in [`Limb::ARMS`].
     pub(super) fn arm(self, i: usize) -> f32 {
         self.arms[i]
     }
@@ -133,7 +133,7 @@ mod tests {
         assert!((scale.to_file(there) - ankle).length() < 1e-5);
     }
 
-    /// The mannequin with a right shin longer by this share.
+    /// The mannequin with its right shin lengthened by this share.
     fn limping(longer: f32) -> Proportions {
         let mut p = Proportions::default();
         p.offsets[Role::RightFoot.index()] *= 1.0 + longer;

@@ -1,7 +1,7 @@
-//! How a character stands: its soles where the body's are, although its feet have other proportions.
+//! Stance of a character: its soles are placed like the body's, although its feet have other proportions.
 //!
-//! Ankles that are scaled like the legs put the feet right only where feet and legs have the same ratio. A longer foot that
-//! rolls over heel and ball would sink into the ground and skate: its ankle has to move as the foot turns.
+//! Ankles scaled like the legs place the feet correctly only if feet and legs have the same ratio. A longer foot that rolls
+//! over heel and ball would penetrate the ground and skate: its ankle must move as the foot rotates.
 
 use super::Binding;
 use crate::humanoid::{Proportions, Role};
@@ -9,16 +9,16 @@ use crate::kinematics::{Sole, Soles, WorldPose};
 use crate::math::float_funcs::atan2;
 use crate::math::{Quat, Vec3};
 
-/// Deepest that a sole may lie under the ground and still be lifted, metres on a body of legs like the mannequin's: recorded
-/// feet sink by millimetres. Whatever lies deeper stands on other ground.
+/// Greatest depth of a sole under the ground from which it is lifted, metres for legs like the mannequin's: recorded feet
+/// sink by millimetres. A deeper sole stands on other ground.
 const SINKING: f32 = 0.02;
 
-/// How deep soles are left under the ground, metres: nobody sees it. `shared/spec/embedding.md` section 7 allows twice as
-/// much, as the points of a sole are a sample of its vertices.
+/// Depth at which soles are left under the ground, metres: it is not visible. Twice this depth is acceptable, because the
+/// points of a sole are a sample of its vertices.
 const UNSEEN: f32 = 0.0025;
 
-/// How far the toes reach beyond the toe joint, as a share of the distance from ankle to toe joint on the ground. The
-/// mannequin's touch the ground up to there.
+/// Length of the toes beyond the toe joint, as a share of the distance from ankle to toe joint on the ground. The mannequin's
+/// toes touch the ground up to there.
 const TIP_SHARE: f32 = 0.4;
 
 /// A point of a character's foot that can touch the ground.
@@ -28,7 +28,7 @@ pub struct SolePoint {
     pub side: usize,
     /// Whether it moves with the toes rather than with the foot.
     pub on_toes: bool,
-    /// From the joint that it moves with to the point in the file's zero pose, along the file's axes and in its unit.
+    /// Vector from that joint to the point in the file's zero pose, along the file's axes and in its unit.
     pub at: Vec3,
 }
 
@@ -37,12 +37,12 @@ pub struct SolePoint {
 pub(super) struct Stance {
     body: Foot,
     character: Foot,
-    /// Length of the character's legs over that of the body's.
+    /// Ratio of the length of the character's legs to that of the body's.
     ratio: f32,
-    /// How much farther to +X the hip joints of the character lie than those of the body, scaled like the legs, left first:
-    /// its feet stand as much farther apart. Metres.
+    /// Offset to +X of the character's hip joints from the body's, scaled like the legs, left first, metres: its feet are
+    /// moved apart by the same offset.
     widths: [f32; 2],
-    /// The character's points of each foot in the frames of foot and toes, metres; whether they are the toes'.
+    /// The character's sole points of each foot in the frame of the foot or the toes, metres; `true` for points of the toes.
     points: [Vec<(bool, Vec3)>; 2],
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Stance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Foot {
     soles: Soles,
-    /// Where the toe joints lie in the feet's frames, left first.
+    /// Positions of the toe joints in the feet's frames, left first.
     toes: [Vec3; 2],
 }
 
@@ -72,7 +72,7 @@ impl Foot {
 }
 
 impl Stance {
-    /// From a body to a character whose legs are `ratio` times as long.
+    /// Computes the stance for a body and a character whose legs are `ratio` times as long.
     pub(super) fn between(body: &Proportions, character: &Binding, ratio: f32, points: &[SolePoint]) -> Self {
         let own = |side: usize| {
             let of_side = points.iter().filter(move |point| point.side == side);
@@ -91,20 +91,20 @@ impl Stance {
         Self { body: Foot::of(body), character: Foot::of(&character.proportions), ratio, widths, points }
     }
 
-    /// The ankle of the left (0) or right (1) foot, metres of the character, given where it lies when it is scaled like the
-    /// legs: moved so that the point on which the foot turns stays, at its height.
+    /// Returns the position of the left (0) or right (1) ankle, metres of the character, given the position scaled like the
+    /// legs: moved so that the pivot of the foot stays in place, at its height.
     pub(super) fn ankle(&self, side: usize, world: &WorldPose, scaled: Vec3) -> Vec3 {
         let rotations = Soles::JOINTS[side].map(|joint: Role| world.rotations[joint.index()]);
         let ahead = rotations[0] * Vec3::Z;
         let level = [Quat::from_rotation_y(atan2(ahead.x, ahead.z)); 2];
         let [body, character] = [self.body, self.character].map(|foot| {
             let (turned, flat) = (foot.sole(side, rotations), foot.sole(side, level));
-            // The pivot that has moved is the same mixture of heel and ball on the flat foot.
+            // The displacement of the pivot from the same mixture of heel and ball on the flat foot.
             let share = turned.heel_share();
             let moved = turned.pivot() - (flat.heel * share + flat.ball * (1.0 - share));
             Vec3::new(moved.x, foot.lowest(side, rotations) - foot.lowest(side, level), moved.z)
         });
-        // Across the foot rather than the pelvis, which turns while the foot stands.
+        // Across the foot rather than the pelvis, which rotates while the foot is planted.
         let apart = level[0] * Vec3::X * self.widths[side];
         let mut ankle = scaled + apart + body * self.ratio - character;
         let depth = -UNSEEN - (ankle.y + self.lowest_point(side, rotations));
@@ -112,7 +112,7 @@ impl Stance {
         ankle
     }
 
-    /// Height of the lowest of the character's points above its ankle; of its heel, ball and tip where no points are known.
+    /// Height of the lowest of the character's sole points above its ankle; of its heel, ball and tip if no points are known.
     fn lowest_point(&self, side: usize, [foot, toes]: [Quat; 2]) -> f32 {
         let toe_joint = foot * self.character.toes[side];
         let heights = self.points[side].iter().map(

@@ -1,4 +1,4 @@
-//! One walk on many rigs: whatever a skeleton's zero pose, axes and unit, the canonical motion is the same.
+//! One walk on many rigs: the canonical motion does not depend on a skeleton's zero pose, axes and unit.
 
 use super::*;
 use crate::humanoid::{HumanoidMotion, JOINTS, PARENTS, Pose, Proportions, Role};
@@ -11,7 +11,7 @@ use crate::skeleton::{Joint, Skeleton};
 use proptest::prelude::*;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
-/// A body whose feet slope as those of game rigs do, so that rigs without a zero pose agree about them.
+/// A body whose feet slope as those of game rigs do, so that rigs without a zero pose have the same feet.
 fn body() -> Proportions {
     let mut p = Proportions::default();
     for toes in [Role::LeftToes, Role::RightToes] {
@@ -55,7 +55,7 @@ fn walk() -> HumanoidMotion {
     HumanoidMotion { proportions, rate_hz: 30.0, poses: poses.collect() }
 }
 
-/// A rig for the body: how each joint's frame lies in the canonical T-pose, and the file's world.
+/// A rig for the body: each joint's frame in the canonical T-pose, and the file's world.
 struct Rig {
     /// Frame of the rig's joint in the canonical joint's frame.
     frames: [Quat; JOINTS],
@@ -69,7 +69,7 @@ impl Default for Rig {
     }
 }
 
-/// The motion as a file with this rig would hold it.
+/// The motion as a file with this rig.
 fn rigged(motion: &HumanoidMotion, rig: &Rig) -> Motion {
     let parent = |j: usize| PARENTS.get(j).copied().filter(|&p| p < JOINTS);
     let offset = |j: usize| {
@@ -94,7 +94,7 @@ fn rigged(motion: &HumanoidMotion, rig: &Rig) -> Motion {
     Motion::new(skeleton, 1.0 / f64::from(motion.rate_hz), translations, rotations).unwrap()
 }
 
-/// Roles whose local rotations differ by more than 0.01 rad, and by how much at most.
+/// Roles whose local rotations differ by more than 0.01 rad, and the greatest difference.
 fn differing_roles(a: &HumanoidMotion, b: &HumanoidMotion) -> Vec<(&'static str, f32)> {
     let angle = |j: usize| {
         let pairs = a.poses.iter().zip(&b.poses);
@@ -103,14 +103,14 @@ fn differing_roles(a: &HumanoidMotion, b: &HumanoidMotion) -> Vec<(&'static str,
     Role::ALL.iter().map(|r| (r.name(), angle(r.index()))).filter(|(_, angle)| *angle > 0.01).collect()
 }
 
-/// Binds the rigged walk, and checks that the canonical walk comes out.
+/// Binds the rigged walk, and checks that the result is the canonical walk.
 fn check_rig(rig: &Rig) -> Binding {
     let expected = walk();
     let file = rigged(&expected, rig);
     let binding = Binding::detect(&file).unwrap();
     let found = to_humanoid(&file, &binding, &expected.proportions);
     assert_eq!(differing_roles(&found, &expected), []);
-    // Heights above the ground are known only as well as the ankle's height is.
+    // Heights above the ground are only as accurate as the ankle's height.
     let root = (found.poses[40].root - expected.poses[40].root) * Vec3::new(1.0, 0.0, 1.0);
     assert!(root.length() < 1e-3, "{root}");
     assert!((binding.metres_per_unit * rig.units_per_metre - 1.0).abs() < 1e-4);
@@ -166,8 +166,8 @@ fn units_are_told_by_the_leg() {
 
 #[test]
 fn rigs_with_bones_along_any_local_axis_agree() {
-    // Bandai Namco's convention and others: each joint's frame turned by quarter turns, so that the
-    // zero pose is no body.
+    // Bandai Namco's convention and others: each joint's frame is rotated by quarter turns, so that the zero pose does not
+    // resemble a body.
     let quarter = |axis: Vec3, n: usize| Quat::from_axis_angle(axis, FRAC_PI_2 * n as f32);
     for seed in 1..12_usize {
         let mut rig = Rig::default();
@@ -175,7 +175,7 @@ fn rigs_with_bones_along_any_local_axis_agree() {
             let n = seed * (7 * j + 3) + j * j;
             rig.frames[j] = quarter(Vec3::X, n % 4) * quarter(Vec3::Y, n / 4 % 4) * quarter(Vec3::Z, n / 16 % 4);
         }
-        // Pronation makes the twist of forearms uncertain: they continue the upper arm. End joints have the frame of their
+        // Pronation makes the twist of forearms ambiguous: they continue the upper arm. End joints have the frame of their
         // parent.
         for (role, above) in [
             (Role::LeftLowerArm, Role::LeftUpperArm),
@@ -186,7 +186,7 @@ fn rigs_with_bones_along_any_local_axis_agree() {
         ] {
             rig.frames[role.index()] = rig.frames[above.index()];
         }
-        // Ankle to toes lies along an axis, the toes' frame is bent up against it.
+        // The line from ankle to toes is along an axis; the toes' frame is bent up from it.
         for foot in [Role::LeftFoot, Role::RightFoot] {
             let sloped = Quat::from_rotation_x(0.69) * rig.frames[foot.index()];
             rig.frames[foot.index()] = sloped;
@@ -299,7 +299,7 @@ fn a_clip_without_frames_is_refused() {
     assert_eq!(Binding::detect(&file), Err(BindError::NoFrames));
 }
 
-/// On hands and feet, facing +Z: the trunk lies, arms and legs hang down from it.
+/// A body on hands and feet, facing +Z: the trunk is horizontal, arms and legs hang down from it.
 fn on_all_fours(proportions: Proportions) -> HumanoidMotion {
     let mut pose = Pose { root: Vec3::Y * 0.8, ..Pose::default() };
     pose.rotations[Role::Hips.index()] = Quat::from_rotation_x(FRAC_PI_2);
@@ -344,7 +344,7 @@ fn what_is_modelled_and_stands_on_four_legs_of_an_animal_is_refused() {
 fn people_on_all_fours_and_figures_with_long_arms_who_stand_are_people() {
     let crawl = on_all_fours(stretched(1.1, 1.0));
     assert!(Binding::detect(&rigged(&crawl, &modelled_as(&crawl))).is_ok());
-    // An ape's costume: it stands in the zero pose, or in the motion.
+    // A costume of an ape: it is upright in the zero pose, or in the motion.
     let ape = on_all_fours(stretched(1.6, 1.2));
     assert!(Binding::detect(&rigged(&ape, &Rig::default())).is_ok());
     let walk = HumanoidMotion { proportions: stretched(1.6, 1.2), ..walk() };
@@ -361,7 +361,7 @@ fn people_on_all_fours_have_the_up_axis_of_their_file() {
     let binding = Binding::detect(&rigged(&crawl, &modelled_as(&crawl))).unwrap();
     assert_eq!(binding.up, UpAxis::Y);
     assert!(!has_note(&binding, NoteCode::UpUnsure));
-    // All of the file is turned; they crawl over the ground.
+    // The whole file is rotated; the body crawls over the ground.
     let mut crawl = on_all_fours(Proportions::default());
     crawl.poses = (0..60).map(|f| Pose { root: Vec3::new(0.0, 0.8, 0.03 * f as f32), ..crawl.poses[0] }).collect();
     for (axis, _) in UpAxis::ALL {
@@ -468,7 +468,7 @@ proptest! {
     }
 }
 
-/// The skeleton of a character in the bind pose: the body, turned as the file has it, in its unit.
+/// The skeleton of a character in the bind pose: the body, rotated and scaled as in the file.
 fn character_skeleton(body: &Proportions, turned: Quat, units_per_metre: f32) -> Skeleton {
     let parent = |j: usize| PARENTS.get(j).copied().filter(|&p| p < JOINTS);
     let joints = Role::ALL.iter().enumerate().map(|(j, role)| Joint {
@@ -556,7 +556,7 @@ fn characters_of_no_size_are_refused() {
     assert_eq!(Binding::of_character(&one, &known(1.0, None)), Err(BindError::NotHumanoid));
 }
 
-/// The world of a character that performs a pose.
+/// World transforms of a character that performs a pose.
 fn performed(binding: &Binding, skeleton: &Skeleton, pose: &Pose) -> Vec<(Vec3, Quat)> {
     let mut retarget = FromHumanoid::for_character(binding, &Proportions::default(), &[]);
     let mut translations: Vec<Vec3> = skeleton.joints().iter().map(|j| j.offset).collect();
@@ -581,9 +581,9 @@ fn a_longer_foot_turns_on_its_heel_and_on_its_ball_without_sinking() {
     let soles = crate::kinematics::Soles::new(&binding.proportions);
     let lowest = |pitch: f32| {
         let mut pose = Pose { root: Vec3::new(0.0, 1.2, 0.0), ..Pose::default() };
-        // Above the ground, where nothing is lifted.
+        // Above the ground, where no sole is lifted.
         pose.rotations[Role::LeftFoot.index()] = Quat::from_rotation_x(pitch);
-        // A foot that stands on its ball has its toes on the ground.
+        // A foot on its ball has its toes on the ground.
         pose.rotations[Role::LeftToes.index()] = Quat::from_rotation_x(-pitch.max(0.0));
         let expected = crate::kinematics::Soles::new(&Proportions::default())
             .of(&world_from_local(&Proportions::default(), &pose), 0)

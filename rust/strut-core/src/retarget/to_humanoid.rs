@@ -1,4 +1,4 @@
-//! From a file's skeleton to the canonical humanoid.
+//! Retargeting from a file's skeleton to the canonical humanoid.
 
 use super::Binding;
 use super::sample::local;
@@ -12,11 +12,11 @@ use crate::motion::Motion;
 pub struct ToHumanoid {
     parents: Vec<Option<usize>>,
     joint_of_role: [Option<usize>; JOINTS],
-    /// From a role's T-pose frame (the world's) to its joint's: inverse rest rotations.
+    /// Rotation from a role's T-pose frame (the world's) to its joint's frame: inverse rest rotations.
     joint_from_rest: [Quat; JOINTS],
     world_from_file: Quat,
     is_mirrored: bool,
-    /// Where the file's origin lies over the ground, metres.
+    /// Position of the file's origin relative to the ground, metres.
     origin: Vec3,
     metres_per_unit: f32,
     target: Proportions,
@@ -26,7 +26,7 @@ pub struct ToHumanoid {
 }
 
 impl ToHumanoid {
-    /// From the skeleton of `binding` to a body of these proportions.
+    /// Creates the retargeting from the skeleton of `binding` to a body.
     pub fn new(binding: &Binding, target: &Proportions) -> Self {
         let joints = binding.joint_of_role.iter().flatten().max().map_or(0, |last| last + 1);
         Self {
@@ -45,7 +45,7 @@ impl ToHumanoid {
         }
     }
 
-    /// The pose of one frame, given the local translations and rotations of all joints of the file.
+    /// Returns the pose of one frame, given the local translations and rotations of all joints of the file.
     ///
     /// # Panics
     /// If there are fewer of them than joints up to the last one with a role.
@@ -53,7 +53,7 @@ impl ToHumanoid {
         self.update_world(translations, rotations);
         let file = |role: Role| self.joint_of_role[role.index()].map_or(Vec3::ZERO, |j| self.world[j].0);
 
-        // World rotations relative to the T-pose mean the same on every body: G = W · Wᵣ⁻¹.
+        // World rotations relative to the T-pose are the same for every body: G = W · Wᵣ⁻¹.
         let mut turns = [Quat::IDENTITY; JOINTS];
         for role in Role::ALL {
             let i = role.index();
@@ -79,7 +79,7 @@ impl ToHumanoid {
 
     /// World transforms of the file's joints in our axes, metres.
     fn update_world(&mut self, translations: &[Vec3], rotations: &[Quat]) {
-        // Told apart here, as it would cost a fifth in the loop.
+        // Tested here, because a test in the loop would cost a fifth of the time.
         if self.is_mirrored {
             self.compose(|joint| local(translations[joint], rotations[joint], true));
         } else {
@@ -96,14 +96,14 @@ impl ToHumanoid {
     }
 }
 
-/// The rotation of toes without a half turn about their own length. Recordings converted from ASF/AMC
-/// write toes that bend up as turned upside down, and flip from one frame to the next.
+/// Removes a half turn of the toes about their length. Recordings converted from ASF/AMC contain toes bent up as turned
+/// upside down, and flip between frames.
 fn not_upside_down(toes: Quat) -> Quat {
     let (swing, twist) = toes.swing_twist(Vec3::Z);
     if twist.w.abs() < std::f32::consts::FRAC_1_SQRT_2 { swing } else { toes }
 }
 
-/// A clip on its own skeleton as a clip of a canonical body, at the same rate.
+/// Retargets a clip to a canonical body, at the same rate.
 ///
 /// # Panics
 /// If the clip's skeleton is not the one that was bound ([`Binding::fits`]).

@@ -1,23 +1,23 @@
-//! How much of the pose's variance the style explains (`docs/methods/somn.md` §6).
+//! Share of the pose's variance that the style explains (`docs/methods/somn.md` §6).
 
 use super::mixture::{Style, squared_distance};
 use super::model::KeyStyleModel;
 use super::pose_space::DIMS;
 use crate::math::float_funcs::double;
 
-/// Width of the neighbourhood of a style, standard deviations.
+/// Width of the kernel over styles, standard deviations.
 const WIDTH: f64 = 0.3;
-/// Frames that are too near in time to tell anything: a second.
+/// Frames closer in time than this are excluded as correlated: one second.
 const SAME_MOMENT: usize = 30;
-/// Most frames that are predicted, and most that each is predicted from.
+/// Most frames that are predicted, and most frames that each prediction uses.
 const TRIED: usize = 200;
 const SAID_FROM: usize = 2000;
 
 impl KeyStyleModel {
-    /// Share of the poses' variation that the styles do not explain: the error of predicting a recorded pose from those of similar
-    /// styles at other moments, against that of the mean pose. About 0.3 for a walk by its feet, 0.5 for punches, above
-    /// [`KeyStyleModel::MAX_UNEXPLAINED_SHARE`] where poses of one style have little in common, so that what is made of them is a
-    /// mean of different poses.
+    /// Returns the share of the poses' variation that the styles do not explain: the error of predicting a recorded pose from
+    /// those of similar styles at other moments, relative to the error of the mean pose. It is about 0.3 for a walk by its
+    /// feet and 0.5 for punches. Above [`KeyStyleModel::MAX_UNEXPLAINED_SHARE`] poses of one style have little in common, and
+    /// synthesis returns a mean of different poses.
     pub fn unexplained_share(&self) -> f64 {
         let frames = self.rows.len();
         let every = |most: usize| (0..frames).step_by(frames.div_ceil(most).max(1));
@@ -34,7 +34,7 @@ impl KeyStyleModel {
                 said.iter_mut().zip(&self.rows[i]).for_each(|(x, of)| *x += weight * f64::from(*of));
             }
             let row = self.recorded_row(t);
-            // A style that nothing else is like says nothing: the mean is left.
+            // An isolated style has no neighbours: the mean is predicted.
             let said = if sum > 1e-6 { said.map(|x| x / sum) } else { mean };
             left += squared_distance(&row, &said);
             all += squared_distance(&row, &mean);

@@ -11,13 +11,14 @@ use crate::root_path::{RootPath, Support};
 use std::f64::consts::LN_2;
 use std::sync::Arc;
 
-/// Time in which half of the way to a new pose is gone, seconds.
+/// Half-life with which the pose approaches its target, seconds.
 const HALF_LIFE_SECS: f64 = 0.1;
-/// Longest time that passes at once, seconds.
+/// Longest time step, seconds.
 const LONGEST_SECS: f64 = 1.0;
 
-/// A body on a critically damped spring to the pose of a style. It stands on the foot that is lowest, unless neither stood:
-/// where the recordings went somewhere it goes where that foot carries it and flies on from there, else it stays.
+/// A body that follows the pose of a style by a critically damped spring. Its lowest foot supports it, except in flight. If
+/// the recordings travel, the supporting foot moves the body and flight continues the motion; otherwise the body stays in
+/// place.
 #[derive(Clone, Debug)]
 pub struct DragCharacter {
     synthesis: Synthesis,
@@ -30,7 +31,7 @@ pub struct DragCharacter {
 }
 
 impl DragCharacter {
-    /// At rest in the mean style.
+    /// Creates a character at rest in the mean style.
     pub fn new(model: Arc<KeyStyleModel>) -> Self {
         let mut character = Self {
             path: RootPath::new(&model.space.proportions),
@@ -46,7 +47,7 @@ impl DragCharacter {
         character
     }
 
-    /// At rest above the origin in a style.
+    /// Resets to rest above the origin in a style.
     pub fn reset(&mut self, style: &Style) {
         self.style = self.synthesis.within_reach(style);
         self.row = self.synthesis.row(&self.style, self.mode);
@@ -55,12 +56,12 @@ impl DragCharacter {
         self.place(0.0);
     }
 
-    /// How components share in poses from now on.
+    /// Sets how the components are combined.
     pub fn set_mode(&mut self, mode: Mode) {
         self.mode = mode;
     }
 
-    /// The pose after so many seconds in which the style, in the axes' units, is this, or the nearest within reach.
+    /// Advances by a time, seconds, towards a style in the axes' units, or the nearest one within reach; returns the pose.
     pub fn drag(&mut self, style: &Style, secs: f64) -> &Pose {
         let secs = if secs.is_finite() { secs.clamp(0.0, LONGEST_SECS) } else { 0.0 };
         self.style = self.synthesis.within_reach(style);
@@ -77,7 +78,7 @@ impl DragCharacter {
         &self.pose
     }
 
-    /// Takes the pose of a row, so many seconds after the one before, at rest.
+    /// Sets the pose to a row, at rest, a time after the previous pose, seconds; returns the pose.
     pub fn take(&mut self, row: &Row, secs: f64) -> &Pose {
         self.row = *row;
         self.velocity = [0.0; DIMS];
@@ -85,13 +86,13 @@ impl DragCharacter {
         &self.pose
     }
 
-    /// Stands above the origin, in the pose that it has.
+    /// Moves the character back to the origin, in its present pose.
     pub fn go_back(&mut self) {
         self.path.reset(Vec3::ZERO);
         self.place(0.0);
     }
 
-    /// The pose as it is; it faces +Z.
+    /// The present pose; it faces +Z.
     pub fn pose(&self) -> &Pose {
         &self.pose
     }
@@ -101,7 +102,7 @@ impl DragCharacter {
         &self.row
     }
 
-    /// The style that is aimed at, within reach.
+    /// The target style, within reach.
     pub fn style(&self) -> &Style {
         &self.style
     }
@@ -111,7 +112,7 @@ impl DragCharacter {
         self.synthesis.measured(&self.pose)
     }
 
-    /// Feet that stand, left and right.
+    /// Whether the left and the right foot are planted.
     pub fn planted(&self) -> [bool; 2] {
         self.path.planted()
     }

@@ -6,14 +6,14 @@ use super::pose_space::{DIMS, Row};
 use crate::math::linear::Factors;
 use crate::math::random::SplitMix64;
 
-/// Rounds of k-means before the first em.
+/// Rounds of k-means before the first EM round.
 const CLUSTER_ROUNDS: usize = 10;
-/// Added to the sum of weights, so that a component without poses has a map.
+/// Added to the sum of weights, so that a component without poses still has a map.
 const LEAST_SUM: f64 = 1e-6;
-/// Numbers of `v = [u; 1]` at most.
+/// Largest size of `v = [u; 1]`.
 const MAX_INPUTS: usize = MAX_AXES + 1;
 
-/// The mixture while it is estimated.
+/// The mixture during estimation.
 #[derive(Clone, Debug)]
 pub(super) struct EmTrainer {
     pub(super) components: Vec<Component>,
@@ -22,7 +22,7 @@ pub(super) struct EmTrainer {
 }
 
 impl EmTrainer {
-    /// From the clusters of poses that k-means finds.
+    /// Starts from the clusters of poses that k-means finds.
     pub(super) fn new(samples: &Samples, components: usize, ridge: f64, seed: u64) -> Self {
         let clusters = clusters(&samples.rows, components, seed);
         let mut sums = vec![Sums::default(); components];
@@ -41,7 +41,7 @@ impl EmTrainer {
         em
     }
 
-    /// One round; returns the mean squared prediction error of the poses before the update.
+    /// Runs one EM round; returns the mean squared prediction error of the poses before the update.
     pub(super) fn round(&mut self, samples: &Samples) -> f64 {
         let mut sums = vec![Sums::default(); self.components.len()];
         self.variance = settle(samples, &mut self.components, self.variance, |i, responsibilities| {
@@ -55,7 +55,7 @@ impl EmTrainer {
         self.variance * DIMS as f64
     }
 
-    /// Weighted ridge regression for every component.
+    /// Weighted ridge regression of every component.
     fn maximise(&mut self, sums: &[Sums], samples: &Samples) {
         let ridge = self.ridge * samples.rows.len() as f64 / self.components.len() as f64;
         for (component, sums) in self.components.iter_mut().zip(sums) {
@@ -112,7 +112,7 @@ impl Sums {
     }
 }
 
-/// The cluster of every pose.
+/// The cluster of every pose, by k-means.
 fn clusters(rows: &[Row], count: usize, seed: u64) -> Vec<usize> {
     let mut random = SplitMix64::new(seed);
     let mut order: Vec<usize> = (0..rows.len()).collect();

@@ -10,7 +10,7 @@ use crate::math::Vec3;
 use crate::math::float_funcs::double;
 use crate::rotation_row::ROTATION_DIMS;
 
-/// Recorded poses and their styles, as a model sees them.
+/// Recorded poses and their styles, in a model's space.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Observed {
     /// The poses.
@@ -20,7 +20,7 @@ pub struct Observed {
 }
 
 impl Observed {
-    /// Of a recording.
+    /// Poses and styles of a recording.
     pub fn new(model: &KeyStyleModel, recording: &Recording) -> Self {
         let style = |frame| {
             let mut style = [0.0; MAX_AXES];
@@ -59,7 +59,7 @@ pub fn largest_change(space: &PoseSpace, rows: &[Row]) -> f64 {
     rotations.windows(2).flat_map(|w| angles(&w[0], &w[1])).fold(0.0, f64::max)
 }
 
-/// Mean magnitude of the third difference of the joints' degrees of freedom, radians; none for fewer than four poses.
+/// Mean magnitude of the third difference of the joints' degrees of freedom, radians; `None` for fewer than four poses.
 pub fn third_difference(rows: &[Row]) -> Option<f64> {
     let of = |w: &[Row], d: usize| (w[3][d] - 3.0 * w[2][d] + 3.0 * w[1][d] - w[0][d]).abs();
     let sum: f64 = rows.windows(4).map(|w| (0..ROTATION_DIMS).map(|d| of(w, d)).sum::<f64>()).sum();
@@ -73,7 +73,7 @@ pub enum Baseline {
     Mean,
     /// The recorded pose of the nearest style.
     Nearest,
-    /// The recorded poses, weighted by the nearness of their styles: a Gaussian of this many standard deviations.
+    /// The recorded poses, weighted by a Gaussian of the distances of their styles, of this many standard deviations.
     Kernel(f64),
 }
 

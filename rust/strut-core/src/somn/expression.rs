@@ -1,4 +1,4 @@
-//! The language of measures: arithmetic on coordinates of joints. Nothing is ever executed but what is listed here.
+//! The language of measures: arithmetic on coordinates of joints. Only the operations listed here are executed.
 
 use super::frame::Frame;
 use super::named_measures::{NAMED, Unit};
@@ -6,36 +6,36 @@ use crate::humanoid::Role;
 use crate::math::float_funcs::double;
 use thiserror::Error;
 
-/// Most characters of an expression.
+/// Most characters in an expression.
 const MAX_CHARS: usize = 200;
 /// Most levels of parentheses, calls and signs.
 const MAX_DEPTH: usize = 24;
 
-/// What is wrong with an expression, and where.
+/// A fault in an expression, and its position.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("column {column}: {fault}")]
 pub struct ExpressionError {
-    /// The character that it is about; the first is 1.
+    /// Position of the fault in characters; the first is 1.
     pub column: usize,
-    /// What is wrong.
+    /// The fault.
     pub fault: Fault,
 }
 
-/// What is wrong at a character.
+/// A fault at a character.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Fault {
-    /// Something else was to come.
+    /// Unexpected token.
     #[error("{found}; {expected} was expected")]
     Unexpected {
-        /// What is there.
+        /// The token.
         found: String,
-        /// What may be there.
+        /// Tokens that are allowed there.
         expected: &'static str,
     },
     /// No joint, measure or function has this name.
     #[error("there is no joint, measure or function '{0}'")]
     Unknown(String),
-    /// A joint without a coordinate.
+    /// A joint is used without a coordinate.
     #[error("'{0}' is a joint; one of its coordinates, '{0}.x', '.y' or '.z', was expected")]
     NoCoordinate(String),
     /// Too long, or too deeply nested.
@@ -55,7 +55,7 @@ pub(super) enum Binary {
     Atan2,
 }
 
-/// One of a single value.
+/// A function or an operator of a single value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unary {
     Negate,
@@ -104,7 +104,7 @@ impl Node {
         }
     }
 
-    /// The unit of the value; a sum of different units has none.
+    /// The unit of the value; sums of different units have none.
     pub(super) fn unit(&self) -> Unit {
         let powers = |[a, b]: [Unit; 2], sign: i8| Unit {
             cm: a.cm.saturating_add(b.cm.saturating_mul(sign)),
@@ -130,7 +130,7 @@ impl Node {
                     Binary::Multiply => powers(units, 1),
                     Binary::Divide => powers(units, -1),
                     Binary::Atan2 => Unit::DEG,
-                    // A bare number takes the unit of what it is added to.
+                    // A bare number takes the unit of the other operand.
                     _ if units[0] == units[1] || matches!(of[1], Self::Number(_)) => units[0],
                     _ if matches!(of[0], Self::Number(_)) => units[1],
                     _ => Unit::default(),
@@ -140,14 +140,14 @@ impl Node {
     }
 }
 
-/// The expression that a text is.
+/// Parses an expression.
 pub(super) fn parse(text: &str) -> Result<Node, ExpressionError> {
     let mut parser = Parser::new(text);
     let node = parser.expression()?;
     parser.peek().map_or(Ok(node), |_| Err(parser.unexpected("an operator or the end")))
 }
 
-/// The expressions of a list, with their texts.
+/// Parses a list of expressions, with their texts.
 pub(super) fn parse_list(text: &str) -> Result<Vec<(&str, Node)>, ExpressionError> {
     let mut parser = Parser::new(text);
     let mut nodes = Vec::new();
@@ -163,13 +163,13 @@ pub(super) fn parse_list(text: &str) -> Result<Vec<(&str, Node)>, ExpressionErro
     }
 }
 
-/// Recursive descent over a text.
+/// Recursive-descent parser of a text.
 struct Parser<'a> {
     text: &'a str,
-    /// Bytes that are read.
+    /// Number of bytes consumed.
     at: usize,
     depth: usize,
-    /// Where the expression begins.
+    /// Start of the current expression, bytes.
     begin: usize,
 }
 
@@ -182,7 +182,7 @@ impl<'a> Parser<'a> {
         &self.text[self.at..]
     }
 
-    /// The next character that is no space.
+    /// The next character that is not a space.
     fn peek(&mut self) -> Option<char> {
         let rest = self.rest();
         self.at += rest.len() - rest.trim_start().len();
@@ -198,7 +198,7 @@ impl<'a> Parser<'a> {
         self.fault_at(self.at, Fault::Unexpected { found, expected })
     }
 
-    /// Takes a character if it comes next.
+    /// Consumes a character if it is the next one.
     fn takes(&mut self, wanted: char) -> bool {
         let found = self.peek() == Some(wanted);
         if found {
@@ -211,7 +211,7 @@ impl<'a> Parser<'a> {
         if self.takes(wanted) { Ok(()) } else { Err(self.unexpected(expected)) }
     }
 
-    /// The longest beginning of the rest whose characters are of a kind.
+    /// Consumes the longest prefix of the rest whose characters satisfy a predicate.
     fn word(&mut self, is_of_kind: impl Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let word = &rest[..rest.find(|c| !is_of_kind(c)).unwrap_or(rest.len())];
@@ -219,7 +219,7 @@ impl<'a> Parser<'a> {
         word
     }
 
-    /// A whole expression.
+    /// Parses a whole expression.
     fn expression(&mut self) -> Result<Node, ExpressionError> {
         (self.begin, self.depth) = (self.at, 0);
         self.sum()
@@ -288,7 +288,7 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// A coordinate, a measure, or a function with what it is of.
+    /// Parses a coordinate, a measure, or a function with its arguments.
     fn named(&mut self) -> Result<Node, ExpressionError> {
         let begin = self.at;
         let name = self.word(|c| c.is_alphanumeric() || c == '_');
@@ -338,7 +338,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// The joint of a role's name, in which the side may be put last: `hand_l`.
+/// The joint of a role's name, which may have its side as a suffix: `hand_l`.
 fn joint(name: &str) -> Option<Role> {
     let is_named = |role: &&Role| {
         let full = role.name();

@@ -9,12 +9,12 @@ use crate::math::Vec3;
 pub struct Frame {
     /// Positions of the joints with the hips above the origin, metres: x to the left, y up, z forward.
     pub positions: [Vec3; JOINTS],
-    /// How fast the body goes on the floor, m/s; NaN where a pose is all there is.
+    /// Speed of the body on the floor, m/s; NaN if only a pose is known.
     pub speed: f32,
 }
 
 impl Frame {
-    /// Of a pose; its place on the floor does not matter.
+    /// Frame of a pose; its place on the floor is ignored.
     pub fn new(proportions: &Proportions, pose: &Pose, speed: f32) -> Self {
         let above_origin = Pose { root: pose.root * Vec3::Y, ..*pose };
         Self { positions: world_from_local(proportions, &above_origin).positions, speed }

@@ -19,23 +19,23 @@ pub struct Key {
     pub secs: f64,
     /// The style, in the axes' units.
     pub style: Style,
-    /// A whole pose, which the methods that use key poses go through; the style's own where it is none.
+    /// Optional key pose, for the methods that interpolate key poses; by default the pose of the style.
     pub row: Option<Row>,
 }
 
-/// How the motion comes about.
+/// Method of generating the motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// The pose of the style in between.
+    /// The pose of the interpolated style.
     #[default]
     KeyStyle,
-    /// The same, plus what key poses have beyond the poses of their styles, in between.
+    /// The same, plus the interpolated difference of key poses from the poses of their styles.
     Hybrid,
     /// Key-frame interpolation of key poses: the baseline.
     KeyFrame,
 }
 
-/// Why keys give no motion.
+/// Error of keys that give no motion.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum KeysError {
     /// No key was given.
@@ -44,7 +44,7 @@ pub enum KeysError {
     /// A number is not finite.
     #[error("key {0} holds a number that is not finite")]
     NotFinite(usize),
-    /// Times that do not ascend.
+    /// The times do not ascend.
     #[error("key {key} is at {} s, not after the one before; ascending times were expected", number(*.secs))]
     Order {
         /// The key; the first is 1.
@@ -52,12 +52,12 @@ pub enum KeysError {
         /// Its time.
         secs: f64,
     },
-    /// Too far apart.
+    /// The keys span too long a time.
     #[error("the keys span {} s; at most {MAX_SECS} s are made", number(*.0))]
     TooLong(f64),
 }
 
-/// A number of a message, with an exponent where it would have too many digits.
+/// Formats a number for a message, with an exponent if it has too many digits.
 fn number(value: f64) -> String {
     if value.abs() < 1e9 { value.to_string() } else { format!("{value:e}") }
 }
@@ -74,7 +74,7 @@ pub struct KeyStyling {
 }
 
 impl KeyStyling {
-    /// Of keys in the order of their times.
+    /// Creates the curves through keys in the order of their times.
     ///
     /// # Errors
     /// See [`KeysError`].
@@ -113,12 +113,12 @@ impl KeyStyling {
         })
     }
 
-    /// The style at a time, in the axes' units.
+    /// Returns the style at a time, in the axes' units.
     pub fn style(&self, secs: f64) -> Style {
         self.styles.at(secs)
     }
 
-    /// The pose at a time.
+    /// Returns the pose at a time.
     pub fn row(&self, synthesis: &mut Synthesis, secs: f64, method: Method) -> Row {
         if method == Method::KeyFrame {
             return self.poses.at(secs);
@@ -130,12 +130,12 @@ impl KeyStyling {
         row
     }
 
-    /// The whole motion at [`RATE_HZ`], on the floor.
+    /// Returns the whole motion at [`RATE_HZ`], on the floor.
     pub fn motion(&self, synthesis: &mut Synthesis, method: Method) -> HumanoidMotion {
         let model = std::sync::Arc::clone(synthesis.model());
         let mut path = RootPath::new(&model.space.proportions);
         let rate = f64::from(RATE_HZ);
-        // A last key on a frame belongs to the motion, whatever rounding does.
+        // A last key on a frame belongs to the motion, whatever the rounding.
         let frames = ((self.end - self.begin) * rate + 1e-6).floor() as usize + 1;
         let mut at = |frame: usize| {
             let row = self.row(synthesis, self.begin + frame as f64 / rate, method);

@@ -1,5 +1,5 @@
-//! Learning by one pose after another: a self-organising mixture network (Yin, Allinson, "Self-organizing mixture networks for
-//! probability density estimation", 2001), with the signs and the gate of `docs/methods/somn.md` §4 and §5.
+//! Online learning, one pose at a time, of a self-organising mixture network (Yin, Allinson, "Self-organizing mixture
+//! networks for probability density estimation", 2001), with the signs and the gate of `docs/methods/somn.md` §4 and §5.
 
 use super::mixture::{
     Component, LEAST_RESPONSIBILITY, LEAST_SPREAD, MAX_AXES, Samples, normalise_weights, softmax, squared_distance,
@@ -12,38 +12,38 @@ use crate::math::random::SplitMix64;
 const WIDTHS: [f64; 2] = [0.5, 0.08];
 /// Learning rate from first to last.
 const RATES: [f64; 2] = [0.6, 0.01];
-/// Learning rate of the shares, against that of the rest.
+/// Learning rate of the shares, relative to that of the rest.
 const WEIGHT_RATE: f64 = 0.2;
-/// How far components begin from the mean pose towards one of the poses.
+/// Initial components lie this far from the mean pose towards a random pose.
 const FIRST_SHARE: f64 = 0.1;
 
-/// What one pose changed.
+/// One update of the network.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Update {
-    /// Number of the pose among those that are learnt from.
+    /// Index of the pose among the training poses.
     pub sample: usize,
     /// Width of the neighbourhood σ, radians: poses this far from a component's prediction still belong to it.
     pub width: f64,
     /// Learning rate δ.
     pub rate: f64,
-    /// Prediction error of the poses of this pass so far, each before its update: root mean square over the numbers of a
-    /// row, radians. It is no finite number where learning diverges.
+    /// Prediction error of the poses of this pass so far, each before its update: root mean square over the numbers of a row,
+    /// radians. It is not finite if learning diverges.
     pub error: f64,
 }
 
-/// The network while it learns.
+/// The network during learning.
 #[derive(Clone, Debug)]
 pub(super) struct Somn {
     pub(super) components: Vec<Component>,
-    /// 1 for ascent on the likelihood, -1 for the signs that the paper prints.
+    /// 1 for ascent on the likelihood, -1 for the signs as printed in the paper.
     sign: f64,
     random: SplitMix64,
     order: Vec<usize>,
     deviation: f64,
-    /// Poses that were seen, of so many in all.
+    /// Number of poses seen, and their total number over all passes.
     seen: usize,
     total: usize,
-    /// Of the last pose: its residuals from all components, and how much of it is whose.
+    /// Residuals of the last pose from all components, and its responsibilities.
     residuals: Vec<Row>,
     responsibilities: Vec<f64>,
     /// Sum of the squared errors of this pass.
@@ -51,7 +51,7 @@ pub(super) struct Somn {
 }
 
 impl Somn {
-    /// Before the first of so many passes.
+    /// Creates the network before the first of a number of passes.
     pub(super) fn new(samples: &Samples, components: usize, passes: usize, seed: u64, as_printed: bool) -> Self {
         let mut random = SplitMix64::new(seed);
         let mut order: Vec<usize> = (0..samples.rows.len()).collect();
@@ -60,7 +60,7 @@ impl Somn {
         let deviation = (samples.rows.iter().map(|x| squared_distance(x, &mean)).sum::<f64>()
             / samples.rows.len() as f64)
             .sqrt()
-            // Poses that are all alike: what is learnt is their mean, and nothing is divided by zero.
+            // If all poses are alike, their mean is learnt, without a division by zero.
             .max(1e-6);
         let begin = |i: &usize| {
             let x = &samples.rows[*i];
@@ -93,24 +93,24 @@ impl Somn {
         self.seen
     }
 
-    /// How much of the last pose is whose; sums to 1, or is 0 before the first.
+    /// Responsibilities of the last pose; they sum to 1, or are 0 before the first.
     pub(super) fn responsibilities(&self) -> &[f64] {
         &self.responsibilities
     }
 
-    /// One pass over all poses in random order, or the rest of one that was begun; returns the mean squared prediction error
-    /// of the poses before the update.
+    /// Runs one pass over all poses in random order, or the rest of a pass in progress; returns the mean squared prediction
+    /// error of the poses before the update.
     pub(super) fn pass(&mut self, samples: &Samples) -> f64 {
         while self.update(samples).is_some() && !self.is_between_passes() {}
         self.squares / samples.rows.len() as f64
     }
 
-    /// Whether the last pass is over and no other is begun.
+    /// Whether no pass is in progress.
     pub(super) fn is_between_passes(&self) -> bool {
         self.seen.is_multiple_of(self.order.len())
     }
 
-    /// Learns from one pose: the next in this pass's order. None after the last pass, and once learning has diverged.
+    /// Learns from the next pose in this pass's order. `None` after the last pass, and once learning has diverged.
     pub(super) fn update(&mut self, samples: &Samples) -> Option<Update> {
         if self.seen == self.total || !self.squares.is_finite() {
             return None;
@@ -149,7 +149,7 @@ impl Somn {
     }
 }
 
-/// `log g(u)` but for a constant, by variances alone: while all is in motion they are enough.
+/// `log g(u)` up to a constant, by variances only, which is enough while the components still move.
 fn log_gate(component: &Component, u: &[f64; MAX_AXES], axes: usize) -> f64 {
     let axis = |j: usize| {
         let (e, variance) = (u[j] - component.centre[j], component.spread[j][j]);
@@ -167,7 +167,7 @@ fn move_gate(component: &mut Component, u: &[f64; MAX_AXES], axes: usize, rate: 
     }
 }
 
-/// The mean of poses, of which there is one.
+/// The mean of poses; there is at least one.
 pub(super) fn mean_of(rows: &[Row]) -> Row {
     let mut mean = [0.0; DIMS];
     for row in rows {

@@ -1,4 +1,4 @@
-//! Measures: the numbers of a style, computed from a pose (`docs/methods/somn.md` §2).
+//! Measures: numbers computed from a pose that make up its style (`docs/methods/somn.md` §2).
 
 use super::expression::{ExpressionError, Node, parse, parse_list};
 use super::frame::Frame;
@@ -17,17 +17,17 @@ impl Measure {
     /// The measures with a name.
     pub const NAMED: &[NamedMeasure] = NAMED;
 
-    /// The measure that a name or an expression says: `hips_height`, `hand_l.y - shoulder_l.y`. Joints go by their role
-    /// (`left_hand` or `hand_l`), `x y z` are centimetres to the left, up and forward of the floor below the hips; there are
-    /// `+ - * / ( )`, `abs min max sqrt`, `atan2` in degrees, numbers, and the names of [`Measure::NAMED`].
+    /// Parses a name or an expression: `hips_height`, `hand_l.y - shoulder_l.y`. Joints have the names of their roles
+    /// (`left_hand` or `hand_l`); `x y z` are centimetres to the left, up and forward of the floor below the hips. Available
+    /// are `+ - * / ( )`, `abs min max sqrt`, `atan2` in degrees, numbers, and the names of [`Measure::NAMED`].
     ///
     /// # Errors
-    /// See [`ExpressionError`], which says at which character.
+    /// See [`ExpressionError`], which has the position.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         parse(text).map(|node| Self { text: text.trim().to_owned(), unit: node.unit(), node })
     }
 
-    /// Several, with commas between them.
+    /// Parses several measures, separated by commas.
     ///
     /// # Errors
     /// See [`ExpressionError`]; columns count from the beginning of the whole text.
@@ -36,7 +36,7 @@ impl Measure {
         Ok(parse_list(text)?.into_iter().map(measure).collect())
     }
 
-    /// As it was written.
+    /// The source text.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -46,7 +46,7 @@ impl Measure {
         self.unit
     }
 
-    /// Its value in [`Measure::unit`]; not finite where the expression has none, such as after a division by zero.
+    /// Returns its value in [`Measure::unit`]; not finite if the expression has no value, such as after a division by zero.
     pub fn measure(&self, frame: &Frame) -> f64 {
         self.node.value(frame)
     }

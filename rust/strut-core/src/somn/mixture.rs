@@ -1,49 +1,48 @@
-//! The mixture: linear maps from style to pose, each with the region of styles that it knows (`docs/methods/somn.md` §3).
+//! The mixture: linear maps from style to pose, each with its region of styles (`docs/methods/somn.md` §3).
 
 use super::pose_space::{DIMS, Row};
 use crate::math::float_funcs::double;
 use std::f64::consts::TAU;
 
-/// Most numbers of a style.
+/// Largest number of axes of a style.
 pub const MAX_AXES: usize = 3;
 
-/// A style: one number an axis; what is beyond the axes that there are is 0.
+/// A style: one number per axis; unused axes are 0.
 pub type Style = [f64; MAX_AXES];
 
-/// Least variance of the styles that a component knows, in squared standard deviations of all styles.
+/// Least variance of the styles of a component's region, in squared standard deviations of all styles.
 pub(super) const LEAST_SPREAD: f64 = 0.02;
 /// Least share of a component.
 const LEAST_WEIGHT: f64 = 1e-6;
-/// Responsibilities below this change nothing.
+/// Responsibilities below this are ignored.
 pub(super) const LEAST_RESPONSIBILITY: f64 = 1e-6;
-/// Rounds in which the regions are brought in line with the maps once these are learnt, the variance that they begin with, and
-/// its least value.
+/// Number of rounds that fit the regions to the learnt maps, the initial variance of these rounds, and the least variance.
 pub(super) const SETTLING_ROUNDS: usize = 6;
 pub(super) const FIRST_VARIANCE: f64 = 0.02;
 const LEAST_VARIANCE: f64 = 1e-5;
 
-/// A linear map and where it is valid; styles are in standard deviations from their mean.
+/// A linear map and the region of styles where it is valid; styles are in standard deviations from their mean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Component {
-    /// The pose's change with each axis: `W`.
+    /// The pose's slope along each axis: `W`.
     pub slopes: [Row; MAX_AXES],
     /// The pose at the mean style: `μ`.
     pub mean: Row,
-    /// Share of all poses that are its own: `a`.
+    /// Share of all poses that belong to it: `a`.
     pub weight: f64,
-    /// Mean of the styles that it knows: `m`.
+    /// Mean of the styles of its region: `m`.
     pub centre: Style,
     /// Their covariance: `S`.
     pub spread: [Style; MAX_AXES],
 }
 
 impl Component {
-    /// Whether the covariance of its styles is one.
+    /// Whether the covariance of its styles is valid.
     pub fn knows_a_region(&self, axes: usize) -> bool {
         Gate::new(self, axes.min(MAX_AXES), 0.0).is_some()
     }
 
-    /// `Z v`: the pose of a style.
+    /// Predicts the pose of a style: `Z v`.
     pub(super) fn predict(&self, u: &Style, axes: usize, out: &mut Row) {
         *out = self.mean;
         for (slope, u) in self.slopes[..axes].iter().zip(u) {
@@ -51,8 +50,8 @@ impl Component {
         }
     }
 
-    /// A step of normalised stochastic ascent on the likelihood of a pose, given `x − Z v`: `Z += rate (x − Z v) vᵀ / vᵀv`.
-    /// The paper's Eq. 8 has the opposite sign and diverges.
+    /// Makes a step of normalised stochastic ascent on the likelihood of a pose, given `x − Z v`:
+    /// `Z += rate (x − Z v) vᵀ / vᵀv`. The paper's Eq. 8 has the opposite sign and diverges.
     pub(super) fn learn(&mut self, residual: &Row, u: &Style, axes: usize, rate: f64) {
         let rate = rate / (1.0 + u[..axes].iter().map(|u| u * u).sum::<f64>());
         self.mean.iter_mut().zip(residual).for_each(|(m, e)| *m += rate * e);
@@ -67,7 +66,7 @@ pub(super) fn squared_distance(a: &Row, b: &Row) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum()
 }
 
-/// Makes logarithms of weights into weights that sum to 1; the logarithm of what they summed to.
+/// Normalises logarithms of weights to weights that sum to 1; returns the logarithm of their sum.
 pub(super) fn softmax(log_weights: &mut [f64]) -> f64 {
     let greatest = log_weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut sum = 0.0;
@@ -92,7 +91,7 @@ pub(super) fn normalise_weights(components: &mut [Component]) {
     }
 }
 
-/// The region of styles that a component knows, ready to be asked: `g(u) = a N(u; m, S)`.
+/// A component's region of styles, prepared for evaluation: `g(u) = a N(u; m, S)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Gate {
     centre: Style,
@@ -103,7 +102,7 @@ pub(super) struct Gate {
 }
 
 impl Gate {
-    /// With a variance that is added to the component's own; `None` if the covariance is not positive definite.
+    /// Creates the gate, with a variance added to the component's own; `None` if the covariance is not positive definite.
     pub(super) fn new(component: &Component, axes: usize, more: f64) -> Option<Self> {
         let mut factor = [[0.0; MAX_AXES]; MAX_AXES];
         let mut log_scale = double::ln(component.weight) - 0.5 * axes as f64 * double::ln(TAU);
@@ -123,7 +122,7 @@ impl Gate {
         log_scale.is_finite().then_some(Self { centre: component.centre, factor, axes, log_scale })
     }
 
-    /// Of every component; `None` if a covariance is none.
+    /// Gates of all components; `None` if a covariance is invalid.
     pub(super) fn all(components: &[Component], axes: usize) -> Option<Vec<Self>> {
         components.iter().map(|component| Self::new(component, axes, 0.0)).collect()
     }
@@ -147,7 +146,7 @@ pub(super) struct Samples {
     pub(super) axes: usize,
 }
 
-/// Log-density of a pose and its style, and what share of it is each component's.
+/// Log-density of a pose and its style; writes the components' responsibilities.
 pub(super) fn posteriors(
     (components, gates): (&[Component], &[Gate]),
     variance: f64,
@@ -172,8 +171,8 @@ pub(super) fn log_likelihood(mixture: (&[Component], &[Gate]), variance: f64, x:
     joint - softmax(&mut gates)
 }
 
-/// One round: whose poses are whose by the maps as they are, and from that the shares, the regions and the variance, which is
-/// returned. `visit` is shown every sample's responsibilities.
+/// Runs one round: computes the responsibilities by the present maps, and from them the shares, the regions and the variance,
+/// which is returned. `visit` receives every sample's responsibilities.
 pub(super) fn settle(
     samples: &Samples,
     components: &mut [Component],
@@ -224,7 +223,7 @@ impl Moments {
         }
     }
 
-    /// Share, mean and covariance; a component without poses keeps the region that it has.
+    /// Sets a component's share, mean and covariance; a component without poses keeps its region.
     fn give(&self, component: &mut Component, samples: usize, axes: usize) {
         component.weight = self.weight / samples as f64;
         if self.weight <= LEAST_RESPONSIBILITY {

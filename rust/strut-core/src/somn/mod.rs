@@ -1,12 +1,12 @@
 //! Key-styling: Wang, Liu, Zhou, "Key-styling: Learning Motion Style for Real-time Synthesis of 3D Animation", 2006, with the
 //! corrections in `docs/methods/somn.md`.
 //!
-//! One to three numbers that mean something, the style, say a whole pose. What they are is said by [`Measure`]s of recorded
-//! poses; a self-organising mixture of linear maps from style to pose is learnt from [`Recording`]s ([`Trainer`]), every map
-//! with the region of styles that it knows. [`Synthesis`] gives the pose of a style, [`DragCharacter`] that of a style that is
-//! dragged about, [`KeyStyling`] a motion from a few styles over time.
+//! A style is one to three scalar measures, such as the height of the hips; the model maps it to a full pose. [`Measure`]s of
+//! recorded poses define its axes. [`Trainer`] learns a self-organising mixture of linear maps from style to pose from
+//! [`Recording`]s, each map with its region of styles. [`Synthesis`] returns the pose of a style, [`DragCharacter`] that of a
+//! style that is dragged interactively, [`KeyStyling`] a motion from a few styles over time.
 //!
-//! Poses are modelled at [`RATE_HZ`] in the frame that faces forward; where the body is on the floor is not.
+//! Poses are modelled at [`RATE_HZ`] in a frame that faces forward; the place of the body on the floor is not modelled.
 
 mod diagnosis;
 mod drag_character;
@@ -44,7 +44,7 @@ pub use spline::Interpolation;
 pub use synthesis::{BLUR, Mode, ModeError, Synthesis, TEMPERATURE};
 pub use training::{EM_RIDGE, Learning, MAX_COMPONENTS, Options, SEED, TrainError, TrainProgress, Trainer, train};
 
-/// Frames per second of every recording that is learnt from, and of what is made with keys.
+/// Frames per second of all training recordings and of motions from keys.
 pub const RATE_HZ: f32 = 30.0;
 
 #[cfg(test)]

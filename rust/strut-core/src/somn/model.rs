@@ -1,18 +1,18 @@
-//! The trained model: plain numbers.
+//! The trained model: plain data.
 
 use super::measure::Measure;
 use super::mixture::{Component, MAX_AXES, Style};
 use super::pose_space::{DIMS, PoseSpace, Row};
 
-/// How many standard deviations from the mean a style can be taken to be; beyond, all is as it is there.
+/// Limit of a style's distance from the mean, standard deviations; styles beyond are clamped.
 const FARTHEST: f64 = 100.0;
 
 /// A map from style to pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyStyleModel {
-    /// How poses become rows.
+    /// Conversion between poses and rows.
     pub space: PoseSpace,
-    /// What the numbers of a style are: one to [`MAX_AXES`].
+    /// Measures of the axes of a style: one to [`MAX_AXES`].
     pub axes: Vec<Measure>,
     /// Mean of the recorded styles, in the axes' units; 0 beyond the axes.
     pub style_mean: Style,
@@ -20,11 +20,11 @@ pub struct KeyStyleModel {
     pub style_deviation: Style,
     /// The maps.
     pub components: Vec<Component>,
-    /// The variance of a number of a row about the map's, which all share.
+    /// Variance of each number of a row about the map's prediction, common to all components.
     pub variance: f64,
-    /// The support ([`super::Synthesis::support`]) that all but a hundredth of the recorded styles have.
+    /// The support ([`super::Synthesis::support`]) that all but one percent of the recorded styles have.
     pub least_support: f64,
-    /// Whether the body goes where its feet carry it, or stays where it is.
+    /// Whether the feet move the body over the floor; otherwise it stays in place.
     pub travels: bool,
     /// The recordings, in the order of their frames.
     pub clips: Vec<ClipSpan>,
@@ -34,19 +34,19 @@ pub struct KeyStyleModel {
     pub rows: Vec<[f32; DIMS]>,
 }
 
-/// Where the frames of a recording are.
+/// Frame range of a recording.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClipSpan {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// Its first frame among those of all.
+    /// Its first frame among those of all recordings.
     pub first_frame: usize,
-    /// How many it has.
+    /// Number of its frames.
     pub frames: usize,
 }
 
 impl KeyStyleModel {
-    /// A style in standard deviations from the mean; a number that is none counts as the mean.
+    /// Converts a style to standard deviations from the mean; NaN is replaced by the mean.
     pub fn standardised(&self, style: &Style) -> Style {
         std::array::from_fn(|j| {
             let u = (style[j] - self.style_mean[j]) / self.style_deviation[j];
@@ -54,7 +54,7 @@ impl KeyStyleModel {
         })
     }
 
-    /// A standardised style in the axes' units.
+    /// Converts a standardised style to the axes' units.
     pub fn in_units(&self, u: &Style) -> Style {
         std::array::from_fn(|j| self.style_mean[j] + u[j] * self.style_deviation[j])
     }
@@ -64,7 +64,7 @@ impl KeyStyleModel {
         self.axes.len().min(MAX_AXES)
     }
 
-    /// The pose of a recorded frame as it was, but for its place on the floor.
+    /// Returns the pose of a recorded frame, without its place on the floor.
     ///
     /// # Panics
     /// If there is no such frame.

@@ -1,4 +1,4 @@
-//! Measures that have a name, with their units.
+//! Named measures, with their units.
 
 use super::frame::Frame;
 use crate::humanoid::Role;
@@ -26,7 +26,7 @@ impl Unit {
 }
 
 impl Display for Unit {
-    /// Empty for numbers without a unit, and for units that have no usual sign.
+    /// Writes nothing for numbers without a unit, and for units that have no usual symbol.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match (self.cm, self.deg, self.secs) {
             (1, 0, 0) => "cm",
@@ -41,11 +41,11 @@ impl Display for Unit {
 /// A measure with a name.
 #[derive(Clone, Copy, Debug)]
 pub struct NamedMeasure {
-    /// The name that commands and files know it by.
+    /// Its name in commands and files.
     pub name: &'static str,
     /// Its unit.
     pub unit: Unit,
-    /// What it is, for people.
+    /// Description for users.
     pub meaning: &'static str,
     /// Its value.
     pub(super) of: fn(&Frame) -> f64,
@@ -55,18 +55,18 @@ fn cm(metres: f32) -> f64 {
     100.0 * f64::from(metres)
 }
 
-/// How far a hand is before its shoulder joint.
+/// Distance of a hand in front of its shoulder joint.
 fn reach(frame: &Frame, hand: Role, arm: Role) -> f64 {
     cm((frame.at(hand) - frame.at(arm)).z)
 }
 
-/// How much a knee or an elbow is bent from straight, degrees.
+/// Bend of a knee or an elbow from straight, degrees.
 fn bend(frame: &Frame, upper: Role, middle: Role, end: Role) -> f64 {
     let (a, b) = (frame.at(middle) - frame.at(upper), frame.at(end) - frame.at(middle));
     double::atan2(f64::from(a.cross(b).length()), f64::from(a.dot(b))).to_degrees()
 }
 
-/// The measures with a name.
+/// The named measures.
 pub(super) const NAMED: &[NamedMeasure] = &[
     NamedMeasure {
         name: "hips_height",

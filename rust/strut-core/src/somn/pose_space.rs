@@ -6,38 +6,38 @@ use crate::math::{Quat, Vec3};
 use crate::root_path::Feet;
 use crate::rotation_row::{ROTATION_DIMS, mean_rotations, rotations_of, row_of};
 
-/// Numbers of a pose: an exponential map for every joint, and the height of the hips.
+/// Numbers of a pose: an exponential map per joint, and the height of the hips.
 pub const DIMS: usize = ROTATION_DIMS + 1;
 
-/// A pose: radians, and the hips' height such that it compares with them.
+/// A pose: radians, and the hips' height scaled to be comparable.
 pub type Row = [f64; DIMS];
 
-/// The height of the hips that is 0 in a row, and how much more is 1, metres.
+/// The height of the hips that is 0 in a row, and the increment that is 1, metres.
 const HEIGHT: f64 = 0.9;
 const HEIGHT_UNIT: f64 = 0.8;
 
-/// How poses of a body become rows.
+/// Conversion between poses of a body and rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseSpace {
     /// The body.
     pub proportions: Proportions,
-    /// The centres of the exponential maps; that of the hips is free of the facing direction.
+    /// The centres of the exponential maps; that of the hips does not contain the heading.
     pub reference: [Quat; JOINTS],
     feet: Feet,
 }
 
 impl PoseSpace {
-    /// About these mean rotations.
+    /// Creates a space about these mean rotations.
     pub fn new(proportions: &Proportions, reference: [Quat; JOINTS]) -> Self {
         Self { proportions: *proportions, reference, feet: Feet::new(proportions) }
     }
 
-    /// About the mean rotations of poses.
+    /// Creates a space about the mean rotations of poses.
     pub(super) fn of_poses<'a>(proportions: &Proportions, poses: impl Iterator<Item = &'a Pose> + Clone) -> Self {
         Self::new(proportions, mean_rotations(poses))
     }
 
-    /// The row of a pose that faces +Z.
+    /// Converts a pose that faces +Z to a row.
     pub fn row(&self, pose: &Pose) -> Row {
         let mut row = [0.0; DIMS];
         row[..ROTATION_DIMS].copy_from_slice(&row_of(&self.reference, &pose.rotations));
@@ -45,7 +45,7 @@ impl PoseSpace {
         row
     }
 
-    /// The rotations of a row.
+    /// Converts a row to rotations.
     pub fn rotations(&self, row: &Row) -> [Quat; JOINTS] {
         let mut angles = [0.0; ROTATION_DIMS];
         angles.copy_from_slice(&row[..ROTATION_DIMS]);
@@ -62,8 +62,8 @@ impl PoseSpace {
         (HEIGHT + HEIGHT_UNIT * row[ROTATION_DIMS]) as f32
     }
 
-    /// The pose of a row above the origin, its lowest foot on the floor: the hips' height in the row is as good as the
-    /// model, and feet that float or sink are seen at once.
+    /// Converts a row to a pose above the origin, with its lowest foot on the floor: the row's height is only as accurate as
+    /// the model, and feet that float or sink are conspicuous.
     pub fn pose(&self, row: &Row) -> Pose {
         let mut pose = Pose { root: Vec3::ZERO, rotations: self.rotations(row) };
         let world = world_from_local(&self.proportions, &pose);

@@ -1,23 +1,23 @@
-//! The recorded style that is nearest to another (`docs/methods/somn.md` §7).
+//! Nearest-neighbour search among recorded styles (`docs/methods/somn.md` §7).
 
 use super::mixture::{MAX_AXES, Style};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 
-/// Recorded styles, in standard deviations, ready to be searched without allocation.
+/// Recorded styles, in standard deviations, prepared for search without allocation.
 ///
-/// A kd-tree finds one of the nearest, but not the first of those that are as near, and it compares bounds that are rounded.
-/// So it only says within which distance the nearest is; among what the first axis leaves within it, the nearest is found
-/// exactly. The result is that of a scan through all, whatever the tree gives.
+/// A kd-tree finds one of the nearest styles, but not the first of several at the same distance, and it compares rounded
+/// bounds. So it only bounds the distance of the nearest style; among the candidates within this bound along the first axis,
+/// the nearest is found exactly. The result equals that of a linear scan, whatever the tree returns.
 #[derive(Clone, Debug)]
 pub(super) struct RecordedStyles {
-    /// Its items are places in `ordered`.
+    /// Its items are indices into `ordered`.
     tree: ImmutableKdTree<f64, MAX_AXES>,
-    /// The styles and their frames, by the first axis.
+    /// The styles and their frames, sorted by the first axis.
     ordered: Box<[(Style, usize)]>,
 }
 
 impl RecordedStyles {
-    /// The styles of successive frames; one that is not finite is near to nothing.
+    /// The styles of successive frames; one that is not finite is excluded.
     pub(super) fn new(styles: &[Style]) -> Self {
         let frames = styles.iter().copied().zip(0..);
         let mut ordered: Box<[_]> = frames.filter(|(v, _)| v.iter().all(|x| x.is_finite())).collect();
@@ -26,18 +26,18 @@ impl RecordedStyles {
         Self { tree: ImmutableKdTree::new_from_slice(&points), ordered }
     }
 
-    /// The squared distance to a recorded style, which but for rounding is the nearest; none where nothing was recorded.
+    /// The squared distance to a recorded style that is the nearest, except for rounding; `None` without recordings.
     pub(super) fn bound(&self, u: &Style) -> Option<f64> {
-        // A tree of nothing gives item 0, too.
+        // An empty tree returns item 0, too.
         let (v, _) = self.ordered.get(self.tree.nearest_one::<SquaredEuclidean>(u).item as usize)?;
         Some(squared_distance(u, v))
     }
 
-    /// The squared distance to the nearest recorded style, and its frame: the first of those that are as near. None where
-    /// nothing was recorded.
+    /// The squared distance to the nearest recorded style, and its frame: the first of several at the same distance. `None`
+    /// without recordings.
     pub(super) fn nearest(&self, u: &Style) -> Option<(f64, usize)> {
         let bound = self.bound(u)?;
-        // No rounded square is greater than the rounded sum that it is part of: whoever is as near as the bound is left.
+        // A rounded square is at most the rounded sum that contains it, so styles within the bound are kept.
         let too_far = |v: &Style| (u[0] - v[0]) * (u[0] - v[0]) > bound;
         let first = self.ordered.partition_point(|(v, _)| v[0] < u[0] && too_far(v));
         let within = self.ordered[first..].iter().take_while(|(v, _)| v[0] < u[0] || !too_far(v));
@@ -54,13 +54,13 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// What a scan through all finds.
+    /// Result of a linear scan.
     fn scanned(styles: &[Style], u: &Style) -> Option<(f64, usize)> {
         let all = styles.iter().enumerate().map(|(frame, v)| (squared_distance(u, v), frame));
         all.reduce(|a, b| if b.0 < a.0 { b } else { a })
     }
 
-    /// Numbers that often are equal, so that styles come twice and several are as near; and any others.
+    /// Numbers that are often equal, so that styles repeat and distances tie; and any others.
     fn number() -> impl Strategy<Value = f64> {
         prop_oneof![(-3i8..=3).prop_map(f64::from), -100.0..100.0, Just(0.1), Just(1e-160), Just(-0.0)]
     }

@@ -1,4 +1,4 @@
-//! Clips to learn from: poses that face forward (`docs/methods/somn.md` §2).
+//! Training clips: poses that face forward (`docs/methods/somn.md` §2).
 
 use super::RATE_HZ;
 use super::frame::Frame;
@@ -11,18 +11,18 @@ use std::f32::consts::PI;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Rates that differ by no more than this share are the same: files round their frame times.
+/// Rates that differ by at most this share are considered equal: files round their frame times.
 const SAME_RATE: f32 = 1e-3;
-/// Least way from the first frame to the last of a body that goes somewhere, metres.
+/// Least distance from the first frame to the last of a travelling body, metres.
 const LEAST_WAY: f32 = 1.0;
-/// Greatest mean angle between where a body faces and one direction, if that is to be the one it faces, radians.
+/// Greatest mean angle between the body's heading and a direction that can be its facing direction, radians.
 const MOST_ASIDE: f32 = 25.0 * PI / 180.0;
-/// Least mean speed of a body that goes about on a curved way, m/s.
+/// Least mean speed of a body that travels on a curved path, m/s.
 const LEAST_SPEED: f32 = 0.5;
-/// Half the width of the window that directions and positions are smoothed with, frames: a second.
+/// Half-width of the window for smoothing directions and positions, frames: one second.
 const HALF_WINDOW: usize = RATE_HZ as usize;
 
-/// Why a clip is no recording.
+/// Error of a clip that is not a valid recording.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum RecordingError {
     /// It has too many frames at [`RATE_HZ`].
@@ -31,29 +31,29 @@ pub enum RecordingError {
     /// It has no frame.
     #[error("the clip has no frame")]
     Empty,
-    /// A number in it is none.
+    /// It contains a number that is not finite.
     #[error("frame {0} holds a number that is not finite")]
     NotFinite(usize),
 }
 
-/// A clip at [`RATE_HZ`] with its facing direction and its place on the floor taken off.
+/// A clip at [`RATE_HZ`] without its facing direction and its place on the floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// The body.
     pub proportions: Proportions,
     /// Poses that face +Z with the hips above the origin.
     pub poses: Vec<Pose>,
-    /// What there is to measure in each.
+    /// Data for the measures, one per pose.
     pub frames: Vec<Frame>,
-    /// Whether the body goes somewhere, so that what is made of it should too.
+    /// Whether the body travels, and synthesised motion should travel too.
     pub travels: bool,
 }
 
 impl Recording {
-    /// Of a clip at any rate. A body that walks straight ahead faces where it goes, one that stays faces its mean direction,
-    /// and any other the direction that it faces over two seconds.
+    /// Creates a recording from a clip at any rate. The facing direction of a body that walks straight ahead is that of its
+    /// travel, that of a body in place its mean heading, and that of any other body its heading averaged over two seconds.
     ///
     /// # Errors
     /// See [`RecordingError`].
@@ -101,10 +101,10 @@ impl Recording {
         Ok(Self { name: name.into(), proportions, poses, frames, travels: !stays })
     }
 
-    /// Some of its frames.
+    /// Returns a range of its frames.
     ///
     /// # Panics
-    /// If it has not so many.
+    /// If the range exceeds its frames.
     pub fn part(&self, range: Range<usize>) -> Self {
         Self {
             name: self.name.clone(),
@@ -115,7 +115,7 @@ impl Recording {
     }
 }
 
-/// Where a body faces, radians; a pose that faces nowhere faces where the one before did.
+/// Headings of a body, radians; a pose without a heading takes the previous one.
 fn headings(worlds: impl Iterator<Item = WorldPose>) -> Vec<f32> {
     let mut last = 0.0;
     worlds
@@ -126,7 +126,7 @@ fn headings(worlds: impl Iterator<Item = WorldPose>) -> Vec<f32> {
         .collect()
 }
 
-/// How fast the body goes on the floor, steps smoothed out, m/s.
+/// Speed of the body on the floor with steps smoothed out, m/s.
 fn speeds(poses: &[Pose]) -> Vec<f32> {
     let smoothed: Vec<Vec3> = (0..poses.len())
         .map(|t| {
@@ -144,13 +144,13 @@ fn speeds(poses: &[Pose]) -> Vec<f32> {
         .collect()
 }
 
-/// Hann's window about a frame: weights and the frames of the clip that they belong to.
+/// Hann window about a frame: weights and the indices of their frames.
 fn window(t: usize, frames: usize) -> impl Iterator<Item = (f32, usize)> {
     let range = t.saturating_sub(HALF_WINDOW)..(t + HALF_WINDOW + 1).min(frames);
     range.map(move |i| (0.5 + 0.5 * cos(PI * t.abs_diff(i) as f32 / (HALF_WINDOW + 1) as f32), i))
 }
 
-/// The direction that weighted directions have together.
+/// The weighted mean direction.
 fn mean_direction(weighted: impl Iterator<Item = (f32, f32)>) -> f32 {
     let (sin, cos) = weighted.fold((0.0, 0.0), |(s, c), (weight, angle)| {
         let (sin, cos) = sin_cos(angle);

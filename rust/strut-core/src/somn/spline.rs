@@ -2,18 +2,17 @@
 
 use crate::math::interpolation::hermite_weights;
 
-/// How the curve goes between values.
+/// Interpolation between values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
-    /// Catmull and Rom: the slope at a knot is that between its neighbours.
+    /// Catmull-Rom: the slope at a knot is that between its neighbours.
     #[default]
     CatmullRom,
-    /// Fritsch and Carlson, "Monotone Piecewise Cubic Interpolation", 1980: the curve never leaves the values at either end of
-    /// its piece.
+    /// Fritsch and Carlson, "Monotone Piecewise Cubic Interpolation", 1980: each piece stays between its two end values.
     Monotone,
 }
 
-/// A curve of `N` numbers, which ends at its first and last knot.
+/// A curve of `N` numbers from its first to its last knot.
 #[derive(Clone, Debug)]
 pub(super) struct Spline<const N: usize> {
     knots: Vec<f64>,
@@ -22,7 +21,7 @@ pub(super) struct Spline<const N: usize> {
 }
 
 impl<const N: usize> Spline<N> {
-    /// Through these values at ascending knots; there is one at least.
+    /// Creates a curve through values at ascending knots; there is at least one.
     pub(super) fn new(knots: &[f64], values: Vec<[f64; N]>, interpolation: Interpolation) -> Self {
         let last = knots.len() - 1;
         let between = |a: usize, b: usize, d: usize| (values[b][d] - values[a][d]) / (knots[b] - knots[a]);
@@ -45,7 +44,7 @@ impl<const N: usize> Spline<N> {
         Self { knots: knots.to_vec(), values, slopes }
     }
 
-    /// The numbers at a time; beyond the ends those at the ends.
+    /// The numbers at a time, clamped to the ends.
     pub(super) fn at(&self, time: f64) -> [f64; N] {
         let next = self.knots.partition_point(|knot| *knot <= time);
         if next == 0 || next == self.knots.len() {

@@ -10,20 +10,20 @@ use crate::humanoid::Pose;
 use std::sync::Arc;
 use thiserror::Error;
 
-/// How far from all recorded styles one may be, in standard deviations: beyond, poses soon are nobody's.
+/// Largest distance of a style from the recorded ones, in standard deviations: poses beyond it soon become implausible.
 const FARTHEST_FROM_RECORDED: f64 = 0.5;
 
-/// How components are weighted. Of numbers outside [`TEMPERATURE`] and [`BLUR`] the nearest within is taken.
+/// Weighting of the components. Numbers outside [`TEMPERATURE`] and [`BLUR`] are clamped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// The likeliest one alone: Algorithm 1 of the paper, by regions of styles instead of by the components' shares, by which
-    /// one component would speak for all styles. Poses jump where regions meet.
+    /// Only the most likely component: Algorithm 1 of the paper, with the regions of styles instead of the components'
+    /// shares, with which one component would be used for all styles. Poses jump where regions meet.
     Hard,
-    /// All by their likelihood to the power of 1 / `temperature`.
+    /// All components, by their likelihood to the power of 1 / `temperature`.
     Smooth {
-        /// 1 is the mixture as it was learnt, 2 half as steep.
+        /// 1 is the mixture as learnt; 2 is half as steep.
         temperature: f64,
-        /// How far the regions are blurred, in standard deviations of the style; 0 leaves them as they were learnt.
+        /// Blur of the regions, in standard deviations of the style; 0 leaves them as learnt.
         blur: f64,
     },
 }
@@ -33,7 +33,7 @@ pub const TEMPERATURE: [f64; 2] = [0.1, 100.0];
 /// See [`TEMPERATURE`].
 pub const BLUR: [f64; 2] = [0.0, 10.0];
 
-/// Why components cannot be weighted so.
+/// A number of a [`Mode`] that is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("the {what} is {found}; a number from {least} to {greatest} was expected")]
 pub struct ModeError {
@@ -47,7 +47,7 @@ impl Mode {
     /// [`Mode::Smooth`] within [`TEMPERATURE`] and [`BLUR`].
     ///
     /// # Errors
-    /// With the number that is out of its range.
+    /// See [`ModeError`].
     pub fn smooth(temperature: f64, blur: f64) -> Result<Self, ModeError> {
         for (what, found, [least, greatest]) in [("temperature", temperature, TEMPERATURE), ("blur", blur, BLUR)] {
             if !(least..=greatest).contains(&found) {
@@ -57,12 +57,14 @@ impl Mode {
         Ok(Self::Smooth { temperature, blur })
     }
 
-    /// For motions by keys, which pass from region to region as fast as people do: more blurred they would float.
+    /// Mode for motions by keys, which pass between regions at the speed of real motion: with more blur they would appear to
+    /// float.
     pub const KEYED: Self = Self::Smooth { temperature: 2.0, blur: 0.0 };
 }
 
 impl Default for Mode {
-    /// For a style that is dragged about. With blur poses change half as abruptly at the same error: the temperature alone leaves narrow regions narrow.
+    /// Mode for a style that is dragged. Blur halves the abruptness of pose changes at the same error; temperature alone
+    /// leaves narrow regions narrow.
     fn default() -> Self {
         Self::Smooth { temperature: 2.0, blur: 0.3 }
     }
@@ -75,7 +77,7 @@ pub struct Synthesis {
     recorded: RecordedStyles,
     flight: Option<Flight>,
     gates: Vec<Gate>,
-    /// The same, blurred by so much.
+    /// The gates blurred by this amount.
     blurred: (f64, Vec<Gate>),
     weights: Vec<f64>,
 }
@@ -100,7 +102,7 @@ impl Synthesis {
         &self.model
     }
 
-    /// The pose of a style in the axes' units, as a row.
+    /// Returns the pose of a style in the axes' units, as a row.
     pub fn row(&mut self, style: &Style, mode: Mode) -> Row {
         let u = self.model.standardised(style);
         self.weigh(&u, mode);
@@ -114,27 +116,27 @@ impl Synthesis {
         row
     }
 
-    /// The pose of a style, above the origin and facing +Z.
+    /// Returns the pose of a style, above the origin and facing +Z.
     pub fn pose(&mut self, style: &Style, mode: Mode) -> Pose {
         let row = self.row(style, mode);
         self.pose_of(&row)
     }
 
-    /// The pose of a row above the origin: its lowest foot on the floor, or as high as it flies.
+    /// Converts a row to a pose above the origin, with its lowest foot on the floor or at its height in flight.
     pub fn pose_of(&self, row: &Row) -> Pose {
         let mut pose = self.model.space.pose(row);
         pose.root.y += self.flight_of(row, &pose);
         pose
     }
 
-    /// Height of the lowest foot above the ground in a row, metres, by the row's pose on the floor: 0 where it stands, and
-    /// everywhere if nobody took off in the recordings.
+    /// Height of the lowest foot above the ground in a row, metres, by the row's pose on the floor: 0 if a foot is planted,
+    /// or if the recordings have no flight phases.
     pub(super) fn flight_of(&self, row: &Row, standing: &Pose) -> f32 {
         self.flight.map_or(0.0, |flight| flight.height(row, standing))
     }
 
-    /// Mean angle between the joints of the recorded poses and of those that their styles give, degrees; NaN where nothing
-    /// was recorded.
+    /// Mean angle between the joints of the recorded poses and of the poses synthesised from their styles, degrees; NaN
+    /// without recordings.
     pub fn recorded_error(&mut self, mode: Mode) -> f64 {
         let model = Arc::clone(&self.model);
         let frames = model.styles.len().min(model.rows.len());
@@ -150,23 +152,23 @@ impl Synthesis {
         &self.weights
     }
 
-    /// How well recorded styles support one: the greatest log-likelihood of any component. Below
+    /// Support of a style by the recorded ones: the greatest log-likelihood of any component. Below
     /// [`KeyStyleModel::least_support`] the pose is a guess.
     pub fn support(&self, style: &Style) -> f64 {
         greatest(&self.gates, &self.model.standardised(style))
     }
 
-    /// The recorded frame whose style is nearest; none where nothing was recorded.
+    /// Returns the recorded frame whose style is nearest; `None` without recordings.
     pub fn nearest(&self, style: &Style) -> Option<usize> {
         self.recorded.nearest(&self.model.standardised(style)).map(|(_, frame)| frame)
     }
 
-    /// The style itself, or, farther than half a standard deviation from all recorded ones, the one at that distance on the
-    /// way to the nearest of them.
+    /// Returns the style itself or, if it is more than half a standard deviation from all recorded ones, the style at that
+    /// distance on the line to the nearest of them.
     pub fn within_reach(&self, style: &Style) -> Style {
         let u = self.model.standardised(style);
         let is_beyond = |square: f64| square.sqrt() > FARTHEST_FROM_RECORDED;
-        // Mostly a bound will do, which costs less than the nearest style.
+        // Usually the bound is enough, which costs less than the nearest style.
         let nearest =
             self.recorded.bound(&u).filter(|square| is_beyond(*square)).and_then(|_| self.recorded.nearest(&u));
         let Some((square, frame)) = nearest.filter(|(square, _)| is_beyond(*square)) else {
@@ -177,7 +179,7 @@ impl Synthesis {
         self.model.in_units(&std::array::from_fn(|j| nearest[j] + share * (u[j] - nearest[j])))
     }
 
-    /// What the axes measure on a pose that faces +Z; 0 beyond the axes, NaN where a pose alone does not show it.
+    /// Values of the axes' measures for a pose that faces +Z; 0 beyond the axes, NaN if a measure needs more than a pose.
     pub fn measured(&self, pose: &Pose) -> Style {
         let frame = Frame::new(&self.model.space.proportions, pose, f32::NAN);
         std::array::from_fn(|j| self.model.axes.get(j).map_or(0.0, |axis| axis.measure(&frame)))
@@ -190,7 +192,7 @@ impl Synthesis {
                 self.weights.iter_mut().enumerate().for_each(|(i, w)| *w = f64::from(u8::from(i == winner)));
             }
             Mode::Smooth { temperature, blur } => {
-                // The nearest within the ranges; what is no number is the least.
+                // Clamps to the ranges; NaN becomes the minimum.
                 let [temperature, blur] = [(temperature, TEMPERATURE), (blur, BLUR)]
                     .map(|(of, [least, greatest])| of.max(least).min(greatest));
                 self.blur(blur);
@@ -200,7 +202,7 @@ impl Synthesis {
         }
     }
 
-    /// Has the blurred regions ready.
+    /// Computes the blurred regions.
     fn blur(&mut self, blur: f64) {
         if self.blurred.0 == blur {
             return;
@@ -215,7 +217,7 @@ impl Synthesis {
     }
 }
 
-/// The component that is likeliest by a standardised style alone.
+/// The most likely component for a standardised style.
 fn winner(gates: &[Gate], u: &Style) -> usize {
     let likelihoods = gates.iter().map(|gate| gate.log(u)).enumerate();
     likelihoods.reduce(|a, b| if b.1 > a.1 { b } else { a }).map_or(0, |(i, _)| i)

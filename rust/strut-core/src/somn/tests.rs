@@ -17,12 +17,12 @@ fn uniform(random: &mut SplitMix64) -> f64 {
     random.below(1 << 30) as f64 / f64::from(1 << 29) - 1.0
 }
 
-/// About normal: of variance 1.
+/// An approximately normal number of variance 1.
 fn normal(random: &mut SplitMix64) -> f64 {
     (0..12).map(|_| 0.5 * uniform(random)).sum()
 }
 
-/// Poses of two numbers on one of two lines, two fifths on the one and three on the other.
+/// Two-dimensional poses on one of two lines, two fifths on the first and three on the second.
 fn two_lines(seed: u64) -> Samples {
     let mut random = SplitMix64::new(seed);
     let mut samples = Samples { axes: 1, ..Samples::default() };
@@ -50,7 +50,7 @@ fn axes(text: &str) -> Vec<Measure> {
     Measure::parse_list(text).unwrap()
 }
 
-/// Walks of three cadences by where the feet are.
+/// Walks of three cadences, with measures of the feet as style.
 static MODEL: LazyLock<Arc<KeyStyleModel>> = LazyLock::new(|| {
     let walks = [0.0, 3.0, 6.0].map(|more| recording(&Gait { period: NEUTRAL.period + more, ..NEUTRAL }));
     let walks: Vec<&Recording> = walks.iter().collect();
@@ -276,7 +276,7 @@ fn what_is_asked_for_is_what_is_measured() {
 #[test]
 fn styles_that_do_not_say_the_pose_are_found_out() {
     assert!(MODEL.unexplained_share() < KeyStyleModel::MAX_UNEXPLAINED_SHARE, "{}", MODEL.unexplained_share());
-    // The same poses by numbers that have nothing to do with them.
+    // The same poses with styles that are unrelated to them.
     let mut random = SplitMix64::new(1);
     let mut other = (**MODEL).clone();
     other.styles.iter_mut().for_each(|u| *u = [normal(&mut random), normal(&mut random), 0.0]);
@@ -415,7 +415,7 @@ fn the_spring_arrives_and_stays() {
         distances.push(distance(character.row(), &target));
     }
     assert!(distances.windows(2).all(|w| w[1] < w[0]) && distances[0] < begin);
-    // A critically damped spring has more than half of its way left after the half-life of the free decay.
+    // A critically damped spring has covered less than half of its distance after the half-life of the free decay.
     assert!(distances[6] < 0.7 * begin && distances[59] < 1e-3 * begin, "{distances:?}");
     for secs in [f64::NAN, -1.0, f64::INFINITY] {
         assert!(character.drag(&on_circle(1.0, 2.0), secs).is_finite());
@@ -461,7 +461,7 @@ fn nothing_is_allocated_while_dragging() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// Learning as `docs/methods/somn.md` §5 has it, in plain loops over plain arrays.
+/// Learning of `docs/methods/somn.md` §5 in plain loops over plain arrays.
 fn plain_network(
     samples: &Samples,
     components: usize,
@@ -552,7 +552,7 @@ fn updates_by_hand_make_the_same_model_as_training() {
     assert_eq!(done, 0);
     assert_eq!(std::iter::from_fn(|| by_hand.update()).count(), total);
     assert_eq!((by_hand.updates(), by_hand.update()), ([total; 2], None));
-    // A pass that was begun by hand is ended by training.
+    // A pass that was begun with `update` is completed by training.
     (0..total / 3).for_each(|_| _ = mixed.update());
     let of_all_passes = by_hand.so_far();
     let [by_hand, mixed, at_once] = [by_hand, mixed, at_once].map(|trainer| {
@@ -562,7 +562,7 @@ fn updates_by_hand_make_the_same_model_as_training() {
     assert_eq!(by_hand, at_once);
     assert_eq!(mixed, at_once);
     assert_eq!(of_all_passes, at_once);
-    // Poses in single precision are all that it can differ by.
+    // The results differ only by the single precision of the poses.
     let options = Options { components: Some(5), seed: 3, learning: Learning::Som };
     let Ok(anew) = Trainer::of_model(&at_once, options).unwrap().finish(&Sequential);
     assert_eq!(anew.rows, at_once.rows);
@@ -605,7 +605,7 @@ fn an_update_says_what_it_did() {
     }
     assert!(widths.windows(2).chain(rates.windows(2)).all(|w| w[0] > w[1]));
     assert!((rates[0] - 0.6).abs() < 1e-12 && (rates[rates.len() - 1] / 0.01 - 1.0).abs() < 1e-2);
-    // Every pass is all poses in another order.
+    // Every pass visits all poses in a different order.
     let frames = samples.len() / 20;
     let mut passes: Vec<Vec<usize>> = samples.chunks(frames).map(<[usize]>::to_vec).collect();
     assert_ne!(passes[0], passes[1]);
@@ -624,7 +624,7 @@ fn the_printed_signs_diverge_and_nothing_breaks() {
         last = update.error;
     }
     assert!(last.is_nan() || last >= 100.0 * first, "{first} {last}");
-    // What it leaves behind is no use, and no danger.
+    // The diverged model is useless, but safe to use.
     let mut synthesis = Synthesis::new(Arc::new(printed.so_far()));
     _ = synthesis.recorded_error(Mode::KEYED);
     DragCharacter::new(Arc::clone(synthesis.model())).drag(&[0.0; 3], 0.1);

@@ -17,72 +17,73 @@ use thiserror::Error;
 
 /// Passes over all poses.
 const PASSES: usize = 20;
-/// Rounds of expectation and maximisation.
+/// Rounds of expectation maximisation.
 const ROUNDS: usize = 30;
-/// Frames for each component, fewest and most components unless a number is asked for.
+/// Default number of components: frames per component, and the least and the greatest number.
 const FRAMES_EACH: usize = 40;
 const COMPONENTS: [usize; 2] = [4, 16];
-/// Fewest frames that a component can be learnt from, and most components of all.
+/// Fewest frames per component.
 const FEWEST_FRAMES_EACH: usize = 12;
-/// Fewest frames that a component must be left with to stay.
+/// Fewest frames that must belong to a component for it to be kept.
 const LEAST_FRAMES: f64 = 1.0;
 /// Most components of a model.
 pub const MAX_COMPONENTS: usize = 64;
-/// Ridge of [`Learning::Em`], unless another is asked for. On held-out poses of a punch, a walk, waving and a dance, as they are
-/// shown, it errs by 5.48°, 2.64°, 11.69° and 19.74°; 0.05 by 5.51°, 2.87°, 11.68° and 19.77°; 0.001 by 5.50°, 2.59°, 11.75° and
-/// 20.05°.
+/// Default ridge of [`Learning::Em`]. On held-out poses of a punch, a walk, waving and a dance, as they are shown, its errors
+/// are 5.48°, 2.64°, 11.69° and 19.74°; those of 0.05 are 5.51°, 2.87°, 11.68° and 19.77°, those of 0.001 are 5.50°, 2.59°,
+/// 11.75° and 20.05°.
 pub const EM_RIDGE: f64 = 0.01;
-/// Seed of training, unless another is asked for. Errors on held-out poses of four seeds differ by 0.01° (walk) to 1.3° (dance), and
-/// none is better everywhere.
+/// Default seed. Errors on held-out poses of four seeds differ by 0.01° (walk) to 1.3° (dance), and none is better
+/// everywhere.
 pub const SEED: u64 = 0;
-/// Least standard deviation of a style, absolutely and as a share of its mean: below, it is rounding.
+/// Least standard deviation of a style, absolute and as a share of its mean: smaller ones are rounding errors.
 const LEAST_DEVIATION: f64 = 1e-4;
-/// Share of the recorded styles that count as without support.
+/// Share of the recorded styles that are considered unsupported.
 const UNSUPPORTED: f64 = 0.01;
 
-/// How the maps are learnt.
+/// Learning algorithm of the maps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Learning {
-    /// By one pose after another: a self-organising mixture network.
+    /// One pose at a time: a self-organising mixture network.
     #[default]
     Som,
-    /// The same with the signs of maps and shares that the paper prints (its Eq. 7 and 8): it diverges, and is here to be seen.
+    /// The same with the signs of maps and shares that the paper prints (its Eq. 7 and 8): it diverges, and is kept for
+    /// demonstration.
     AsPrinted,
-    /// By expectation and maximisation over all poses at once.
+    /// Expectation maximisation over all poses at once.
     Em {
         /// Ridge of the regressions, per sample: 0.01 to 0.3.
         ridge: f64,
     },
 }
 
-/// How a model is trained.
+/// Training options.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
-    /// Number of components; a fortieth of the frames, but 4 to 16, unless said otherwise. Each gets twelve frames at least.
+    /// Number of components; by default a fortieth of the frames, within 4 to 16. Each has at least twelve frames.
     pub components: Option<usize>,
     /// Random seed.
     pub seed: u64,
-    /// How the maps are learnt.
+    /// Learning algorithm of the maps.
     pub learning: Learning,
 }
 
-/// Why recordings give no model.
+/// Error of recordings that give no model.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum TrainError {
-    /// None, or too many.
+    /// No style variable, or too many.
     #[error("{0} style variables were given; 1 to {MAX_AXES} were expected")]
     Axes(usize),
-    /// One twice.
+    /// A style variable occurs twice.
     #[error("the style variable '{0}' was given twice")]
     SameAxis(String),
-    /// Too short.
+    /// The recordings are too short.
     #[error(
         "the clips have {found} frames together at 30 frames per second; at least {expected} were expected to learn from"
     )]
     TooFewFrames {
-        /// Frames that there are.
+        /// Number of frames.
         found: usize,
-        /// Frames that are needed.
+        /// Number of frames needed.
         expected: usize,
     },
     /// A style variable that does not vary.
@@ -97,7 +98,7 @@ pub enum TrainError {
         /// Its unit.
         unit: String,
     },
-    /// A style variable without a value, by a division by zero for example.
+    /// A style variable without a value, for example after a division by zero.
     #[error("the style variable '{axis}' has no value in frame {frame} of '{clip}'")]
     NoValue {
         /// The variable.
@@ -109,12 +110,12 @@ pub enum TrainError {
     },
 }
 
-/// How far a [`Trainer`] has come.
+/// Progress of a [`Trainer`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainProgress {
-    /// Passes that are done.
+    /// Passes done.
     pub done: usize,
-    /// All passes.
+    /// Number of all passes.
     pub total: usize,
     /// Prediction error in the last pass: root mean square over the numbers of a row, radians.
     pub error: f64,
@@ -125,11 +126,11 @@ pub struct TrainProgress {
 enum Learner {
     Som(Somn),
     Em(EmTrainer),
-    /// The maps are learnt, their regions are settled.
+    /// The maps are learnt, and their regions are being fitted.
     Settling(Vec<Component>),
 }
 
-/// Training in passes, between which whoever runs it may do other things, or give it up.
+/// Training in passes; between them the caller may do other work or stop it.
 #[derive(Clone, Debug)]
 pub struct Trainer {
     model: KeyStyleModel,
@@ -141,7 +142,7 @@ pub struct Trainer {
     error: f64,
 }
 
-/// A model of these recordings: [`Trainer`] without a pause.
+/// Trains a model on recordings: [`Trainer`] without a pause.
 ///
 /// # Errors
 /// See [`TrainError`].
@@ -151,7 +152,7 @@ pub fn train(recordings: &[&Recording], axes: &[Measure], options: Options) -> R
 }
 
 impl Trainer {
-    /// Training on these recordings, which are of one body: the first one's.
+    /// Prepares training on these recordings, which must have the same body; that of the first one is used.
     ///
     /// # Errors
     /// See [`TrainError`].
@@ -194,8 +195,8 @@ impl Trainer {
         Ok(Self::on_samples(model, samples, options))
     }
 
-    /// Training anew on what a model was trained on. The model keeps poses in single precision, so that the outcome differs
-    /// from the model by as little.
+    /// Prepares training on the training data of a model. The model stores poses in single precision, so the result differs
+    /// slightly from the model.
     ///
     /// # Errors
     /// If the model has too few frames to learn from.
@@ -229,8 +230,8 @@ impl Trainer {
         Self { model, samples, learner, passes, done: 0, error: f64::NAN }
     }
 
-    /// Goes on by one update of the network, a part of a pass. None once no pass is left, once learning has diverged, and
-    /// where something else than a network is trained.
+    /// Makes one update of the network, a part of a pass. `None` once no pass is left, once learning has diverged, and if the
+    /// learner is not a network.
     pub fn update(&mut self) -> Option<Update> {
         let Learner::Som(network) = &mut self.learner else { return None };
         let update = network.update(&self.samples)?;
@@ -241,7 +242,7 @@ impl Trainer {
         Some(update)
     }
 
-    /// Number of updates so far, of so many in all.
+    /// Number of updates so far, and in total.
     pub fn updates(&self) -> [usize; 2] {
         let total = self.passes * self.samples.rows.len();
         match &self.learner {
@@ -250,7 +251,7 @@ impl Trainer {
         }
     }
 
-    /// The components as they are while they learn.
+    /// The present components during learning.
     pub fn components(&self) -> &[Component] {
         match &self.learner {
             Learner::Som(network) => &network.components,
@@ -259,7 +260,8 @@ impl Trainer {
         }
     }
 
-    /// How much of the last update's pose is whose, one number a component; 0 before the first update, none without one.
+    /// Responsibilities of the last update's pose, one number per component; 0 before the first update, empty without a
+    /// network.
     pub fn responsibilities(&self) -> &[f64] {
         match &self.learner {
             Learner::Som(network) => network.responsibilities(),
@@ -267,7 +269,7 @@ impl Trainer {
         }
     }
 
-    /// The model that the components make as they are, as if all passes were done.
+    /// Returns the model with the present components, as if all passes were done.
     pub fn so_far(&self) -> KeyStyleModel {
         let Ok(model) = Self { done: self.done.max(self.passes), ..self.clone() }.finish(&Sequential);
         model
@@ -279,7 +281,7 @@ impl IncrementalJob for Trainer {
     type Output = KeyStyleModel;
     type Error = Infallible;
 
-    /// Goes on by a pass.
+    /// Runs one pass.
     fn step(&mut self, _executor: &impl ParallelMap) -> Result<Option<TrainProgress>, Infallible> {
         let total = self.passes + SETTLING_ROUNDS;
         if self.done == total {
@@ -311,7 +313,7 @@ impl IncrementalJob for Trainer {
 
     fn conclude(mut self, _executor: &impl ParallelMap) -> Result<KeyStyleModel, Infallible> {
         if let Learner::Settling(mut components) = self.learner {
-            // A component that no pose is left to knows nothing, and would speak for all styles far from the others'.
+            // A component without poses is meaningless, and would dominate far from the other components' styles.
             components.retain(|c| c.weight * self.samples.rows.len() as f64 >= LEAST_FRAMES);
             normalise_weights(&mut components);
             self.model.components = components;
@@ -324,7 +326,7 @@ impl IncrementalJob for Trainer {
     }
 }
 
-/// The styles of all frames, in the axes' units.
+/// Styles of all frames, in the axes' units.
 fn styles_of(recordings: &[&Recording], axes: &[Measure]) -> Result<Vec<Style>, TrainError> {
     let mut styles = Vec::new();
     for recording in recordings {
@@ -343,14 +345,14 @@ fn styles_of(recordings: &[&Recording], axes: &[Measure]) -> Result<Vec<Style>, 
     Ok(styles)
 }
 
-/// Brings styles to mean 0 and deviation 1; what these were.
+/// Scales styles to mean 0 and deviation 1; returns their original mean and deviation.
 fn standardise(styles: &mut [Style], axes: &[Measure]) -> Result<(Style, Style), TrainError> {
     let count = styles.len() as f64;
     let (mut means, mut deviations) = ([0.0; MAX_AXES], [1.0; MAX_AXES]);
     for (j, axis) in axes.iter().enumerate() {
         let mean = styles.iter().map(|u| u[j]).sum::<f64>() / count;
         let deviation = (styles.iter().map(|u| (u[j] - mean) * (u[j] - mean)).sum::<f64>() / count).sqrt();
-        // Not "less": a deviation that overflows is none either.
+        // Not "less": a deviation that overflows is invalid, too.
         if !(deviation > LEAST_DEVIATION * (1.0 + mean.abs()) && deviation.is_finite()) {
             let (axis, unit) = (axis.to_string(), axis.unit().to_string());
             return Err(TrainError::Constant { axis, value: mean, unit });

@@ -1,9 +1,8 @@
-//! A jitter buffer: frames are shown a little later than they could be, so that most that are late or out of order still
-//! come in time.
+//! A jitter buffer: frames are delayed a little so that most late or reordered frames still arrive in time.
 //!
-//! With s the time at which a frame was sent and a that of its arrival, o = least a − s of the last seconds is the
-//! difference of both clocks and the fastest way; l = a − s − o is how late a frame is. At time τ the motion at τ − o − D is
-//! shown. The delay D = period + p95(l) rises at once and falls slowly.
+//! With s the time at which a frame was sent and a that of its arrival, o = least a − s of the last seconds is the offset of
+//! the clocks plus the shortest transit; l = a − s − o is the lateness of a frame. At time τ the motion at τ − o − D is
+//! played. The delay D = period + p95(l) rises at once and falls slowly.
 
 use crate::humanoid::Pose;
 use crate::math::exp_map::{exp, log};
@@ -11,62 +10,62 @@ use std::collections::VecDeque;
 
 /// Longest delay, seconds.
 pub const MAX_DELAY_SECS: f64 = 0.2;
-/// How long the least transit and the lateness are remembered, seconds.
+/// Windows over which the least transit and the lateness are measured, seconds.
 const TRANSIT_WINDOW_SECS: f64 = 4.0;
 const LATENESS_WINDOW_SECS: f64 = 2.0;
-/// Share of the frames that come in time.
+/// Share of the frames that should arrive in time.
 const IN_TIME: f64 = 0.95;
-/// How fast the delay falls, seconds a second: nobody sees motion that is half a percent too fast.
+/// Rate at which the delay falls, seconds per second: motion that is half a percent too fast is not noticeable.
 const DELAY_FALL: f64 = 0.005;
-/// How long motion goes on with its last velocity where nothing has arrived, seconds; then it holds.
+/// Time over which motion is extrapolated with its last velocity, seconds; then it is held.
 const EXTRAPOLATED_SECS: f64 = 0.05;
-/// After this the sender counts as lost, seconds.
+/// After this time without a frame the stream is lost, seconds.
 const LOST_SECS: f64 = 0.5;
-/// A sender's clock that is off by more than this has been set anew, seconds.
+/// If the offset of a sender's clock changes by more than this, the clock was reset, seconds.
 const CLOCK_JUMP_SECS: f64 = 1.0;
-/// So many frames in a row must agree that it has, within a share of it: one wrong time is no other clock.
+/// Number of successive frames that must agree on the new offset, and their tolerance: a single wrong time is not a reset.
 const CLOCK_FRAMES: usize = 3;
 const SAME_CLOCK_SECS: f64 = 0.25;
-/// Frames closer than this are thinned, seconds: 240 Hz with room for clocks that count in milliseconds.
+/// Frames closer to each other than this are dropped, seconds: 240 Hz with tolerance for clocks in whole milliseconds.
 const LEAST_STEP_SECS: f64 = 0.9 / 240.0;
-/// Frames and arrivals that are remembered, more than either window holds at 240 Hz.
+/// Capacities for frames and arrivals, larger than either window needs at 240 Hz.
 const MOST_FRAMES: usize = 256;
 const MOST_ARRIVALS: usize = 1200;
-/// Period until two frames have come, seconds.
+/// Assumed period before two frames have arrived, seconds.
 const FIRST_PERIOD_SECS: f64 = 1.0 / 60.0;
 
-/// How long frames wait.
+/// Delay of the frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Delay {
-    /// As long as the stream's jitter asks.
+    /// Adapts to the jitter of the stream.
     Auto,
-    /// So long, seconds; clamped to 0 … [`MAX_DELAY_SECS`].
+    /// A fixed delay, seconds; clamped to 0 … [`MAX_DELAY_SECS`].
     Fixed(f64),
 }
 
-/// What became of a frame.
+/// Result of pushing a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arrival {
-    /// It came in time.
+    /// It arrived in time.
     InTime,
-    /// Its time had been shown already.
+    /// Its time had already been played.
     Late,
-    /// There is one of that time, or one so near that more would exceed 240 a second; or its time is far from all others'.
+    /// Its time equals another's or is so near to it that the rate would exceed 240 Hz; or its time is far from all others'.
     Dropped,
-    /// It begins a stream: the first one, or the first after a loss or a jump of the sender's clock.
+    /// It starts a stream: the first one, or the first after a loss or a reset of the sender's clock.
     Begins,
 }
 
-/// Where a pose that is shown comes from.
+/// Source of a played pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Play {
-    /// From frames before and after.
+    /// Interpolated between frames before and after.
     Interpolated,
-    /// From the newest frames, as if they went on.
+    /// Extrapolated from the newest frames.
     Extrapolated,
-    /// Nothing has come for a while: the last pose stands still.
+    /// No frame has arrived for a while: the last pose is held.
     Held,
-    /// Nothing has come for half a second.
+    /// No frame has arrived for half a second.
     Lost,
 }
 
@@ -75,28 +74,28 @@ pub enum Play {
 pub struct Played {
     /// The pose.
     pub pose: Pose,
-    /// Where it comes from.
+    /// Source of the pose.
     pub play: Play,
-    /// When it was sent, on the sender's clock, seconds.
+    /// Time when it was sent, on the sender's clock, seconds.
     pub sent_secs: f64,
-    /// When it could have been shown at the earliest, on the receiver's clock, seconds.
+    /// Earliest time when it could have been played, on the receiver's clock, seconds.
     pub due_secs: f64,
-    /// Whether it is not continuous with what was shown before.
+    /// Whether it is discontinuous with the pose played before.
     pub begins: bool,
 }
 
-/// Counts since the buffer was made.
+/// Counts since the buffer was created.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BufferStats {
-    /// Frames taken, late ones included.
+    /// Accepted frames, late ones included.
     pub taken: u64,
-    /// Of those, the ones whose time had been shown already.
+    /// Accepted frames whose time had already been played.
     pub late: u64,
-    /// Frames dropped: of the same time as another, too many, or of a time far from all others'.
+    /// Dropped frames: too near to another one, or with a time far from all others'.
     pub dropped: u64,
-    /// Frames that never came, by the sender's times.
+    /// Frames that never arrived, inferred from the sender's times.
     pub missing: u64,
-    /// Streams that ended: lost, or cut by a jump of the sender's clock.
+    /// Streams that ended: lost, or interrupted by a reset of the sender's clock.
     pub losses: u64,
 }
 
@@ -106,26 +105,26 @@ struct Frame {
     pose: Pose,
 }
 
-/// See the module documentation. Frames may be pushed in any order; nothing is allocated after it has been made.
+/// See the module documentation. Frames may be pushed in any order; nothing is allocated after construction.
 #[derive(Clone, Debug)]
 pub struct JitterBuffer {
     fixed: Option<f64>,
-    /// By time; the ones that are still needed.
+    /// Frames that are still needed, sorted by time.
     frames: VecDeque<Frame>,
-    /// Time of arrival and transit a − s.
+    /// Time of arrival and transit a − s of recent frames.
     arrivals: VecDeque<[f64; 2]>,
     scratch: Vec<f64>,
-    /// Transit of the last frames that were off, and their number.
+    /// Transit of the last frames with another offset, and their number.
     off: Option<(f64, usize)>,
-    /// o.
+    /// o in the module documentation.
     least_transit: f64,
     period_secs: f64,
     delay_secs: f64,
-    /// What the delay should be.
+    /// The delay that is aimed at.
     wanted_secs: f64,
-    /// When the motion was last asked for.
+    /// Time of the last call of `at`.
     asked_secs: Option<f64>,
-    /// Time on the sender's clock up to which motion has been shown.
+    /// Time on the sender's clock up to which motion has been played.
     head_secs: Option<f64>,
     last: Option<Played>,
     begins: bool,
@@ -133,7 +132,7 @@ pub struct JitterBuffer {
 }
 
 impl JitterBuffer {
-    /// An empty buffer.
+    /// Creates an empty buffer.
     pub fn new(delay: Delay) -> Self {
         let fixed = match delay {
             Delay::Auto => None,
@@ -159,8 +158,8 @@ impl JitterBuffer {
         }
     }
 
-    /// Takes a frame with the time at which it was sent, on any clock, and that of its arrival, seconds.
-    /// Times that are not numbers drop it.
+    /// Adds a frame with the time at which it was sent, on any clock, and that of its arrival, seconds. Frames with a time
+    /// that is not finite are dropped.
     pub fn push(&mut self, sent_secs: f64, arrived_secs: f64, pose: &Pose) -> Arrival {
         let transit = arrived_secs - sent_secs;
         if !transit.is_finite() {
@@ -202,7 +201,8 @@ impl JitterBuffer {
         }
     }
 
-    /// The motion to show at a time on the clock of arrivals, seconds; it never goes back. `None` before the first.
+    /// Returns the motion to show at a time on the receiver's clock, seconds; it never runs backwards. `None` before the
+    /// first frame.
     pub fn at(&mut self, now_secs: f64) -> Option<Played> {
         let passed = self.asked_secs.map_or(0.0, |before| (now_secs - before).max(0.0));
         self.asked_secs = Some(now_secs);
@@ -234,12 +234,12 @@ impl JitterBuffer {
         self.last
     }
 
-    /// The delay, seconds.
+    /// The current delay, seconds.
     pub fn delay_secs(&self) -> f64 {
         self.delay_secs
     }
 
-    /// Time between frames as they are sent, seconds.
+    /// Period of the frames as sent, seconds.
     pub fn period_secs(&self) -> f64 {
         self.period_secs
     }
@@ -249,7 +249,7 @@ impl JitterBuffer {
         self.stats
     }
 
-    /// Whether as many frames as it takes have said the same of the sender's clock.
+    /// Whether enough successive frames agree on a new offset of the sender's clock.
     fn clock_is_set(&mut self, transit: f64) -> bool {
         let agreeing = self.off.filter(|(before, _)| (transit - before).abs() < SAME_CLOCK_SECS);
         let frames = agreeing.map_or(1, |(_, frames)| frames + 1);
@@ -264,16 +264,16 @@ impl JitterBuffer {
         self.begins = true;
     }
 
-    /// What was shown last, while a stream has not begun.
+    /// The last played motion while no stream is playing.
     fn lost(&mut self) -> Option<Played> {
         self.last = self.last.map(|last| Played { play: Play::Lost, begins: false, ..last });
         self.last
     }
 
-    /// Counts the frames between a newest one and the one before it.
+    /// Counts the frames missing between a new newest frame and the one before it.
     fn count_missing(&mut self, at: usize, sent_secs: f64) {
         if at < self.frames.len() {
-            // One that was counted as missing has come after all.
+            // A frame that was counted as missing has arrived late.
             self.stats.missing = self.stats.missing.saturating_sub(1);
         } else if let Some(before) = self.frames.back() {
             let periods = ((sent_secs - before.sent_secs) / self.period_secs).round();
@@ -281,7 +281,7 @@ impl JitterBuffer {
         }
     }
 
-    /// Least transit, period and wanted delay after an arrival.
+    /// Updates the least transit, the period and the target delay after an arrival.
     fn measure(&mut self, arrived_secs: f64, transit: f64) {
         self.arrivals.push_back([arrived_secs, transit]);
         let is_old = |[arrived, _]: &[f64; 2]| *arrived < arrived_secs - TRANSIT_WINDOW_SECS;
@@ -307,7 +307,7 @@ impl JitterBuffer {
         self.delay_secs = self.delay_secs.max(self.wanted_secs);
     }
 
-    /// The pose at a time; beyond the newest frame it goes on for a moment as it moved.
+    /// The pose at a time; beyond the newest frame it is extrapolated briefly.
     fn pose_at(&self, secs: f64) -> Pose {
         let after = self.frames.partition_point(|frame| frame.sent_secs < secs);
         match (after.checked_sub(1).and_then(|i| self.frames.get(i)), self.frames.get(after)) {
@@ -325,7 +325,7 @@ impl JitterBuffer {
     }
 }
 
-/// The motion of two frames a moment later.
+/// Extrapolates the motion of two frames.
 fn extrapolated(before: &Frame, newest: &Frame, secs: f64) -> Pose {
     let step = newest.sent_secs - before.sent_secs;
     if step > EXTRAPOLATED_SECS + MAX_DELAY_SECS {
@@ -340,7 +340,7 @@ fn extrapolated(before: &Frame, newest: &Frame, secs: f64) -> Pose {
     pose
 }
 
-/// The number below which a share of the numbers lies.
+/// The quantile of the numbers at a share.
 fn quantile(numbers: &mut [f64], share: f64) -> Option<f64> {
     let last = numbers.len().checked_sub(1)?;
     let at = (share * last as f64).ceil() as usize;

@@ -1,4 +1,4 @@
-//! The styled figure of a stream: the seam after a loss, the place beside the performer, and the feet on the ground.
+//! The styled figure of a stream: the transition after a loss, the place relative to the performer, and foot planting.
 
 use super::place::{Follower, Place};
 use crate::driving::{Inertia, Moving};
@@ -8,25 +8,25 @@ use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::heading_of;
 use crate::transfer::Footplant;
 
-/// What comes after the styling, wherever that is done. What is shown goes on without a leap when the stream begins anew.
+/// Post-processing after the styling, wherever that runs. The output is continuous when the stream restarts.
 #[derive(Clone, Debug)]
 pub struct LiveFigure {
     proportions: Proportions,
     rate_hz: f32,
     place: Place,
-    /// From where the stylizer has the figure to where it went on after the last seam.
+    /// Transform from the stylizer's place of the figure to its place after the last restart.
     moved: Option<Moved>,
     follower: Follower,
     footplant: Option<Footplant>,
     planted: [bool; 2],
-    /// What the footplant moved the root by.
+    /// Displacement of the root by the footplant.
     root_shift: Vec2,
     seam: Inertia,
-    /// The last two poses that were shown.
+    /// The last two output poses.
     shown: Option<[Pose; 2]>,
 }
 
-/// A turn about the vertical through a place, and then a step to another.
+/// A rotation about the vertical through a place, then a translation to another.
 #[derive(Clone, Copy, Debug)]
 struct Moved {
     from: Vec3,
@@ -35,7 +35,7 @@ struct Moved {
 }
 
 impl LiveFigure {
-    /// On a body, at so many frames a second; whether planted feet are held in place.
+    /// Creates a figure for a body and a frame rate; `holds_feet` sets whether planted feet are held in place.
     pub fn new(proportions: &Proportions, rate_hz: f32, place: Place, holds_feet: bool) -> Self {
         Self {
             proportions: *proportions,
@@ -51,7 +51,7 @@ impl LiveFigure {
         }
     }
 
-    /// Whether planted feet are held in place from the next frame on.
+    /// Sets whether planted feet are held in place from the next frame on.
     pub fn hold_feet(&mut self, holds: bool) {
         if holds != self.footplant.is_some() {
             self.footplant = holds.then(|| Footplant::new(self.proportions));
@@ -65,9 +65,9 @@ impl LiveFigure {
         self.planted
     }
 
-    /// What is shown of the next frame, `1 / rate_hz` after the last: the styled pose, the likelihood that each of its feet is
-    /// planted, and the performer's pose. Where it `begins` a stream, the stylizer was reset, and the figure goes on from where
-    /// it is.
+    /// Returns the output pose of the next frame, `1 / rate_hz` after the last, from the styled pose, the likelihoods that
+    /// its feet are planted, and the performer's pose. If the frame `begins` a stream, the stylizer was reset, and the figure
+    /// continues from its present place.
     pub fn next(&mut self, styled: &Pose, contact: [f32; 2], performer: &Pose, begins: bool) -> Pose {
         let dt_secs = 1.0 / self.rate_hz;
         let before = self.shown.filter(|_| begins);
@@ -100,7 +100,7 @@ impl LiveFigure {
         shown
     }
 
-    /// Begins anew with a styled pose at the place of one that was shown.
+    /// Restarts with a styled pose at the place of the last output pose.
     fn go_on_from(&mut self, last: &Pose, styled: &Pose) {
         let heading = |pose: &Pose| heading_of(&world_from_local(&self.proportions, pose)).unwrap_or(0.0);
         let turn = Quat::from_rotation_y(heading(last) - heading(styled));
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn after_a_seam_the_way_leads_on_in_the_direction_that_the_figure_had() {
         let poses = walk(&NEUTRAL, 180, 0.0).poses;
-        // The same walk from elsewhere, to the left of where it led before.
+        // The same walk from another place, to the left of its previous direction.
         let turn = Quat::from_rotation_y(1.3);
         let turned = |pose: &Pose| {
             let mut out = Pose { root: turn * pose.root + Vec3::new(4.0, 0.0, 2.0), ..*pose };

@@ -4,17 +4,18 @@ use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Soles, world_from_local};
 use crate::math::float_funcs::exp2;
 
-/// The ground of the first second is taken at once …
+/// In the first second the height of the lowest sole is used directly …
 const FIRST_SECS: f64 = 1.0;
-/// … where it is farther than this from height 0, metres. The height of the ankles is estimated to about 2 cm.
+/// … if it is farther than this from 0, metres. The height of the ankles is known to about 2 cm.
 const DISPLACED: f32 = 0.03;
-/// After that the estimate follows a ground that is farther than this away, metres. Smaller differences come from sitting and lying.
+/// Later the estimate follows a ground that is farther away than this, metres. Smaller differences come from sitting and
+/// lying.
 const MOVED: f32 = 0.1;
 /// Half-life with which the estimate follows, seconds.
 const HALF_LIFE_SECS: f64 = 2.0;
 /// Length of a window, seconds. The ground is the lowest sole in the last two windows, which are longer than a jump.
 const SEEN_SECS: f64 = 0.5;
-/// Longer times between frames count as this, seconds.
+/// Longer times between frames are clamped to this, seconds.
 const LONGEST_SECS: f64 = 0.1;
 
 /// Height of the ground of a stream.
@@ -32,7 +33,7 @@ pub struct LiveFloor {
 }
 
 impl LiveFloor {
-    /// Of a body of these proportions, before its first frame.
+    /// Creates the estimator for a body.
     pub fn new(body: &Proportions) -> Self {
         Self {
             soles: Soles::new(body),
@@ -46,8 +47,8 @@ impl LiveFloor {
         }
     }
 
-    /// Height of the ground under a pose of the body, sent at a time: metres, seconds. A body that `has_root` moves over it;
-    /// one without stands on it in every frame.
+    /// Returns the height of the ground under a pose of the body that was sent at a time, metres and seconds. A body that
+    /// `has_root` moves relative to the ground; one without a root stands on it in every frame.
     pub fn under(&mut self, pose: &Pose, sent_secs: f64, has_root: bool) -> f32 {
         let world = world_from_local(&self.body, pose);
         let lowest = [0, 1].map(|side| self.soles.of(&world, side).lowest()).into_iter().fold(f32::INFINITY, f32::min);
@@ -83,7 +84,7 @@ mod tests {
     use crate::fixtures::{NEUTRAL, RATE_HZ, walk};
     use crate::math::Vec3;
 
-    /// Heights under a walk of six seconds whose ground is where `ground` says.
+    /// Heights estimated under a walk of six seconds over ground at the height `ground`.
     fn under(ground: impl Fn(f64) -> f32) -> Vec<f32> {
         let (motion, body) = (walk(&NEUTRAL, 360, 0.0), Proportions::default());
         let mut floor = LiveFloor::new(&body);

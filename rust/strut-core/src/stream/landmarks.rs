@@ -1,9 +1,9 @@
 //! Landmarks of a body in a camera's picture → pose.
 //!
-//! The 33 points are those of common body trackers (`BlazePose`; Bazarevsky et al. 2020): metres about the middle of the hips,
+//! The 33 points are those of common body trackers (`BlazePose`; Bazarevsky et al. 2020): metres from the centre of the hips,
 //! x to the right of the picture, y down, z away from the camera, so that p = (x, −y, −z) faces +Z towards it. Bones take the
-//! directions of the points; knees and elbows bend in the planes of their limbs; the supporting foot carries the body, so that
-//! a walk ends within 2 % of where it should, and a run, which flies half of its way, loses that.
+//! directions of the points; knees and elbows bend in the planes of their limbs. The supporting foot moves the body: a walk
+//! ends within 2 % of its true distance, but a run loses the distance of its flight phases, half of the total.
 
 use super::one_euro::{OneEuro, OneEuroSettings};
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
@@ -27,16 +27,16 @@ const TOES: [usize; 2] = [31, 32];
 
 /// A limb with a point less visible than this keeps its pose.
 const LEAST_VISIBILITY: f32 = 0.5;
-/// With β = 0.3 a wrist that swings as in walking lags by 9 cm in the mean, with 10 by 1.6; at rest either leaves less than a
-/// fifth of the trembling.
+/// With β = 0.3 a wrist that swings as in walking lags by 9 cm on average, with β = 10 by 1.6 cm. At rest both remove more
+/// than four fifths of the jitter.
 const FILTER: OneEuroSettings = OneEuroSettings { least_cutoff_hz: 1.0, beta: 10.0 };
-/// How much the hinge that a limb had without bending about its own axis counts, against the sine of its bend.
+/// Weight of the limb's unbent hinge axis relative to the sine of its bend.
 const REST_HINGE: f32 = 0.1;
 
-/// A point of the body.
+/// A landmark of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Landmark {
-    /// Metres about the middle of the hips: right, down, away from the camera.
+    /// Metres from the centre of the hips: right, down, away from the camera.
     pub position: Vec3,
     /// From 0 (hidden) to 1.
     pub visibility: f32,
@@ -53,7 +53,7 @@ pub struct LandmarkFit {
 }
 
 impl LandmarkFit {
-    /// On a body of these proportions, at the origin.
+    /// Creates a fit for a body of these proportions, at the origin.
     pub fn new(proportions: &Proportions) -> Self {
         Self {
             proportions: *proportions,
@@ -64,8 +64,8 @@ impl LandmarkFit {
         }
     }
 
-    /// The pose of the next landmarks, `dt_secs` (> 0) after the last. Points that are hidden, or no numbers, keep their
-    /// limbs as they were.
+    /// Returns the pose of the next landmarks, `dt_secs` (> 0) after the last. Limbs with hidden or non-finite points keep
+    /// their pose.
     pub fn next(&mut self, landmarks: &[Landmark; LANDMARKS], dt_secs: f32) -> Pose {
         let dt_secs = if dt_secs > 1e-3 { dt_secs } else { 1e-3 };
         let seen = landmarks.map(|l| l.visibility >= LEAST_VISIBILITY && l.position.is_finite());
@@ -80,13 +80,13 @@ impl LandmarkFit {
         pose
     }
 
-    /// Local rotations of what is seen.
+    /// Fits the local rotations of the visible limbs.
     fn fit(&self, seen: &[bool; LANDMARKS], local: &mut [Quat; JOINTS]) {
         let sees = |pairs: &[[usize; 2]]| pairs.iter().flatten().all(|&i| seen[i]);
         if sees(&[HIPS, SHOULDERS]) {
             self.fit_trunk(local);
         }
-        // World rotations so far; those of the limbs follow.
+        // World rotations so far; those of the limbs are added below.
         let mut world = world_from_local(&self.proportions, &Pose { root: Vec3::ZERO, rotations: *local }).rotations;
         if seen[NOSE] && sees(&[EARS]) {
             self.fit_head(&world, local);
@@ -107,8 +107,8 @@ impl LandmarkFit {
         }
     }
 
-    /// Hips by the line between the hip joints and the middle of the shoulders; spine and chest share what the line between
-    /// the shoulders is turned by.
+    /// Fits the hips by the line between the hip joints and the middle of the shoulders. Spine and chest each take half of
+    /// the shoulder line's rotation relative to the hips.
     fn fit_trunk(&self, local: &mut [Quat; JOINTS]) {
         let across = |pair: [usize; 2]| self.points[pair[0]] - self.points[pair[1]];
         let middle = |pair: [usize; 2]| 0.5 * (self.points[pair[0]] + self.points[pair[1]]);
@@ -131,7 +131,7 @@ impl LandmarkFit {
         }
     }
 
-    /// Neck and head share the turn of the ears and the nose, whose line is level in the T-pose.
+    /// Neck and head each take half of the rotation of the ears and the nose, whose plane is level in the T-pose.
     fn fit_head(&self, world: &[Quat; JOINTS], local: &mut [Quat; JOINTS]) {
         let [left, right] = EARS.map(|i| self.points[i]);
         let forward = self.points[NOSE] - 0.5 * (left + right);
@@ -143,12 +143,12 @@ impl LandmarkFit {
         }
     }
 
-    /// Both bones take their directions; the limb is turned about itself so that its middle joint is a hinge.
+    /// Fits both bones to their directions; the limb is rotated about its axis so that its middle joint is a hinge.
     fn fit_limb(&self, limb: Limb, points: [usize; 3], world: &mut [Quat; JOINTS], local: &mut [Quat; JOINTS]) {
         let [upper, lower, end] = limb.roles();
         let parent = upper.parent().map_or(Quat::IDENTITY, |parent| world[parent.index()]);
         let rest = [lower, end].map(|role| self.proportions.offsets[role.index()]);
-        // Bending takes the end away from where the middle joint moves.
+        // Bending moves the end away from the direction in which the middle joint moves.
         let rest_hinge = rest[0].cross(-limb.pole());
         let [a, b, c] = points.map(|i| self.points[i]);
         let bones = [(b - a).normalize_or_zero(), (c - b).normalize_or_zero()];
@@ -164,7 +164,7 @@ impl LandmarkFit {
         }
     }
 
-    /// The sole lies along heel and toes, below the ankle.
+    /// The sole is aligned with heel and toes, below the ankle.
     fn fit_foot(&self, side: usize, foot: Role, world: &[Quat; JOINTS], local: &mut [Quat; JOINTS]) {
         let [heel, toes, ankle] = [HEELS, TOES, ANKLES].map(|pair| self.points[pair[side]]);
         let along = toes - heel;
@@ -175,7 +175,8 @@ impl LandmarkFit {
     }
 }
 
-/// The rotation that takes +X to the direction of `x`, and +Y into its plane with `y`; `None` if they span none.
+/// The rotation that takes +X to the direction of `x`, and +Y into the plane of `x` and `y`; `None` if they are parallel or
+/// zero.
 fn frame(x: Vec3, y: Vec3) -> Option<Quat> {
     let x = x.normalize_or_zero();
     let y = (y - x * x.dot(y)).normalize_or_zero();
@@ -190,7 +191,7 @@ mod tests {
 
     const DT: f32 = 1.0 / 60.0;
 
-    /// The landmarks of a pose, all seen.
+    /// The landmarks of a pose, all visible.
     fn landmarks(pose: &Pose) -> [Landmark; LANDMARKS] {
         let proportions = Proportions::default();
         let world = world_from_local(&proportions, pose);
@@ -223,7 +224,7 @@ mod tests {
         })
     }
 
-    /// Largest distance of a joint from where it should be about the hips, metres.
+    /// Largest distance between corresponding joints relative to the hips, metres.
     fn off(a: &Pose, b: &Pose) -> f32 {
         let about_hips =
             |pose: &Pose| world_from_local(&Proportions::default(), &Pose { root: Vec3::ZERO, ..*pose }).positions;
@@ -237,7 +238,7 @@ mod tests {
             let mut fit = LandmarkFit::new(&Proportions::default());
             let seen = landmarks(pose);
             let fitted = fit.next(&seen, DT);
-            // The trunk bends in one place, and shoulders not at all.
+            // The trunk bends at a single place, and the shoulders not at all.
             assert!(off(&fitted, pose) < 0.02, "{} m", off(&fitted, pose));
         }
     }

@@ -1,25 +1,24 @@
-//! Styling a stream: the stylizer, and the figure that it moves.
+//! Styling of a stream: the stylizer and the figure that it drives.
 
 use super::figure::LiveFigure;
 use super::place::Place;
 use crate::humanoid::Pose;
 use crate::transfer::{Options, OptionsError, StyleError, Stylizer};
 
-/// Styles the frames of a [`super::JitterBuffer`] at the database's rate. What is shown goes on without a leap when the
-/// stream begins anew.
+/// Styles the frames of a [`super::JitterBuffer`] at the database's rate. The output is continuous when the stream restarts.
 #[derive(Clone, Debug)]
 pub struct LiveStylizer {
-    /// Without footplant, which comes after the place.
+    /// Its footplant is off; the figure plants the feet after the correction of its place.
     stylizer: Stylizer,
     figure: LiveFigure,
 }
 
 impl LiveStylizer {
-    /// With the model, styles and options of a stylizer, but for its timing: output frames last as long as the input's, as
-    /// both are now.
+    /// Uses the model, the styles and the options of a stylizer, except for its timing: output frames have the duration of
+    /// input frames, as both are live.
     ///
     /// # Errors
-    /// As [`Stylizer::set_options`].
+    /// See [`Stylizer::set_options`].
     pub fn new(mut stylizer: Stylizer, place: Place) -> Result<Self, OptionsError> {
         let options = *stylizer.options();
         stylizer.set_options(Options { timing: false, footplant: false, ..options })?;
@@ -32,12 +31,12 @@ impl LiveStylizer {
     /// Sets the styles of the whole body.
     ///
     /// # Errors
-    /// As [`Stylizer::set_styles`].
+    /// See [`Stylizer::set_styles`].
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
         self.stylizer.set_styles(weights)
     }
 
-    /// How far the output goes from the input to the styles: see [`Stylizer::set_style_share`].
+    /// Sets the share of the style in the output: see [`Stylizer::set_style_share`].
     pub fn set_style_share(&mut self, share: f32) {
         self.stylizer.set_style_share(share);
     }
@@ -47,8 +46,8 @@ impl LiveStylizer {
         self.figure.planted()
     }
 
-    /// Styles the performer's next pose, on the database's proportions and one frame of its rate after the last. One that
-    /// `begins` a stream is not continuous with those before: the figure goes on from where it is.
+    /// Styles the performer's next pose, on the database's proportions and one frame of its rate after the last. A pose that
+    /// `begins` a stream is discontinuous with those before: the figure continues from its present place.
     pub fn push(&mut self, pose: &Pose, begins: bool) -> Pose {
         if begins {
             self.stylizer.reset(None);

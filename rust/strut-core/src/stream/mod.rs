@@ -1,9 +1,9 @@
-//! Live streams: somebody's motion as it arrives over a network, styled while it goes on
-//! (`../shared/spec/live-driving.md`, part B). Nothing here has a clock or a socket: times are arguments.
+//! Live streams: motion that is styled while it arrives over a network. Nothing here has a clock or a socket: times are
+//! arguments.
 //!
-//! A [`JitterBuffer`] makes an even stream of frames that come unevenly, late, twice or never; a [`LiveStylizer`] styles
-//! it and keeps the [`LiveFigure`] where the performer is; [`LiveFloor`] says where the ground is; [`LandmarkFit`] makes
-//! poses of the landmarks of a camera.
+//! A [`JitterBuffer`] turns frames that arrive irregularly, late, twice or never into a regular stream. A [`LiveStylizer`]
+//! styles it and keeps the [`LiveFigure`] near the performer. [`LiveFloor`] estimates the height of the ground.
+//! [`LandmarkFit`] converts the landmarks of a camera to poses.
 
 mod buffer;
 mod figure;

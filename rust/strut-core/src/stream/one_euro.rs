@@ -1,29 +1,29 @@
-//! The one-euro filter (Casiez, Roussel and Vogel 2012): a low-pass filter whose cutoff rises with speed, so that what rests
-//! does not tremble and what moves does not lag.
+//! The one-euro filter (Casiez, Roussel and Vogel 2012): a low-pass filter whose cutoff rises with speed, which reduces both
+//! jitter at rest and lag in motion.
 
 use crate::math::Vec3;
 use std::f32::consts::TAU;
 
-/// Cutoff of the speed, Hz.
+/// Cutoff frequency for the speed, Hz.
 const SPEED_CUTOFF_HZ: f32 = 1.0;
 
-/// How a [`OneEuro`] filters.
+/// Parameters of a [`OneEuro`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OneEuroSettings {
-    /// Cutoff of what rests, Hz.
+    /// Cutoff frequency at rest, Hz.
     pub(super) least_cutoff_hz: f32,
-    /// β: Hz of cutoff for a metre a second.
+    /// β: increase of the cutoff frequency with speed, Hz per m/s.
     pub(super) beta: f32,
 }
 
-/// Filters a point, metres.
+/// Filter of a point, metres.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct OneEuro {
     last: Option<(Vec3, Vec3)>,
 }
 
 impl OneEuro {
-    /// The filtered point, `dt_secs` after the last.
+    /// Returns the filtered point, `dt_secs` after the last.
     pub(super) fn next(&mut self, point: Vec3, dt_secs: f32, settings: OneEuroSettings) -> Vec3 {
         let Some((last, velocity)) = self.last else {
             self.last = Some((point, Vec3::ZERO));

@@ -1,4 +1,4 @@
-//! Where the styled figure is, against the performer: a style has its own length of stride, so that places drift apart.
+//! Place of the styled figure relative to the performer: a style has its own stride length, so the places drift apart.
 
 use crate::math::Vec2;
 use crate::math::float_funcs::half_life_share;
@@ -8,17 +8,17 @@ const HALF_LIFE_SECS: f32 = 1.0;
 /// Greatest speed of the correction, as a share of the figure's own.
 const MOST_OF_SPEED: f32 = 0.1;
 
-/// Whether the styled figure keeps to the performer's place.
+/// Whether the styled figure follows the performer's place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Place {
-    /// It is drawn to it while it walks.
+    /// It is pulled to the performer's place while it walks.
     #[default]
     Follow,
-    /// It goes where its steps lead.
+    /// Its place follows from its own steps.
     Free,
 }
 
-/// The correction of the place, metres on the ground.
+/// Correction of the place, metres on the ground.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Follower {
     shift: Vec2,
@@ -26,8 +26,8 @@ pub(super) struct Follower {
 }
 
 impl Follower {
-    /// The correction in the next frame, `dt_secs` after the last, of a figure whose steps led to `styled`; `shown` is where
-    /// that with the last correction would be seen. It changes while a foot `swings`.
+    /// Returns the correction of the next frame, `dt_secs` after the last. `styled` is the place from the figure's own steps,
+    /// and `shown` that place with the last correction. The correction changes only while a foot `swings`.
     pub(super) fn next(&mut self, styled: Vec2, shown: Vec2, performer: Vec2, swings: bool, dt_secs: f32) -> Vec2 {
         let travel = self.last.map_or(0.0, |last| last.distance(styled));
         self.last = Some(styled);
@@ -38,7 +38,7 @@ impl Follower {
         self.shift
     }
 
-    /// The correction as it is.
+    /// The present correction.
     pub(super) fn shift(&self) -> Vec2 {
         self.shift
     }
@@ -50,7 +50,7 @@ mod tests {
 
     const DT: f32 = 1.0 / 60.0;
 
-    /// Distance to a performer who walks at 1.2 m/s, second by second, of a figure that walks at `speed`.
+    /// Distance to a performer that walks at 1.2 m/s, once per second, of a figure that walks at `speed`.
     fn distances(speed: f32, swings: bool) -> Vec<f32> {
         let mut follower = Follower::default();
         let mut distances = Vec::new();
@@ -67,7 +67,7 @@ mod tests {
 
     #[test]
     fn a_figure_that_is_slower_stays_within_reach() {
-        // Where 7 % of its speed draws it: 0.084 m/s · 1 s / ln 2.
+        // The distance at which the pull is 7 % of its speed: 0.084 m/s · 1 s / ln 2.
         assert!((distances(1.2 / 1.07, true)[9] - 0.113).abs() < 0.01, "{:?}", distances(1.2 / 1.07, true));
         assert!(distances(1.2 / 1.07, false)[9] > 0.7);
     }

@@ -6,7 +6,7 @@ use crate::kinematics::WorldPose;
 use crate::math::{Vec2, Vec3};
 use crate::transfer::{Model, Recorder, Stylizer};
 
-/// A walk of five seconds in the two styles of a small database.
+/// A five-second walk in the two styles of a small database.
 fn predictions() -> Arc<Predictions> {
     let input = walk(&Gait { period: 63.0, ..NEUTRAL }, 300, 0.15).poses;
     recorded(&input)
@@ -38,7 +38,7 @@ fn bits(performers: &Performers) -> Vec<u32> {
     performers.world().iter().map(|v| v.to_bits()).chain(weights).collect()
 }
 
-/// Places of all joints of everybody.
+/// Places of all joints of all performers.
 fn joints(performers: &Performers) -> Vec<Vec3> {
     performers.world().chunks_exact(JOINT_FLOATS).map(Vec3::from_slice).collect()
 }
@@ -70,7 +70,7 @@ fn nobody_leaves_the_ground_or_stays_inside_somebody_else() {
 
 #[test]
 fn feet_that_stand_do_not_slide_though_their_owner_turns() {
-    // Nobody is in the way of the only one.
+    // A single performer has no others to avoid.
     let mut performers = performers(1, 4);
     performers.set_field(&[vertex(1.0, 1.0)]).unwrap();
     let soles = Soles::new(performers.predictions().proportions());
@@ -105,7 +105,7 @@ fn nobody_jumps_where_the_motion_begins_anew_or_the_field_is_another() {
     performers.set_field(&[vertex(2.0, 0.0)]).unwrap();
     let mut before = joints(&performers);
     let mut largest = 0.0_f32;
-    // Three times through the motion, with a field that is pulled about.
+    // Three loops of the motion, with a field that changes often.
     for tick in 0..15 * TICK_HZ as usize {
         if tick % 40 == 39 {
             let side = if tick % 80 == 79 { 1.0 } else { -1.0 };
@@ -117,7 +117,7 @@ fn nobody_jumps_where_the_motion_begins_anew_or_the_field_is_another() {
         before = now;
     }
     println!("{largest} m");
-    // A hand or a foot that swings fast goes 4 m/s, and legs that change sides in 0.2 s twice that.
+    // A fast swinging hand or foot moves at 4 m/s, and legs that swap sides in 0.2 s at twice that.
     assert!(largest < 0.3, "{largest} m in a tick");
 }
 
@@ -138,7 +138,7 @@ fn who_performs_alone_in_no_style_does_what_a_performer_does() {
     let mut performers = performers(1, 3);
     let predictions = predictions();
     let mut alone = crate::transfer::Performer::new(Arc::clone(&predictions), None);
-    // Joints below the hips turn as those of some frame of the loop, or between two.
+    // Joints below the hips have the rotations of a frame of the loop, or lie between two.
     let frames: Vec<Pose> = (0..2 * predictions.period()).map(|_| alone.advance().pose).collect();
     let knee = Role::LeftLowerLeg.index();
     for _ in 0..60 {

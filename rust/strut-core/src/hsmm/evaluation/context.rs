@@ -8,11 +8,11 @@ use crate::math::float_funcs::double;
 use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::f64::consts::TAU;
 
-/// Where a step stands in its clip: first, second, last but one, last, or another.
+/// Position of a step in its clip: first, second, last but one, last, or another.
 const POSITIONS: usize = 5;
 const CONTEXTS: usize = SIDES * POSITIONS;
 
-/// A question about a context: its words, and the positions that it is true for; that of the side is no question of position.
+/// A question about a context: its text, and the positions for which it is true; empty for the question about the side.
 const QUESTIONS: [(&str, &[usize]); 8] = [
     ("a left step?", &[]),
     ("the first?", &[0]),
@@ -24,28 +24,29 @@ const QUESTIONS: [(&str, &[usize]); 8] = [
     ("near an end?", &[0, 1, 2, 3]),
 ];
 
-/// A question that parted contexts.
+/// A question that splits contexts.
 #[derive(Clone, Debug)]
 pub struct Split {
-    /// In words.
+    /// Text of the question.
     pub question: &'static str,
-    /// How much likelier the frames are by two models than by one, as logarithms.
+    /// Increase of the frames' log-likelihood by two models instead of one.
     pub gain: f64,
 }
 
 /// The result of context clustering.
 #[derive(Clone, Debug)]
 pub struct ContextTree {
-    /// In the order of growth.
+    /// Splits in the order of growth.
     pub splits: Vec<Split>,
-    /// The greatest gain of a question that was not worth its cost.
+    /// The greatest gain of a question below the cost of a split.
     pub rejected: f64,
     /// Description length of a split: half the parameters that it adds, times the logarithm of the number of frames, twice.
     pub cost: f64,
 }
 
 impl ContextTree {
-    /// Grown on walks with the numbers of their styles. Style-free frames have their style's mean pose taken off.
+    /// Grows the tree on walks with the indices of their styles. With `style_free`, a style's mean pose is subtracted from
+    /// its frames.
     pub fn grow(model: &WalkModel, walks: &[(usize, &Track)], style_free: bool) -> Self {
         let shared = shared_of(model);
         let mut sums: Vec<Statistics> = (0..POSITIONS).map(|_| Statistics::zero()).collect();
@@ -78,7 +79,7 @@ impl ContextTree {
         tree
     }
 
-    /// Parts contexts by the question that gains most, as long as it is worth its cost.
+    /// Splits contexts by the question of the greatest gain, if it exceeds the cost.
     fn part(&mut self, sums: &[Statistics], contexts: [bool; CONTEXTS]) {
         let whole = likelihood(sums, &contexts);
         let parts = QUESTIONS.iter().filter_map(|&(question, positions)| {
@@ -100,7 +101,7 @@ impl ContextTree {
     }
 }
 
-/// Log-likelihood of the frames of some contexts by one model of theirs.
+/// Log-likelihood of the frames of some contexts under one common model.
 fn likelihood(sums: &[Statistics], contexts: &[bool; CONTEXTS]) -> f64 {
     (0..STATES)
         .map(|state| {

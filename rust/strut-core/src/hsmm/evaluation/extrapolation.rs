@@ -8,28 +8,28 @@ use crate::math::{Vec3, exp_map};
 use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::sync::Arc;
 
-/// Steps that are watched.
+/// Number of steps evaluated.
 const STEPS: u64 = 8;
-/// A degree of freedom fails beyond the recorded range by more than this, radians, if more than a share of all does.
+/// The walk fails if more than a share of the degrees of freedom exceeds the recorded range by more than this, radians.
 const BEYOND: f64 = 10.0 * std::f64::consts::PI / 180.0;
 const MOST_BEYOND: f64 = 0.01;
-/// Least angle of a knee, degrees: below it is bent the wrong way.
+/// Least angle of a knee, degrees: below it the knee is hyperextended.
 const LEAST_KNEE: f64 = -8.0;
-/// Shortest state, frames; walkers make it one frame, so that it counts only where limits do not.
+/// Shortest valid state, frames. Walkers clamp states to one frame, so this applies only without limits.
 const SHORTEST: f64 = 0.5;
-/// Share of the frames in which the wrong foot may bear the body.
+/// Share of the frames in which the wrong foot may support the body.
 const MOST_WRONG_FOOT: f64 = 0.15;
 
-/// How a style at an intensity is walked.
+/// Plausibility of a style at an intensity.
 #[derive(Clone, Copy, Debug)]
 pub struct Bearing {
     /// Whether the walk fails by any of the four criteria of `docs/methods/hsmm.md` §10.
     pub fails: bool,
-    /// Least angle of a knee, degrees; negative is bent the wrong way.
+    /// Least angle of a knee, degrees; negative is hyperextended.
     pub knee: f64,
 }
 
-/// Walks a style at an intensity against the average, with the joints' limits or without.
+/// Evaluates a walk of a style at an intensity relative to the average, with or without the joints' limits.
 ///
 /// # Errors
 /// See [`WeightsError`].
@@ -68,8 +68,8 @@ pub fn bearing(
     Ok(Bearing { fails, knee })
 }
 
-/// How much there is of a style in walks at some intensities, by the mean poses of the states: how far these are on the way
-/// from the walk at intensity 0 to that at 1, as a share.
+/// Strength of a style in walks at some intensities: the projection of the states' mean poses on the change from intensity 0
+/// to 1, as a share.
 ///
 /// # Errors
 /// See [`WeightsError`].

@@ -9,23 +9,23 @@ use crate::math::Vec3;
 use crate::math::float_funcs::atan2;
 use std::sync::Arc;
 
-/// How a walk measures up, averaged over its steps.
+/// Gait statistics, averaged over the steps of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaitStatistics {
-    /// Of a step, seconds.
+    /// Duration of a step, seconds.
     pub step_secs: f64,
-    /// Metres.
+    /// Length of a step, metres.
     pub step_length: f64,
-    /// Metres per second.
+    /// Walking speed, metres per second.
     pub speed: f64,
-    /// Of the chest, forward from upright, degrees.
+    /// Lean of the chest, forward from upright, degrees.
     pub lean: f64,
-    /// Of the head, down from level, degrees.
+    /// Pitch of the head, down from level, degrees.
     pub head_pitch: f64,
 }
 
 impl GaitStatistics {
-    /// Its numbers, with their names.
+    /// The statistics with their names.
     pub fn named(&self) -> [(&'static str, f64); 5] {
         [
             ("step duration", self.step_secs),
@@ -36,7 +36,7 @@ impl GaitStatistics {
         ]
     }
 
-    /// Of so many steps in a style, at least one.
+    /// Measures a number of steps in a style, at least one.
     ///
     /// # Errors
     /// See [`WeightsError`].
@@ -51,7 +51,7 @@ impl GaitStatistics {
         walker.set_styles(weights)?;
         walker.reset(Vec3::ZERO, 0.0);
         let mut poses: Vec<Pose> = Vec::new();
-        // The first two belong to the beginning.
+        // The first two steps are excluded as the start.
         while walker.next_step() < steps + 2 {
             let pose = *walker.advance();
             if walker.step().0 >= 2 {

@@ -8,11 +8,11 @@ use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use std::sync::Arc;
 
-/// Frames that are walked, and those at either end that are not compared: there the whole has no past or no future.
+/// Frames that are walked, and those excluded at either end, where the trajectory of the whole walk has no past or no future.
 const FRAMES: usize = 240;
 const ENDS: usize = 30;
 
-/// Angles between the joints of a walker and those of the trajectory of the whole walk, degrees: their mean and the greatest.
+/// Returns the mean and the greatest angle between a walker's joints and those of the trajectory of the whole walk, degrees.
 ///
 /// # Errors
 /// See [`WeightsError`].

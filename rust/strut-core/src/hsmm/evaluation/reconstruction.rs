@@ -11,7 +11,7 @@ use crate::kinematics::world_from_local;
 use crate::math::Vec3;
 use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 
-/// Frames of recorded walks beside the model's, whose states last as long as is likeliest for the recording.
+/// Comparison of recorded walks with the model's trajectories, with states aligned to the recording.
 #[derive(Clone, Debug, Default)]
 pub struct Reconstruction {
     /// Frames compared.
@@ -20,14 +20,14 @@ pub struct Reconstruction {
     degrees: f64,
     /// Mean distance of the joints with the hips at the origin, centimetres, summed over frames.
     centimetres: f64,
-    /// Standard deviations of the degrees of freedom, summed over these and weighed by frames: generated and recorded.
+    /// Standard deviations of the degrees of freedom, summed and weighted by frames: generated and recorded.
     deviations: [f64; 2],
-    /// Distances of the ankles at the strikes, metres, summed over them: generated and recorded.
+    /// Distances between the ankles at the strikes, metres, summed: generated and recorded.
     stretches: [f64; 2],
 }
 
 impl Reconstruction {
-    /// Adds a clip by a style of the model.
+    /// Adds a clip of a style of the model.
     pub fn add(&mut self, model: &WalkModel, style: usize, track: &Track) {
         let (shared, sample) = (shared_of(model), Sample::new(style, track, &model.reference));
         for chain in chains(&sample, &model.means[style], &shared) {
@@ -68,18 +68,18 @@ impl Reconstruction {
         self.centimetres / self.frames
     }
 
-    /// How far apart the feet are when one strikes, as a share of how far recorded ones are.
+    /// Ratio of the generated to the recorded distance between the feet at strikes.
     pub fn step_length(&self) -> f64 {
         self.stretches[0] / self.stretches[1]
     }
 
-    /// How much generated joints move, as a share of how much recorded ones do.
+    /// Ratio of the generated to the recorded amplitude of the joints.
     pub fn amplitude(&self) -> f64 {
         self.deviations[0] / self.deviations[1]
     }
 }
 
-/// For every step of a clip the style that it is likeliest by; steps that no style can be compared with are left out.
+/// Returns the most likely style of every step of a clip; steps that cannot be aligned are skipped.
 pub fn recognise(model: &WalkModel, track: &Track) -> Vec<usize> {
     let (shared, sample) = (shared_of(model), Sample::new(0, track, &model.reference));
     let styles: Vec<_> = model.means.iter().map(|means| states_of(means, &shared)).collect();

@@ -1,4 +1,4 @@
-//! Error of going back from the horizon in single precision.
+//! Error of the backward recursion from the horizon in single precision.
 
 use super::shared_of;
 use crate::hsmm::features::Track;
@@ -13,10 +13,10 @@ use crate::rotation_row::ROTATION_DIMS;
 /// The terms of a state by side, state and part.
 type Terms<'a, T> = &'a dyn Fn(FrameState, Stream) -> Term<T>;
 
-/// Two ways through the states of a recorded walk of a style, each of which knows its own last two frames and looks
-/// [`HORIZON`] frames ahead: the recursion of a [`super::super::Walker`] in single precision, and the banded system in double
-/// precision, from the means of the first two frames on. The greatest difference between their angles, radians; none for a
-/// walk that is shorter than the horizon.
+/// Compares two trajectories through the states of a recorded walk of a style, each of which continues its own last two
+/// frames with a look-ahead of [`HORIZON`] frames: the recursion of a [`super::super::Walker`] in single precision, and the
+/// banded system in double precision, from the means of the first two frames on. Returns the greatest difference between
+/// their angles, radians; `None` for a walk that is shorter than the horizon.
 pub fn recursion_error(model: &WalkModel, style: usize, track: &Track) -> Option<f64> {
     let (shared, sample) = (shared_of(model), Sample::new(style, track, &model.reference));
     let mut greatest = None;
@@ -37,7 +37,7 @@ pub fn recursion_error(model: &WalkModel, style: usize, track: &Track) -> Option
             };
             let first = [chain.states[0], chain.states[1]].map(|state| double(state, Stream::Static).mean);
             let (mut by_recursion, mut by_system) = (first.map(|c| Lane::splat(c as f32)), first);
-            // The frame before and those up to the horizon.
+            // The frame before, and those up to the horizon.
             for states in chain.states[1..].windows(HORIZON + 2) {
                 by_recursion = [by_recursion[1], recursion(states, &single, by_recursion)];
                 by_system = [by_system[1], system(states, &double, by_system)];
@@ -49,7 +49,7 @@ pub fn recursion_error(model: &WalkModel, style: usize, track: &Track) -> Option
     greatest
 }
 
-/// The frame after the first of some states.
+/// The second frame of a sequence of states, by the recursion.
 fn recursion<T: Number>(states: &[FrameState], term: Terms<T>, known: [T; 2]) -> T {
     let frame = |pair: &[FrameState]| FrameTerms {
         pose: term(pair[1], Stream::Static),
@@ -60,7 +60,7 @@ fn recursion<T: Number>(states: &[FrameState], term: Terms<T>, known: [T; 2]) ->
     rest.with(&frame(states)).1.after(known)
 }
 
-/// The same by the banded system.
+/// The same frame by the banded system.
 fn system<T: Number>(states: &[FrameState], term: Terms<T>, known: [T; 2]) -> T {
     let mut system = Banded::default();
     let (before, path) = (states[0], &states[1..]);

@@ -9,23 +9,23 @@ use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Steps before and after the change that are not watched, and of either style that are: states last whole frames, and no
-/// two steps round alike.
+/// Steps that are skipped before and after the change, and steady steps that are measured in either style: many, because
+/// states last whole frames and every step is rounded differently.
 const SETTLING: u64 = 8;
 const STEADY: u64 = 40;
 
-/// Greatest accelerations while one style gives way to another, as shares of the greatest of steady walking in either.
+/// Peak accelerations during a change of style, relative to the peaks of steady walking in either style.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peaks {
-    /// Of the joint where the share is largest.
+    /// Largest ratio over the joints.
     pub joint: f64,
-    /// Of the degree of freedom where it is largest; some hardly move at all.
+    /// Largest ratio over the degrees of freedom; some of them hardly move at all.
     pub freedom: f64,
-    /// Of the joints that are accelerated most.
+    /// Ratio of the greatest accelerations over all joints.
     pub greatest: f64,
 }
 
-/// [`Peaks`] while a style gives way to another over so many steps in between.
+/// Measures [`Peaks`] of a transition between styles over `between` steps.
 ///
 /// # Errors
 /// See [`WeightsError`].
@@ -44,7 +44,7 @@ pub fn transition_peaks(
     Ok(watched.peaks(&(begin - 1..end + 1), &[SETTLING..begin - 1, end + SETTLING..end + SETTLING + STEADY]))
 }
 
-/// [`Peaks`] of a walk that stops, stands and starts again.
+/// Measures [`Peaks`] of a walk that stops, stands and starts again.
 ///
 /// # Errors
 /// See [`WeightsError`].
@@ -80,7 +80,7 @@ struct Watched {
 }
 
 impl Watched {
-    /// Walks until a step begins.
+    /// Walks until step `until` begins.
     fn walk(&mut self, model: &WalkModel, walker: &mut Walker, until: u64) {
         while walker.next_step() < until {
             self.rows.push(row_of(&model.reference, &walker.advance().rotations));
@@ -88,7 +88,7 @@ impl Watched {
         }
     }
 
-    /// Greatest acceleration of some degrees of freedom together in some steps.
+    /// Greatest norm of the acceleration of some degrees of freedom in some steps.
     fn greatest(&self, dims: Range<usize>, steps: &Range<u64>) -> f64 {
         let rows = &self.rows;
         let of = |t: usize, d: usize| rows[t + 1][d] - 2.0 * rows[t][d] + rows[t - 1][d];
@@ -96,7 +96,7 @@ impl Watched {
         inner.map(|t| dims.clone().map(|d| of(t, d) * of(t, d)).sum::<f64>().sqrt()).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// Accelerations of some steps beside those of steady ones.
+    /// Accelerations of some steps relative to those of steady ones.
     fn peaks(&self, changing: &Range<u64>, steady: &[Range<u64>]) -> Peaks {
         let both = |dims: Range<usize>| {
             let steady = steady.iter().map(|steps| self.greatest(dims.clone(), steps)).fold(0.0, f64::max);

@@ -7,51 +7,51 @@ use crate::hsmm::RATE_HZ;
 use crate::hsmm::model::SIDES;
 use thiserror::Error;
 
-/// Greatest turn of a step, radians: the foot turns on the ground by as much.
+/// Greatest turn per step, radians: the foot rotates on the ground by the same angle.
 pub const MAX_TURN: f32 = 0.18;
-/// Slowest and fastest steps that can be asked for, frames.
+/// Least and greatest duration of a step, frames.
 pub const STEP_FRAMES: [f32; 2] = [8.0, 45.0];
-/// Shortest and longest steps that can be asked for, as shares of the style's.
+/// Least and greatest length of a step, as shares of the style's.
 pub const STRIDE: [f32; 2] = [0.6, 1.3];
-/// Greatest weight of a style, either way.
+/// Greatest absolute weight of a style.
 pub const MAX_WEIGHT: f32 = 5.0;
 
-/// Most changes of style that may be planned at a time.
+/// Greatest number of planned changes of style.
 pub const MAX_TRANSITIONS: usize = 1000;
 
-/// Why style weights are refused.
+/// Error of style weights.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum WeightsError {
-    /// There is not one a style.
+    /// The number of weights differs from that of the styles.
     #[error("{found} weights were given for {styles} styles")]
     Count {
-        /// Weights given.
+        /// Number of weights given.
         found: usize,
-        /// Styles of the model.
+        /// Number of styles of the model.
         styles: usize,
     },
-    /// One is not a number, or too large.
+    /// A weight is NaN or out of range.
     #[error("a weight is {0}; a number between -{MAX_WEIGHT} and {MAX_WEIGHT} was expected")]
     Range(f32),
-    /// There are [`MAX_TRANSITIONS`] already.
+    /// [`MAX_TRANSITIONS`] changes are planned already.
     #[error("{MAX_TRANSITIONS} changes of style are planned already, the most supported")]
     Transitions,
 }
 
 impl Walker {
-    /// Styles of both feet's steps from the next frame on; the remainder of the weights to a sum of 1 belongs to the average. Transitions that
-    /// were planned are forgotten.
+    /// Sets the styles of both feet's steps from the next frame on; the remainder of the weights to a sum of 1 belongs to the
+    /// average. Planned transitions are discarded.
     ///
     /// # Errors
-    /// See [`WeightsError`]; the former weights then stay.
+    /// See [`WeightsError`]; the weights are then unchanged.
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), WeightsError> {
         self.set_sides([weights; SIDES])
     }
 
-    /// [`Walker::set_styles`] for the steps of the left foot and of the right.
+    /// [`Walker::set_styles`] with separate weights for the steps of the left and of the right foot.
     ///
     /// # Errors
-    /// See [`WeightsError`]; the former weights then stay.
+    /// See [`WeightsError`]; the weights are then unchanged.
     pub fn set_sides(&mut self, weights: [&[f32]; SIDES]) -> Result<(), WeightsError> {
         weights.iter().try_for_each(|w| self.runtime.check(w))?;
         for (own, new) in self.planner.weights.0.iter_mut().zip(weights) {
@@ -62,7 +62,7 @@ impl Walker {
         Ok(())
     }
 
-    /// Changes styles from a step to come on, over so many steps in between; 0 is an abrupt change. The weights are those of
+    /// Plans a change of styles from a future step on, over `between` steps; 0 is an abrupt change. The weights are those of
     /// the steps of the left foot and of the right.
     ///
     /// # Errors
@@ -80,8 +80,8 @@ impl Walker {
         Ok(())
     }
 
-    /// Steps a minute from now on; `None` leaves it to the style. The nearest of [`STEP_FRAMES`] is taken. The cadence that
-    /// there is already keeps its beat.
+    /// Sets the steps per minute, clamped to [`STEP_FRAMES`]; `None` uses the style's cadence. Setting the present cadence
+    /// again keeps its beat.
     pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
         let frames = steps_per_minute.and_then(frames_of);
         if frames != self.planner.tempo.map(|tempo| tempo.frames) {
@@ -90,8 +90,8 @@ impl Walker {
         }
     }
 
-    /// [`Walker::set_cadence`], with steps that end on a beat: one of them so many seconds after the last frame, or before it.
-    /// Steps are a seventh longer or shorter at most until they do.
+    /// [`Walker::set_cadence`] with steps that end on a beat: one beat is `secs` after the last frame, or before it if
+    /// negative. Until they reach the beat, steps are at most 15% longer or shorter.
     pub fn set_beat(&mut self, steps_per_minute: f32, secs: f32) {
         let last = self.frame.saturating_sub(1) as f64;
         let beat = Some(last + f64::from(secs * RATE_HZ)).filter(|beat| beat.is_finite());
@@ -99,27 +99,26 @@ impl Walker {
         self.planner.forget();
     }
 
-    /// Whether states last as long as people's do, now longer and now shorter, drawn by this number; `None` gives every step
-    /// of a style the same durations.
+    /// Sets the seed of random variation of the state durations; `None` gives every step of a style the same durations.
     pub fn set_variation(&mut self, seed: Option<u32>) {
         self.planner.seed = seed;
         self.planner.forget();
     }
 
-    /// Turn of a step, radians to the left; at most [`MAX_TURN`] either way.
+    /// Sets the turn per step, radians to the left; at most [`MAX_TURN`] either way.
     pub fn set_turn(&mut self, turn: f32) {
         self.turn = if turn.is_finite() { turn.clamp(-MAX_TURN, MAX_TURN) } else { 0.0 };
     }
 
-    /// Length of steps as a share of the style's: the legs swing by about as much more or less. The nearest of [`STRIDE`] is
-    /// taken.
+    /// Sets the length of steps as a share of the style's, clamped to [`STRIDE`]; the swing of the legs is scaled about as
+    /// much.
     pub fn set_stride(&mut self, share: f32) {
         self.planner.stride = if share.is_finite() { share.clamp(STRIDE[0], STRIDE[1]) } else { 1.0 };
         self.planner.forget();
     }
 
-    /// Whether to walk or to stand, from the next frame on: either takes two steps, in which the swing of the joints about
-    /// how they stand grows or fades. No walks from rest or to it are recorded that it could be learnt from.
+    /// Starts or stops walking from the next frame on. Either takes two steps, in which the swing of the joints about their
+    /// standing pose grows or fades. There are no recordings of starting or stopping to learn from.
     pub fn set_walking(&mut self, walks: bool) {
         let (step, state) = (self.position.step, self.position.state);
         let to = f32::from(u8::from(walks));
@@ -130,8 +129,8 @@ impl Walker {
         }
     }
 
-    /// Whether joints, and how long steps and their states last, keep within the range of the recorded walks, and steps get
-    /// as long as their mixture of styles has them; they do unless told otherwise.
+    /// Sets whether joints and the durations of steps and states are limited to the range of the recorded walks, and step
+    /// lengths are corrected to those of the mixture of styles; on by default.
     pub fn set_limits(&mut self, limits: bool) {
         self.planner.limits = limits;
         self.planner.forget();
@@ -139,7 +138,7 @@ impl Walker {
 }
 
 impl RuntimeWalkModel {
-    /// Whether these are weights of the model's styles.
+    /// Checks the weights of the model's styles.
     pub(in crate::hsmm) fn check(&self, weights: &[f32]) -> Result<(), WeightsError> {
         let styles = self.styles.len();
         if weights.len() != styles {
@@ -150,7 +149,7 @@ impl RuntimeWalkModel {
     }
 }
 
-/// Frames of a step.
+/// Converts a cadence to frames per step.
 fn frames_of(steps_per_minute: f32) -> Option<f32> {
     let can_be = steps_per_minute.is_finite() && steps_per_minute > 0.0;
     can_be.then(|| (60.0 * RATE_HZ / steps_per_minute).clamp(STEP_FRAMES[0], STEP_FRAMES[1]))

@@ -3,23 +3,23 @@
 use crate::hsmm::joint_range::saturating;
 use crate::hsmm::model::STATES;
 
-/// Frames of every state of a step.
+/// Durations of the states of a step, frames.
 pub(super) type Durations = [f32; STATES];
 
-/// Frames of a state, whatever is mixed.
+/// Range of a state's duration, frames.
 pub(super) const STATE_FRAMES: [f32; 2] = [1.0, 14.0];
-/// How much shorter than the shortest style's a step can get, and longer than the longest's, as a share.
+/// How much a step may be shorter than the shortest style's or longer than the longest style's, as a share.
 const STEP_BEYOND: f32 = 0.15;
-/// How much farther than those of the styles that are mixed a state's share of the step can go, as a share: rounding.
+/// Tolerance for rounding by which a state's share of the step may exceed the range of the mixed styles, as a share.
 const SHARE_BEYOND: f32 = 0.001;
 
-/// The frame with which a state ends that began with another and ends at a time, both in frames: rounded in sum, so that the
-/// cadence is exact, but every state has a frame.
+/// Returns the frame at which a state ends, given the frame where it began and the unrounded end in frames. Rounding the sum
+/// keeps the cadence exact; every state has at least one frame.
 pub(in crate::hsmm) fn counted_end(begin: u64, end: f64) -> u64 {
     (end.round() as u64).max(begin + 1)
 }
 
-/// Durations that give way by ρ times their variances: d + ρν (the paper's d = d̄ + ρν, of which ρ sets the cadence).
+/// Changes durations by ρ times their variances: d + ρν (the paper's d = d̄ + ρν, in which ρ sets the cadence).
 pub(super) fn stretched(durations: &Durations, rho: f32, variances: &Durations) -> Durations {
     let [least, greatest] = STATE_FRAMES;
     std::array::from_fn(|s| (durations[s] + rho * variances[s]).clamp(least, greatest))
@@ -33,9 +33,9 @@ pub(super) fn shortest_and_longest<'a>(steps: impl Iterator<Item = &'a Durations
     })
 }
 
-/// Durations of a mixture as they can be walked. Beyond the styles that are mixed states would soon last no time at all, and
-/// the feet would no longer take turns: there the step gets longer or shorter as a whole, while its rhythm stays between
-/// theirs; and steps of all styles are the measure of how long one can be.
+/// Limits the durations of a mixture to plausible ones. In extrapolations states would soon have no duration, and the feet
+/// would not alternate any more. So the step gets longer or shorter as a whole, within the range of all styles' steps, while
+/// the states' shares of it stay between those of the mixed styles.
 pub(super) fn limited<'a>(
     durations: &Durations,
     mixed: impl Iterator<Item = &'a Durations>,
@@ -61,8 +61,8 @@ pub(super) fn limited<'a>(
     lasting(durations, frames, &limits, variances)
 }
 
-/// Durations within limits of their own that are so many frames together: each gives way as far as it varies. Where limits
-/// do not allow it, as nearly so many as they do.
+/// Returns durations within their limits that sum to `frames`: each changes in proportion to its variance. If the limits do
+/// not allow it, the sum is as near as possible.
 pub(super) fn lasting(
     durations: &Durations,
     frames: f32,

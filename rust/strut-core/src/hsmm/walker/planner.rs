@@ -1,4 +1,4 @@
-//! Planning of the coming steps: mixed means and state durations.
+//! Planning of the next steps: mixed means and state durations.
 
 use super::durations::{Durations, STATE_FRAMES, lasting};
 use super::runtime_model::{PADDED, RuntimeWalkModel, StateMeans, swing};
@@ -6,32 +6,32 @@ use crate::hsmm::model::{SIDES, STATES, Side};
 use crate::math::random::SplitMix64;
 use std::sync::Arc;
 
-/// Look-ahead of the synthesis, frames: with them the trajectory is within 0.1° of that of the whole walk on average.
+/// Look-ahead of the synthesis, frames: the trajectory is then within 0.1° of that of the whole walk on average.
 pub const HORIZON: usize = 20;
-/// Steps that may begin within the horizon, and the one before.
+/// Number of steps that may begin within the horizon, and the one before.
 const PLANNED: usize = HORIZON / STATES + 2;
-/// Steps that starting and stopping take.
+/// Number of steps in which walking starts or stops.
 const STARTING_STEPS: f32 = 2.0;
-/// How much longer or shorter a step may be, as a share, to come nearer to the beat.
+/// Greatest change of a step's duration for catching up with the beat, as a share.
 const CATCHING_UP: f64 = 0.15;
 
-/// Weights of the styles, for the steps of either foot.
+/// Weights of the styles for the steps of either foot.
 #[derive(Clone, Debug)]
 pub(super) struct Weights(pub(super) [Vec<f32>; SIDES]);
 
-/// A change of style that is spread over steps.
+/// A change of style over several steps.
 #[derive(Clone, Debug)]
 pub(super) struct Transition {
-    /// The first step that is in between.
+    /// The first intermediate step.
     pub(super) first: u64,
-    /// Steps in between.
+    /// Number of intermediate steps.
     pub(super) steps: u32,
     pub(super) to: Weights,
 }
 
 impl Transition {
-    /// Progress of the transition in the middle of a state, 0 to 1. With one share a state instead of one a step the joints'
-    /// greatest acceleration is lower, by a fifth where it is highest.
+    /// Progress of the transition in the middle of a state, 0 to 1. One value per state instead of one per step lowers the
+    /// joints' greatest acceleration, by a fifth where it is highest.
     fn share(&self, step: u64, state: usize) -> f32 {
         let Some(steps) = step.checked_sub(self.first) else { return 0.0 };
         if steps >= u64::from(self.steps) {
@@ -41,18 +41,18 @@ impl Transition {
     }
 }
 
-/// Walking that begins or ends.
+/// Starting or stopping of the walk.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
-    /// The step that it begins with.
+    /// The first step of the change.
     pub(super) first: u64,
-    /// How much of walking there was then, and will be: 0 is standing, 1 walking.
+    /// Initial and final share of walking: 0 is standing, 1 walking.
     pub(super) from: f32,
     pub(super) to: f32,
 }
 
 impl Start {
-    /// How much of walking there is in a state.
+    /// Share of walking in a state.
     pub(super) fn share(&self, step: u64, state: usize) -> f32 {
         let Some(steps) = step.checked_sub(self.first) else { return self.from };
         let share = (steps as f32 + (state as f32 + 0.5) / STATES as f32) / STARTING_STEPS;
@@ -60,17 +60,17 @@ impl Start {
     }
 }
 
-/// Steps that all last as long.
+/// A constant duration of steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tempo {
     /// Frames of a step.
     pub(super) frames: f32,
-    /// A frame at which a step is to end, if it matters: so are all others then.
+    /// A frame at which a step must end, and all others in phase with it; `None` if the phase is free.
     pub(super) beat: Option<f64>,
 }
 
 impl Tempo {
-    /// Frames of a step that begins at a frame: on the beat, or somewhat nearer to it than the step before.
+    /// Duration of a step that begins at a frame: it ends on the beat, or nearer to it than the step before.
     fn of_step(&self, begin: f64) -> f32 {
         let frames = f64::from(self.frames);
         let Some(beat) = self.beat else { return self.frames };
@@ -80,39 +80,39 @@ impl Tempo {
     }
 }
 
-/// A step to come, or the current one, in its style.
+/// A future step, or the current one, in its style.
 #[derive(Clone, Debug)]
 pub(super) struct PlannedStep {
     number: u64,
     pub(super) means: [StateMeans; STATES],
     pub(super) durations: Durations,
-    /// How long the step should get, metres.
+    /// Target length of the step, metres.
     pub(super) length: f32,
 }
 
-/// Plans the coming steps from the controls.
+/// Plans the next steps from the controls.
 #[derive(Clone, Debug)]
 pub(super) struct Planner {
     runtime: Arc<RuntimeWalkModel>,
     pub(super) weights: Weights,
-    /// In the order of their first steps.
+    /// Sorted by their first steps.
     pub(super) transitions: Vec<Transition>,
     /// Seed for sampled durations; `None` uses the means.
     pub(super) seed: Option<u32>,
     pub(super) tempo: Option<Tempo>,
     /// Length of steps as a share of the style's.
     pub(super) stride: f32,
-    /// The share of their swing by which the legs make steps as long as that within the limits ([`super::step_length`]).
+    /// Correction factor of the legs' swing for the target step length ([`super::step_length`]); used with the limits.
     pub(super) swing: f32,
     pub(super) start: Start,
     /// Whether durations are limited to the range of the recorded walks.
     pub(super) limits: bool,
-    /// A ring: the step of number n is in slot n mod the length.
+    /// Ring buffer: step n is in slot n mod the length.
     steps: Vec<PlannedStep>,
 }
 
 impl Planner {
-    /// Of steps as the average of all styles has them.
+    /// Creates a planner of steps in the average of all styles.
     pub(super) fn new(runtime: Arc<RuntimeWalkModel>) -> Self {
         let none = Weights([(); SIDES].map(|()| vec![0.0; runtime.styles.len()]));
         let step =
@@ -131,17 +131,17 @@ impl Planner {
         }
     }
 
-    /// A step that was planned.
+    /// Returns a planned step.
     pub(super) fn step(&self, number: u64) -> &PlannedStep {
         &self.steps[slot_of(number)]
     }
 
-    /// Discards the plan, after a control has changed.
+    /// Discards the plan after a change of a control.
     pub(super) fn forget(&mut self) {
         self.steps.iter_mut().for_each(|step| step.number = u64::MAX);
     }
 
-    /// Transitions that are over at a step become the style that all begins with.
+    /// Makes transitions that are completed at a step the initial weights.
     pub(super) fn forget_transitions_before(&mut self, step: u64) {
         let over = self.transitions.iter().take_while(|t| t.share(step, 0) >= 1.0).count();
         if over > 0 {
@@ -204,12 +204,12 @@ pub(in crate::hsmm) fn side_of(step: u64) -> Side {
     if step.is_multiple_of(2) { Side::Left } else { Side::Right }
 }
 
-/// Where a step is planned.
+/// Slot of a step in the ring.
 fn slot_of(step: u64) -> usize {
     (step % PLANNED as u64) as usize
 }
 
-/// A number of a normal distribution that is always the same for a state of a step: the sum of twelve even ones.
+/// An approximately normal number that is a function of the seed, the step and the state: the sum of twelve uniform ones.
 fn normal(seed: u32, step: u64, state: usize) -> f32 {
     let mut random = SplitMix64::new(u64::from(seed) << 32 ^ (step * STATES as u64 + state as u64));
     (0..12).map(|_| random.share()).sum::<f32>() - 6.0

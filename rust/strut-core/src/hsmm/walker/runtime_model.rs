@@ -1,4 +1,4 @@
-//! The runtime form of a walk model: synthesis parameters in single precision, in whole lanes.
+//! The runtime form of a walk model: synthesis parameters in single precision, padded to whole SIMD lanes.
 
 use super::durations::{Durations, limited, shortest_and_longest, stretched};
 use crate::hsmm::model::{Observation, SIDES, STATES, Side, Stream, StyleMeans, WalkModel};
@@ -13,17 +13,17 @@ use std::ops::RangeInclusive;
 /// Distance of the ankles behind the mean of the joints in a standing pose, metres.
 const ANKLE_BEHIND: f32 = 0.03;
 
-/// Least variance of a velocity and of an acceleration, as a share of the greatest variance of its pose: below it the system
-/// of trajectory generation is singular in single precision. Trained models stay above 3e-4.
+/// Least variance of a velocity or an acceleration, as a share of the greatest variance of its pose: below it the system of
+/// trajectory generation is singular in single precision. Trained models stay above 3e-4.
 const LEAST_DELTA_SHARE: f64 = 1e-5;
 
-/// Joints of either leg.
+/// Joints of each leg.
 const LEGS: [RangeInclusive<usize>; SIDES] =
     [Role::LeftUpperLeg as usize..=Role::LeftToes as usize, Role::RightUpperLeg as usize..=Role::RightToes as usize];
 
 pub(super) const PADDED: usize = ROTATION_DIMS.next_multiple_of(WIDTH);
 
-/// A row in whole lanes.
+/// A row padded to whole lanes.
 pub(super) type Padded = [f32; PADDED];
 /// Means of a state: pose, velocity and acceleration per frame.
 pub(super) type StateMeans = [Padded; 3];
@@ -33,10 +33,11 @@ pub(super) type StateMeans = [Padded; 3];
 pub(super) struct RuntimeStyle {
     pub(super) means: [[StateMeans; STATES]; SIDES],
     pub(super) durations: [Durations; SIDES],
-    /// Of a step, metres.
+    /// Length of a step, metres.
     pub(super) step_length: f32,
     step_length_bends: [f32; 2],
-    /// The pose that walking swings about, and stops in: either leg as it is below the body, and all else in between.
+    /// The pose that walking swings about and stops in: each leg as it passes below the body, everything else midway between
+    /// the two.
     pub(super) standing: Padded,
 }
 
@@ -56,7 +57,7 @@ impl RuntimeStyle {
         }
     }
 
-    /// How much longer a step gets than in proportion to the style's weight, metres: nothing from 0 to 1.
+    /// Correction of the step length that is proportional to the style's weight, metres: 0 for weights from 0 to 1.
     pub(super) fn bend(&self, weight: f32) -> f32 {
         let beyond = weight - weight.clamp(0.0, 1.0);
         beyond * self.step_length_bends[usize::from(beyond > 0.0)]
@@ -70,23 +71,23 @@ pub struct RuntimeWalkModel {
     pub(super) reference: [Quat; JOINTS],
     pub(super) inverse_variances: [[StateMeans; STATES]; SIDES],
     pub(super) duration_variances: [Durations; SIDES],
-    /// Frames of the shortest style's step and of the longest one's.
+    /// Frames of the shortest and of the longest style's step.
     pub(super) step_frames: [[f32; 2]; SIDES],
     pub(super) range: Vec<[f32; 2]>,
-    /// Whether it is known of all styles how long their steps are.
+    /// Whether the step lengths of all styles are known.
     pub(super) has_step_lengths: bool,
     pub(super) average: RuntimeStyle,
     pub(super) styles: Vec<RuntimeStyle>,
 }
 
 impl RuntimeWalkModel {
-    /// Of a model.
+    /// Converts a model.
     pub fn new(model: &WalkModel) -> Self {
         let least: RotationRow = std::array::from_fn(|d| least_delta_variance(model, d));
         let inverse = |of: &Observation| {
             let [poses, deltas @ ..] = *of;
             let [velocities, accelerations] = deltas.map(|row| std::array::from_fn(|d| f64::max(row[d], least[d])));
-            // Where a degree of freedom is padding it is certain to be zero.
+            // Padding, and degrees of freedom without variance, get weight 1.
             padded(&[poses, velocities, accelerations]).map(|row| row.map(|v| if v > 0.0 { 1.0 / v } else { 1.0 }))
         };
         let [low, high] = &model.range;
@@ -104,7 +105,7 @@ impl RuntimeWalkModel {
         }
     }
 
-    /// Bone offsets of who walks.
+    /// Bone offsets of the walker.
     pub fn proportions(&self) -> &Proportions {
         &self.proportions
     }
@@ -114,19 +115,19 @@ impl RuntimeWalkModel {
         self.styles.len()
     }
 
-    /// How many frames the states of a foot's step last in a mixture of styles, one weight a style, as it is walked without a
-    /// beat of its own; the remainder of the weights to a sum of 1 belongs to the average.
+    /// Returns the durations of the states of a foot's step in a mixture of styles, frames, without a set cadence. There is
+    /// one weight per style; the remainder to a sum of 1 belongs to the average.
     pub fn durations(&self, weights: &[f32], side: Side) -> [f32; STATES] {
         let mixed = self.mixed(|style| weights.get(style).copied().unwrap_or(0.0));
         self.durations_of(mixed, side as usize, true)
     }
 
-    /// [`RuntimeWalkModel::durations`] that give way by `rho` times their variances, within what a state can last.
+    /// [`RuntimeWalkModel::durations`] changed by `rho` times their variances, within the range of a state's duration.
     pub(in crate::hsmm) fn stretched_durations(&self, weights: &[f32], side: Side, rho: f32) -> [f32; STATES] {
         stretched(&self.durations(weights, side), rho, &self.duration_variances[side as usize])
     }
 
-    /// All that is mixed, with its weights; the average last.
+    /// All styles whose weight is not 0, with their weights; the average last.
     pub(super) fn mixed(
         &self,
         weight: impl Fn(usize) -> f32 + Clone,
@@ -136,7 +137,7 @@ impl RuntimeWalkModel {
         styles.chain([(rest, &self.average)]).filter(|(weight, _)| *weight != 0.0)
     }
 
-    /// Durations of a mixture, within what can be walked or as they come.
+    /// Durations of a mixture, limited or not.
     pub(super) fn durations_of<'a>(
         &self,
         mixed: impl Iterator<Item = (f32, &'a RuntimeStyle)> + Clone,
@@ -165,11 +166,11 @@ fn padded(of: &Observation) -> StateMeans {
     of.map(|row| std::array::from_fn(|d| row.get(d).map_or(0.0, |v| *v as f32)))
 }
 
-/// The pose of a step in which the supporting leg has the body above it.
+/// The pose of a step in which the body is above the supporting leg.
 fn below_the_body(model: &WalkModel, means: &StyleMeans, leg: usize) -> RotationRow {
     let states = means.means[1 - leg].each_ref().map(|state| &state[0]);
     let foot = [Role::LeftFoot, Role::RightFoot][leg].index();
-    // How far the ankle is before where it would be in standing, in the pose of each state.
+    // Distance of the ankle in front of its place in standing, in the pose of each state.
     let ahead = states.map(|row| {
         let pose = Pose { root: Vec3::ZERO, rotations: model.rotations(row) };
         let world = world_from_local(&model.proportions, &pose);
@@ -183,7 +184,7 @@ fn below_the_body(model: &WalkModel, means: &StyleMeans, leg: usize) -> Rotation
     std::array::from_fn(|d| states[before][d] + share * (states[after][d] - states[before][d]))
 }
 
-/// Makes a state's joints swing less about how they stand, or more, the legs by another share than the rest.
+/// Scales the swing of a state's joints about the standing pose by a share, and that of the legs also by another.
 pub(super) fn swing(means: &mut StateMeans, standing: &Padded, share: f32, legs: f32) {
     for d in 0..ROTATION_DIMS {
         let is_leg = LEGS.iter().any(|leg| leg.contains(&(d / 3)));

@@ -1,11 +1,11 @@
-//! Steps that are as long as their mixture of styles has them (`docs/methods/hsmm.md` §11).
+//! Correction of step lengths to those of the mixture of styles (`docs/methods/hsmm.md` §11).
 
 use crate::math::Vec3;
 
-/// How much of what two steps lack, or have too much, the next two make up for.
+/// Share of the length error of two steps that the next two steps correct.
 const GAIN: f32 = 0.5;
-/// Least and greatest share of their swing that the legs are given. Beyond 1.2 the steps of a style that is exaggerated may get
-/// shorter again: a stretched leg comes down early, and pushes the body back.
+/// Range of the factor of the legs' swing. Beyond 1.2 the steps of an exaggerated style may get shorter again: a stretched
+/// leg comes down early and pushes the body back.
 pub(super) const SHARE: [f32; 2] = [0.75, 1.2];
 
 /// A frame of a walk.
@@ -13,28 +13,27 @@ pub(super) const SHARE: [f32; 2] = [0.75, 1.2];
 pub(super) struct WalkedFrame {
     /// Number of its step.
     pub(super) step: u64,
-    /// How long that step should get, metres; `None` where nothing is asked of it.
+    /// Target length of that step, metres; `None` without a target.
     pub(super) length: Option<f32>,
-    /// Where the body is.
+    /// Place of the body.
     pub(super) place: Vec3,
 }
 
-/// Two steps that are walked.
+/// A pair of walked steps.
 #[derive(Clone, Copy, Debug)]
 struct Stride {
     from: Vec3,
-    /// How long the steps that are over should have been, metres.
+    /// Total target length of its completed steps, metres.
     expected: f32,
 }
 
-/// The share of their swing with which the legs make steps as long as they should be. How long a step gets is no linear
-/// function of the joints' angles, and limits of joints take from it, so that it is measured: the next two steps make up for
-/// what two steps lack, and over many of them the way is what it should be. The feet stand as ever, as the way follows
-/// from the legs.
+/// Controls the factor of the legs' swing so that steps reach their target lengths. The length of a step is not a linear
+/// function of the joints' angles, and limits of joints shorten it, so it is measured: the next two steps correct the error
+/// of the last two, and the distance over many steps is accurate. Feet stay planted, because the path follows from the legs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepLength {
     share: f32,
-    /// Of the last frame.
+    /// Step and target length of the last frame.
     step: u64,
     length: Option<f32>,
     stride: Option<Stride>,
@@ -47,7 +46,7 @@ impl Default for StepLength {
 }
 
 impl StepLength {
-    /// Takes note of a frame: the share that the swing has from the next one on, if it is another.
+    /// Processes a frame; returns the new factor of the swing after every pair of steps.
     pub(super) fn advance(&mut self, frame: WalkedFrame) -> Option<f32> {
         let (last_step, last_length) = (self.step, self.length);
         (self.step, self.length) = (frame.step, frame.length);
@@ -73,7 +72,7 @@ impl StepLength {
 }
 
 impl Stride {
-    /// The share of the legs' swing after these steps, if it was this in them and they led to a place.
+    /// The factor of the swing after these steps, if they had the factor `share` and ended at a place.
     fn corrected(&self, share: f32, to: Vec3) -> f32 {
         let found = (to - self.from).length();
         let longest = found.max(self.expected);
@@ -90,7 +89,8 @@ mod tests {
     /// Frames of a step.
     const FRAMES: u64 = 15;
 
-    /// Walks so many steps which are to have a length, and have the one that a share of swing gives: the way and the last share.
+    /// Walks steps with a target length whose real length is a function of the factor; returns the distance and the last
+    /// factor.
     fn walk(steps: u64, length: Option<f32>, length_of: impl Fn(f32) -> f32) -> (f32, f32) {
         let (mut controlled, mut share, mut way) = (StepLength::default(), 1.0, 0.0);
         for frame in 0..steps * FRAMES {
@@ -104,7 +104,7 @@ mod tests {
     proptest! {
         #[test]
         fn the_way_is_that_of_all_steps(length in 0.3f32..0.9, bent in -0.3f32..0.3, should_be in 0.85f32..1.15) {
-            // A leg that is bent makes more of its swing, or less.
+            // The length of a step is not linear in the factor.
             let length_of = |share: f32| length * (share + bent * (share - 1.0) * share);
             let asked = length_of(should_be);
             let (first, _) = walk(20, Some(asked), length_of);

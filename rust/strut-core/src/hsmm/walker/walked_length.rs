@@ -1,4 +1,4 @@
-//! How long the steps of a style are: measured in the walking figure (`docs/methods/hsmm.md` §11).
+//! Measurement of the length of a style's steps in a synthesised walk (`docs/methods/hsmm.md` §11).
 
 use super::step_length::SHARE;
 use super::{RuntimeWalkModel, Walker};
@@ -7,17 +7,17 @@ use crate::math::Vec3;
 use crate::parallel::ParallelMap;
 use std::sync::Arc;
 
-/// Steps of a walk that is measured that belong to its beginning, where it is not told how long its steps should be and where
-/// it is, and those that are measured: as many of either foot.
+/// Steps that are excluded at the start of a measured walk, without and with a target length, and steps that are measured: an
+/// equal number of either foot.
 const BEGINNING: u64 = 2;
 const COMING_TO_LENGTH: u64 = 20;
 const MEASURED: u64 = 20;
-/// Weights of a style at which is measured how long its steps can get: its opposite, and twice of it.
+/// Weights at which the reachable step length of a style is measured: its opposite, and twice the style.
 const BEYOND: [f32; 2] = [-1.0, 2.0];
 
 impl WalkModel {
-    /// With the lengths of every style's steps as a walker takes them when it is not told how long they are, and with
-    /// what these lengths in proportion lack where the legs cannot swing as far, in the style's opposite and in twice of it.
+    /// Measures the lengths of every style's steps in walks without a target length, and the corrections of the proportional
+    /// lengths where the legs cannot swing far enough, in the style's opposite and in twice the style.
     pub fn with_walked_lengths(mut self, executor: &impl ParallelMap) -> Self {
         for means in &mut self.means {
             (means.step_length, means.step_length_bends) = (0.0, [0.0; 2]);
@@ -39,15 +39,15 @@ impl WalkModel {
     }
 }
 
-/// A walk that was measured.
+/// A measured walk.
 struct Walked {
     /// Mean length of its steps, metres.
     length: f64,
-    /// The share of their swing that the legs had at its end.
+    /// The factor of the legs' swing at its end.
     swing: f32,
 }
 
-/// Walks a style with a weight.
+/// Walks in a style with a weight.
 fn walked(runtime: &Arc<RuntimeWalkModel>, style: usize, weight: f32, beginning: u64) -> Walked {
     let mut walker = Walker::new(Arc::clone(runtime));
     for weights in &mut walker.planner.weights.0 {

@@ -1,4 +1,4 @@
-//! The same in double precision, where `f32` would lose too much: training, statistics and numbers of files.
+//! The same functions in double precision, for training, statistics and numbers in files, where `f32` is not precise enough.
 
 /// Sine of `x` radians.
 pub fn sin(x: f64) -> f64 {

@@ -1,12 +1,11 @@
-//! One body under many names.
+//! One body with the names of many conventions.
 
 use super::*;
 use crate::math::Quat;
 use crate::motion::Motion;
 use crate::skeleton::Joint;
 
-/// The same body under the names of Mixamo, Biped, Bandai Namco, VRM, 100STYLE, Rokoko, SMPL, CMU and
-/// Unreal.
+/// The same body with the names of Mixamo, Biped, Bandai Namco, VRM, 100STYLE, Rokoko, SMPL, CMU and Unreal.
 const CONVENTIONS: [[&str; 22]; 9] = [
     [
         "mixamorig:Hips",
@@ -255,7 +254,7 @@ const MORE_CONVENTIONS: [Convention; 24] = [
     // Apple ARKit.
     Convention::new(["hips_joint", "spine_1_joint", "spine_4_joint", "spine_7_joint", "neck_1_joint", "head_joint"],
         ["@_shoulder_1_joint", "@_arm_joint", "@_forearm_joint", "@_hand_joint", "@_upLeg_joint", "@_leg_joint", "@_foot_joint", "@_toes_joint"], ["left", "right"]),
-    // Perception Neuron under a performer's name.
+    // Perception Neuron with a performer's name.
     Convention::new(["Robot_Hips", "Robot_Spine", "Robot_Spine1", "Robot_Spine2", "Robot_Neck", "Robot_Head"],
         ["Robot_@Shoulder", "Robot_@Arm", "Robot_@ForeArm", "Robot_@Hand", "Robot_@UpLeg", "Robot_@Leg", "Robot_@Foot", "Robot_@ToeBase"], ["Left", "Right"]),
     // Xsens.
@@ -276,7 +275,7 @@ const MORE_CONVENTIONS: [Convention; 24] = [
     // Auto-Rig Pro.
     Convention::new(["root.x", "spine_01.x", "spine_02.x", "spine_03.x", "neck.x", "head.x"],
         ["shoulder.@", "arm_stretch.@", "forearm_stretch.@", "hand.@", "thigh_stretch.@", "leg_stretch.@", "foot.@", "toes_01.@"], ["l", "r"]),
-    // Rigify, whose trunk has but one word.
+    // Rigify, whose trunk joints share one word.
     Convention::new(["DEF-spine", "DEF-spine.001", "DEF-spine.002", "DEF-spine.003", "DEF-spine.004", "DEF-spine.006"],
         ["DEF-shoulder.@", "DEF-upper_arm.@", "DEF-forearm.@", "DEF-hand.@", "DEF-thigh.@", "DEF-shin.@", "DEF-foot.@", "DEF-toe.@"], ["L", "R"]),
     // Poser and Daz before Genesis 3.
@@ -300,7 +299,7 @@ const MORE_CONVENTIONS: [Convention; 24] = [
     // Second Life.
     Convention::new(["mPelvis", "mTorso", "mSpine3", "mChest", "mNeck", "mHead"],
         ["mCollar@", "mShoulder@", "mElbow@", "mWrist@", "mHip@", "mKnee@", "mAnkle@", "mFoot@"], ["Left", "Right"]),
-    // MikuMikuDance: Japanese, as Blender has it, English, romanised.
+    // MikuMikuDance: Japanese, as in Blender, English, romanised.
     Convention::new(["センター", "上半身", "上半身2", "上半身3", "首", "頭"],
         ["@肩", "@腕", "@ひじ", "@手首", "@足", "@ひざ", "@足首", "@つま先"], ["左", "右"]),
     Convention::new(["下半身", "上半身", "上半身2", "上半身3", "首", "頭"],
@@ -333,11 +332,11 @@ fn finds_every_role_under_the_names_of_many_programs() {
 
 #[test]
 fn one_part_without_a_name_is_found_by_the_other_side_or_its_place() {
-    // Arms and legs from the shoulder and the hip to the end.
+    // Arms and legs, from the shoulder and the hip to the end.
     for limb in [[7, 8, 9], [14, 15, 16]] {
         for part in 0..3 {
             for sides in [vec![0], vec![4], vec![0, 4]] {
-                // Two shoulders and no upper arms may be upper arms.
+                // Two shoulders without upper arms may be upper arms.
                 if limb[part] == 7 && sides.len() == 2 {
                     continue;
                 }
@@ -363,7 +362,7 @@ fn a_limb_without_names_is_the_mirror_image_of_a_named_one() {
     }
 }
 
-/// A body as (name, parent, offset); the same shape under any names.
+/// A body as (name, parent, offset); the same shape with any names.
 fn body(names: &[&str; 22]) -> Motion {
     const SHAPE: [(Option<usize>, [f32; 3]); 22] = [
         (None, [0.0, 95.0, 0.0]),
@@ -408,7 +407,7 @@ fn roles_of(motion: &Motion) -> [Option<usize>; JOINTS] {
     find_roles(&motion.skeleton, &Sample::of(motion)).joint_of_role
 }
 
-/// Spine, chest (of three trunk joints the first and the last), neck, head, arms, legs.
+/// Spine, chest (the first and the last of three trunk joints), neck, head, arms, legs.
 const EXPECTED: [usize; JOINTS] = [0, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21];
 
 #[test]

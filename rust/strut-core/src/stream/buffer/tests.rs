@@ -8,7 +8,7 @@ fn at_x(x: f64) -> Pose {
     Pose { root: Vec3::new(x as f32, 0.9, 0.0), ..Pose::default() }
 }
 
-/// Frames of somebody who goes at 1 m/s, sent at 60 Hz on a clock of its own, that take so long.
+/// Frames of a body that moves at 1 m/s, sent at 60 Hz by another clock, with a transit time per frame.
 fn sent(frames: std::ops::Range<usize>, transit: impl Fn(usize) -> f64) -> Vec<(f64, f64, Pose)> {
     let frame = |i: usize| {
         let secs = i as f64 * PERIOD_SECS;
@@ -17,7 +17,7 @@ fn sent(frames: std::ops::Range<usize>, transit: impl Fn(usize) -> f64) -> Vec<(
     frames.map(frame).collect()
 }
 
-/// Pushes frames as they arrive and asks every 1/60 s between two times.
+/// Pushes frames as they arrive and plays every 1/60 s between two times.
 fn played(buffer: &mut JitterBuffer, mut frames: Vec<(f64, f64, Pose)>, from: f64, to: f64) -> Vec<Option<Played>> {
     frames.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut frames = frames.into_iter().peekable();
@@ -50,7 +50,7 @@ fn an_even_stream_is_shown_a_period_later() {
 #[test]
 fn the_delay_rises_at_once_and_falls_slowly() {
     let mut buffer = JitterBuffer::new(Delay::Auto);
-    // A tenth of the frames are 40 ms late for a while.
+    // A tenth of the frames is 40 ms late for a while.
     let late = |i: usize| if (120..240).contains(&i) && i.is_multiple_of(10) { 0.05 } else { 0.01 };
     played(&mut buffer, sent(0..130, late), 5.0, 5.0 + 130.0 * PERIOD_SECS);
     let before = buffer.delay_secs();
@@ -60,7 +60,8 @@ fn the_delay_rises_at_once_and_falls_slowly() {
     let risen = buffer.delay_secs();
     assert!((risen - PERIOD_SECS - 0.04).abs() < 2e-3, "{risen}");
     played(&mut buffer, sent(240..840, late), now, now + 6.0);
-    // After a second fewer than a twentieth of the last two seconds' frames were late; then it falls by 5 ms a second.
+    // After a second fewer than a twentieth of the last two seconds' frames were late; then the delay falls by 5 ms per
+    // second.
     let fallen = buffer.delay_secs();
     assert!((risen - fallen - 0.025).abs() < 1e-3, "{risen} {fallen}");
 }
@@ -90,7 +91,7 @@ fn a_sender_that_is_back_or_sets_its_clock_begins_anew() {
     let mut buffer = JitterBuffer::new(Delay::Auto);
     let mut shown = played(&mut buffer, sent(0..60, |_| 0.0), 5.0, 7.0);
     assert_eq!(shown.last().unwrap().unwrap().play, Play::Lost);
-    // Back after a second, on the same clock; then on one that is 500 s behind.
+    // The stream returns after a second, on the same clock; then on a clock that is 500 s behind.
     shown.extend(played(&mut buffer, sent(120..180, |_| 0.0), 7.0, 8.0));
     let behind = sent(180..240, |_| 0.0).into_iter().map(|(sent, arrived, pose)| (sent - 500.0, arrived, pose));
     shown.extend(played(&mut buffer, behind.collect(), 8.0, 9.0));
@@ -106,7 +107,7 @@ fn a_wrong_time_does_not_begin_a_stream_but_several_that_agree_do() {
     let wrong = |frames: &mut Vec<(f64, f64, Pose)>, at: usize, secs: f64| frames[at].0 += secs;
     let mut buffer = JitterBuffer::new(Delay::Auto);
     let mut frames = sent(0..240, |_| 0.0);
-    // One that is 0 as of a clock that was not read, one of next week, two in a row that disagree, two that agree.
+    // A time of 0, as of a clock that was not read; a time next week; two in a row that disagree; two that agree.
     for (at, secs) in [(60, -1001.0), (90, 6e5), (120, -50.0), (121, 70.0), (150, 300.0), (151, 300.0)] {
         wrong(&mut frames, at, secs);
     }
@@ -118,7 +119,7 @@ fn a_wrong_time_does_not_begin_a_stream_but_several_that_agree_do() {
         shown[10..235].iter().flatten().all(|played| matches!(played.play, Play::Interpolated | Play::Extrapolated))
     );
 
-    // A clock that was set: the third frame begins.
+    // After a reset of the clock, the third frame begins a stream.
     let mut frames = sent(240..300, |_| 0.0);
     for frame in &mut frames {
         frame.0 -= 900.0;
@@ -138,7 +139,7 @@ fn what_is_lost_late_or_twice_there_is_counted() {
     frames.retain(|frame| (frame.0 - 1000.0 - 100.0 * PERIOD_SECS).abs() > 1e-6);
     frames.push((f64::NAN, 7.0, Pose::default()));
     played(&mut buffer, frames, 5.0, 8.5);
-    // Of the 20 more, three are far enough from all others; one time is not a number.
+    // Of the 20 extra frames, three are far enough from all others; one time is not a number.
     let expected = BufferStats { taken: 199 + 3, late: 1, dropped: 17 + 1, missing: 1, losses: 0 };
     assert_eq!(buffer.stats(), expected);
 }
@@ -150,7 +151,7 @@ fn hours_of_frames_take_no_more_memory() {
     for i in 0..240 * 60 {
         let secs = f64::from(i) / 240.0;
         buffer.push(secs, secs, &pose);
-        // Nobody asks: a program that waits.
+        // No call of `at`: the receiver is busy.
     }
     assert!(buffer.frames.len() <= MOST_FRAMES && buffer.frames.capacity() < 2 * MOST_FRAMES);
     assert!(buffer.arrivals.len() <= MOST_ARRIVALS && buffer.arrivals.capacity() < 2 * MOST_ARRIVALS);
@@ -165,7 +166,7 @@ proptest! {
         let mut sorted = JitterBuffer::new(Delay::Fixed(0.2));
         let mut shuffled = JitterBuffer::new(Delay::Fixed(0.2));
         for (i, &at) in order.iter().enumerate() {
-            // The clocks' difference is known from the first frame on.
+            // The offset of the clocks is known from the first frame on.
             let arrival = |frame: (f64, f64, Pose)| frame.0 - 995.0 + if i == 0 { 0.0 } else { 1e-3 };
             sorted.push(frames[i].0, arrival(frames[i]), &frames[i].2);
             shuffled.push(frames[at].0, arrival(frames[at]), &frames[at].2);
