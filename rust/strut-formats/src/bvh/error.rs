@@ -90,20 +90,20 @@ pub enum BvhError {
          of them, can be written"
     )]
     UnwritableFrames { frames: usize, joints: usize },
-    /// A motion whose frame time is outside [`FRAME_TIME_SECS`].
+    /// The motion's frame time is outside [`FRAME_TIME_SECS`].
     #[error(
         "the motion has a frame time of {secs} s; {} to {} s were expected",
         FRAME_TIME_SECS.start(),
         FRAME_TIME_SECS.end()
     )]
     UnwritableFrameTime { secs: f64 },
-    /// A joint whose name or offset a file could not be read back with.
+    /// A joint's name or offset could not be read back from a file.
     #[error(
         "the joint {joint:?} cannot be written; a name of at most {MAX_NAME_BYTES} bytes on one line, without tabs and without \
          blanks or braces at its ends, and offsets within ±{MAX_ABS_VALUE} were expected"
     )]
     UnwritableJoint { joint: String },
-    /// A motion has a value that a file could not be read back with.
+    /// A value of the motion could not be read back from a file.
     #[error(
         "frame {frame} of the motion moves joint '{joint}' by {value}; a number within ±{MAX_ABS_VALUE} was expected"
     )]

@@ -321,8 +321,8 @@ fn is_numeric(b: u8) -> bool {
 }
 
 /// Returns whether a line after whole frames is a frame, possibly a damaged one: it starts with a number or, if frames
-/// are missing, with a word that contains a digit; or it has as many words as a frame has numbers; or most of a frame's
-/// numbers.
+/// are missing, with a word that contains a digit; or it has as many words as a frame has numbers, or more than
+/// half as many numbers.
 fn is_frame(line: &[u8], channels: usize, is_short: bool) -> bool {
     let is = |word: &[u8]| line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word));
     if line.first().is_some_and(|b| is_numeric(*b)) || is(b"nan") || is(b"inf") {
