@@ -99,19 +99,19 @@ pub fn database_without(takes: &[String]) -> Result<Database, BuildError> {
     build(&clips, RATE_HZ)
 }
 
-/// The smallest database of use: the first walking take in every style of [`STYLES`]. Its clips and their rows are those of
-/// `whole`, which is [`database`].
 /// Smallest useful database: the first walking take in every style of [`STYLES`]. Its clips and rows are those of
 /// `whole`, which is [`database`].
+///
+/// # Errors
 /// As for [`database`].
 pub fn walk_database(whole: &Database) -> Result<Database, BuildError> {
     walks(whole, f32::INFINITY)
 }
 
-/// The beginnings of the clips of [`walk_database`], with which a page can begin: the strides of medium length, and one that
-/// is longer.
 /// First parts of the clips of [`walk_database`], with which a page can start: the strides of medium length, and one
 /// that is longer.
+///
+/// # Errors
 /// As for [`database`].
 pub fn first_walk_database(whole: &Database) -> Result<Database, BuildError> {
     walks(whole, FIRST_SECS)

@@ -94,8 +94,8 @@ struct ClipInfo {
 /// Writes the file of a model. `generator` is the name and version of the program. Numbers of tensors are rounded to
 /// single precision.
 ///
+/// # Panics
 /// Never: names and shapes are defined in this module.
-/// Never: names and shapes are those of this module.
 pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     let axes = model.axis_count();
     let metadata = Metadata {
