@@ -15,7 +15,7 @@ use crate::note::{Note, NoteCode};
 use crate::retarget::{Binding, between_bodies, from_humanoid};
 use std::ops::{ControlFlow, Range};
 
-/// A styled clip: frames at uneven output times.
+/// A styled clip, whose frames are not evenly spaced in output time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyledMotion {
     /// Bone offsets of the database.
@@ -32,7 +32,7 @@ pub struct StyledMotion {
     pub input_travel_metres: f32,
 }
 
-/// A styled clip at an even rate.
+/// A styled clip at a constant frame rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
     /// The clip.

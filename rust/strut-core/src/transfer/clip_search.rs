@@ -75,7 +75,7 @@ impl<'a> ClipSearch<'a> {
     /// The poses of a portion.
     ///
     /// # Panics
-    /// If there is no such portion.
+    /// If the portion does not exist.
     pub fn poses(&self, portion: usize) -> &'a [Pose] {
         let first = portion * self.length;
         &self.poses[first..self.poses.len().min(first + self.length)]
@@ -84,7 +84,7 @@ impl<'a> ClipSearch<'a> {
     /// Searches a portion.
     ///
     /// # Panics
-    /// If there is no such portion.
+    /// If the portion does not exist.
     pub fn find(&self, portion: usize) -> Found {
         let Self { model, options, .. } = self;
         let (mut input, mut mixture) = (self.inputs[portion].clone(), self.mixture.clone());

@@ -38,7 +38,7 @@ pub enum BuildError {
     /// The next step of a failed build, or the database of an unfinished one, was requested.
     #[error("the build has failed, or has steps left")]
     Unfinished,
-    /// The progress function asked to stop.
+    /// The progress function cancelled the build.
     #[error("cancelled")]
     Cancelled,
     /// A clip contains values out of range.

@@ -1,4 +1,4 @@
-//! A build as an incremental job: preparation, then the registration of one action after the other.
+//! A build as an incremental job: preparation, then the registration of each action.
 
 use super::assemble::{self, Kept};
 use super::error::BuildError;
