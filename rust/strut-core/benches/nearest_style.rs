@@ -1,4 +1,4 @@
-//! The recorded style that is nearest, beside a scan through all: `cargo bench -p strut-motion-core --bench nearest_style`.
+//! Nearest recorded style, compared with a scan of all: `cargo bench -p strut-motion-core --bench nearest_style`.
 
 #![allow(missing_docs)] // of the function that criterion makes
 
@@ -13,7 +13,7 @@ use strut_core::somn::{KeyStyleModel, MAX_AXES, Measure, PoseSpace, Style, Synth
 const AXES: usize = 2;
 const QUERIES: usize = 500;
 
-/// Styles as a walk has them: on a ring about the mean, here and there in it.
+/// Styles as in a walk: on a ring about the mean, with some inside it.
 fn ring(random: &mut SplitMix64, frames: usize) -> Vec<Style> {
     let style = || loop {
         let [x, y] = place(random);
@@ -24,7 +24,7 @@ fn ring(random: &mut SplitMix64, frames: usize) -> Vec<Style> {
     std::iter::repeat_with(style).take(frames).collect()
 }
 
-/// Anywhere within two standard deviations on either axis.
+/// A random point within two standard deviations on either axis.
 fn place(random: &mut SplitMix64) -> [f64; AXES] {
     std::array::from_fn(|_| random.below(1 << 20) as f64 / f64::from(1 << 18) - 2.0)
 }
@@ -45,7 +45,7 @@ fn synthesis(styles: Vec<Style>) -> Synthesis {
     }))
 }
 
-/// The first frame of those that are as near, by looking at all.
+/// First frame of the nearest ones, found by comparing all.
 fn scanned(styles: &[Style], u: &Style) -> Option<usize> {
     let square = |v: &Style| (0..MAX_AXES).map(|j| (u[j] - v[j]) * (u[j] - v[j])).sum::<f64>();
     let all = styles.iter().enumerate().map(|(frame, v)| (square(v), frame));

@@ -1,6 +1,6 @@
-//! Search for the 40 nearest windows of each of 48 classes, beside brute force:
-//! `STRUT_DB=FILE cargo bench -p strut-motion-core --bench search [-- FILTER]`. The database in the file is held out in part for
-//! queries and grown to each size; `FRAMES=20000,1600000` chooses other sizes.
+//! Search for the 40 nearest windows of each of 48 classes, compared with brute force: `STRUT_DB=FILE cargo bench -p
+//! strut-motion-core --bench search [-- FILTER]`. A part of the database in the file is held out for queries, and the
+//! rest is grown to each size; `FRAMES=20000,1600000` selects other sizes.
 
 #![allow(missing_docs)] // of the function that criterion makes
 

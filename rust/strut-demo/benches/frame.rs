@@ -1,4 +1,4 @@
-//! `cargo bench -p strut-motion-demo --bench frame`: the whole frame of the engine on the database of [`benchmark`].
+//! `cargo bench -p strut-motion-demo --bench frame`: a whole frame of the engine on the database of [`benchmark`].
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{Criterion, criterion_group, criterion_main};

@@ -1,4 +1,5 @@
-//! `cargo bench -p strut-motion-demo --bench key_style`: training a key-style model of the built-in neutral walks, and its poses.
+//! `cargo bench -p strut-motion-demo --bench key_style`: trains a key-style model of the built-in neutral walks, and
+//! computes poses.
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{Criterion, criterion_group, criterion_main};

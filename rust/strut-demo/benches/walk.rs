@@ -1,4 +1,4 @@
-//! `cargo bench -p strut-motion-demo --bench walk`: frames of walks by the model of the built-in styles, and of a crowd.
+//! `cargo bench -p strut-motion-demo --bench walk`: frames of walks from the model of the built-in styles, and of a crowd.
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -9,7 +9,7 @@ use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WALK, Wal
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
 
-/// The model of the built-in walks.
+/// Walk model of the built-in walks.
 fn model() -> Arc<RuntimeWalkModel> {
     let tracks: Vec<(String, Track)> = strut_demo::clips()
         .into_iter()

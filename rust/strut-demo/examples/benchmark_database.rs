@@ -1,4 +1,4 @@
-//! Writes the database that benchmarks measure on: `benchmark_database FRAMES FILE`.
+//! Writes the database of the benchmarks: `benchmark_database FRAMES FILE`.
 
 use std::error::Error;
 use strut_core::search::Index;

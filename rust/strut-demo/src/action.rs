@@ -4,28 +4,28 @@ use crate::normative::{Knots, NATURAL_DUTY, RUNNING_STANCE_KNEE, STANCE_KNEE};
 use crate::style::Style;
 use crate::styles::STYLES;
 
-/// A way of getting on.
+/// Gait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// One foot at least is on the ground.
+    /// At least one foot is on the ground.
     Walk,
-    /// Between two steps both feet are in the air.
+    /// Both feet are in the air between two steps.
     Run,
 }
 
-/// How the limbs of an action move.
+/// Motion of the limbs in an action.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mechanics {
-    /// Share of the cycle that a foot is on the ground in the curves below.
+    /// Share of the cycle in which a foot is on the ground, in the curves below.
     pub(crate) duty: f32,
     /// Knee flexion of the supporting leg.
     pub(crate) stance_knee: Knots,
-    /// How far the ankle of a stance is behind the point that the pelvis passes in its middle, metres: the load
-    /// travels from heel to toes, which lie ahead of the ankle, and the trunk is carried ahead of the feet.
+    /// Distance of the ankle of a stance behind the point that the pelvis passes in the middle of the stance, metres.
+    /// The load travels from heel to toes, which are ahead of the ankle, and the trunk is carried ahead of the feet.
     pub(crate) ankle_behind_stance: f32,
     /// Share of the stance after which the foot is flat.
     pub(crate) flat_after: f32,
-    /// Share of the pitch at the strike that is left half way to the flat foot.
+    /// Share of the pitch at the strike that remains half way to the flat foot.
     pub(crate) landing: f32,
     /// Shares of the pitch at push-off that the foot has reached at 35 and 62 % of the time from heel-off to toe-off.
     pub(crate) heel_rise: [f32; 2],
@@ -33,13 +33,13 @@ pub(crate) struct Mechanics {
     pub(crate) poise: f32,
     /// Pitch of the foot in swing as a share of that at push-off: (share of the swing, share of the pitch).
     pub(crate) trailing_foot: [(f32, f32); 3],
-    /// Height in metres by which an early arch lifts the ankle while the knee folds after push-off.
+    /// Height of an early arch that lifts the ankle while the knee folds after push-off, metres.
     pub(crate) fold: f32,
-    /// Height in metres by which the ankle is lifted in mid swing.
+    /// Height by which the ankle is lifted in mid swing, metres.
     pub(crate) clearance: f32,
-    /// How hard the leg is thrown forward as the foot leaves the ground, in stride lengths per cycle squared.
+    /// Forward acceleration of the leg as the foot leaves the ground, in stride lengths per cycle squared.
     pub(crate) push_off_acceleration: f32,
-    /// How hard the foot is braked just before it strikes, in stride lengths per cycle squared.
+    /// Deceleration of the foot just before it strikes, in stride lengths per cycle squared.
     pub(crate) strike_deceleration: f32,
 }
 
@@ -52,7 +52,7 @@ impl Action {
         }
     }
 
-    /// The row of a style for this action.
+    /// Parameters of a style for this action.
     pub fn style(self, style: &Style) -> Style {
         match self {
             Self::Walk => *style,
@@ -68,9 +68,9 @@ impl Action {
     }
 }
 
-/// Chosen by a random search so that hip, knee and ankle of the neutral style follow
-/// [`WALKING_BANDS`](crate::WALKING_BANDS) while the pelvis rises and falls by 3 cm and no joint is jerked. Toes clear
-/// the ground by 1 to 2 cm (Winter 1992, "Foot trajectory in human gait").
+/// Found by a random search such that hip, knee and ankle of the neutral style follow
+/// [`WALKING_BANDS`](crate::WALKING_BANDS) while the pelvis rises and falls by 3 cm and no joint moves abruptly. Toes
+/// clear the ground by 1 to 2 cm (Winter 1992, "Foot trajectory in human gait").
 const WALKING: Mechanics = Mechanics {
     duty: NATURAL_DUTY,
     stance_knee: STANCE_KNEE,
@@ -86,7 +86,7 @@ const WALKING: Mechanics = Mechanics {
     strike_deceleration: 65.4,
 };
 
-/// Novacheck 1998, "The biomechanics of running": stance under 40 % of the cycle, the knee bent by some 45° in mid
+/// Novacheck 1998, "The biomechanics of running": stance under 40 % of the cycle, the knee bent by about 45° in mid
 /// stance and 90° in swing.
 const RUNNING: Mechanics = Mechanics {
     duty: 0.36,
@@ -103,8 +103,8 @@ const RUNNING: Mechanics = Mechanics {
     strike_deceleration: 22.0,
 };
 
-/// The running row of a style: that of a neutral runner (160–170 steps/min, trunk leaning forward, elbows
-/// near 90°), changed in the direction in which the style's walk differs from a neutral walk.
+/// Running parameters of a style: those of a neutral runner (160–170 steps/min, trunk leaning forward, elbows near
+/// 90°), changed in the direction in which the style's walk differs from a neutral walk.
 fn running(style: &Style) -> Style {
     let walk = &STYLES[0];
     let ratio = |of: fn(&Style) -> f32| of(style) / of(walk);

@@ -1,9 +1,8 @@
-//! Data for benchmarks: a database of any size, and motion outside it.
+//! Data for benchmarks: a database of any size, and motion that is not in it.
 //!
-//! Six ways of getting on in eight styles, 48 classes. A take is performed in every style with irregularities and
-//! with habits of its own (tempo, step, posture, arms, each within some tenth of the style's), so that windows are
-//! as near to each other as those of recordings and none is a copy. Deterministic: the same number of frames gives
-//! the same bits everywhere.
+//! Six gaits in eight styles, 48 classes. A take is performed in every style with irregularities and individual habits
+//! (tempo, step, posture, arms, each within about a tenth of the style's), so that windows are as similar to each other
+//! as in recordings and none is a copy. Deterministic: the same number of frames gives the same bits on every platform.
 
 use crate::action::Action;
 use crate::database::RATE_HZ;
@@ -17,23 +16,23 @@ use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::kinematics::world_from_local;
 use strut_core::pose_vector::{HeadingFilter, Placement, PoseChart, PoseRow, VELOCITY_X, point_cloud};
 
-/// Frames of the database that the paper's Table 2 was measured on.
+/// Number of frames of the database for which the paper's Table 2 was measured.
 pub const PAPER_FRAMES: usize = 79_829;
-/// Fewest frames of a database: enough for K neighbours in every class.
+/// Minimum number of frames of a database: enough for K neighbours in every class.
 pub const LEAST_FRAMES: usize = 4_800;
 
-/// Motion that a database does not hold.
+/// Motion that is not in the database.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
     /// Index of its action in the database.
     pub action: u16,
     /// Index of its style in the database.
     pub style: u16,
-    /// On the database's proportions and at its rate.
+    /// Motion on the database's proportions and at its rate.
     pub motion: HumanoidMotion,
 }
 
-/// The six actions, sorted by name as every database's are.
+/// The six actions, sorted by name as in every database.
 const ACTIONS: [Script; 6] = [
     script("jog", Action::Run, &[passage(4, 0.8, 0.0), passage(4, 0.7, 0.0), passage(4, 0.75, 0.0)]),
     script("run", Action::Run, &[passage(5, 1.0, 0.0), passage(4, 1.15, 0.0), passage(4, 1.05, 0.0)]),
@@ -47,19 +46,19 @@ const fn script(name: &'static str, action: Action, passages: &'static [crate::P
     Script { name, action, passages, seed: 0 }
 }
 
-/// Fewest frames that a take may be cut to, all styles together.
+/// Minimum number of frames to which a take may be cut, over all styles.
 const LEAST_TAKE: usize = 400;
-/// Takes from here on are never part of a database.
+/// Takes from this number on are never part of a database.
 const HELD_OUT: u64 = 1 << 32;
-/// Motions of [`queries`].
+/// Number of motions of [`queries`].
 const QUERIES: u64 = 12;
-/// Poses between two that the centres of the exponential maps are taken from.
+/// Stride of the poses from which the centres of the exponential maps are computed.
 const CHART_STRIDE: usize = 7;
 
-/// A database of `frames` frames, at least [`LEAST_FRAMES`], in 48 classes with one counterpart a style.
+/// Builds a database of `frames` frames, at least [`LEAST_FRAMES`], in 48 classes with one counterpart per style.
 ///
 /// # Errors
-/// None: the motions are valid.
+/// Never: the motions are valid.
 pub fn database(frames: usize) -> Result<Database, DatabaseError> {
     let frames = frames.max(LEAST_FRAMES);
     let mut parts = DatabaseParts {
@@ -86,7 +85,7 @@ pub fn database(frames: usize) -> Result<Database, DatabaseError> {
     Database::new(parts)
 }
 
-/// Motions of several classes of [`database`] that no database holds.
+/// Motions of several classes of [`database`] that are in no database.
 pub fn queries() -> Vec<Query> {
     (0..QUERIES)
         .map(|n| {
@@ -97,8 +96,8 @@ pub fn queries() -> Vec<Query> {
         .collect()
 }
 
-/// A recorded database less some of its clips, and these as queries: evenly spread over the clips whose class has
-/// others.
+/// A recorded database without some of its clips, and these clips as queries. They are evenly distributed over the
+/// clips whose class has others.
 ///
 /// # Errors
 /// If no class has two clips.
@@ -118,10 +117,10 @@ pub fn hold_out(database: &Database) -> Result<(Database, Vec<Query>), DatabaseE
     Ok((database.without_clips(&held_out)?, held_out.iter().map(query).collect()))
 }
 
-/// The performances of one take, one a style, cut at the same phase.
+/// Performances of one take, one per style, cut at the same phase.
 type Take = Vec<Performance>;
 
-/// Takes of an action that have so many frames together.
+/// Takes of an action with this number of frames in total.
 fn takes(action: usize, frames: usize) -> Vec<Take> {
     let mut takes = Vec::new();
     let mut missing = frames;
@@ -156,12 +155,12 @@ fn cut(take: &mut Take, frames: usize) {
 fn performance(action: usize, take: u64, style: usize) -> Performance {
     let seed = split_mix(split_mix(action as u64) ^ take);
     let script = Script { seed, ..ACTIONS[action] };
-    // Half of what is particular to a take is the performer's, whatever the style.
+    // Half of a take's individual deviations are the performer's, the same in all styles.
     let habits = Habits { performer: split_mix(seed), of_style: split_mix(seed ^ (style as u64 + 1)), field: 0 };
     perform(&script, &habits.applied_to(&STYLES[style]), &Proportions::default(), RATE_HZ)
 }
 
-/// Small deviations from a style, one number after another.
+/// Small deviations from a style: a sequence of numbers.
 struct Habits {
     performer: u64,
     of_style: u64,
@@ -260,7 +259,7 @@ fn append(parts: &mut DatabaseParts, action: usize, takes: &[Take]) {
     }
 }
 
-/// A performance of the same take, walked through in order of the phase.
+/// A performance of the same take, read in order of the phase.
 struct Partner<'a> {
     phase: &'a [f32],
     first_row: usize,
@@ -268,7 +267,7 @@ struct Partner<'a> {
 }
 
 impl Partner<'_> {
-    /// The fractional row of a phase; the last row for one that was cut off.
+    /// Fractional row of a phase; the last row for a phase that was cut off.
     fn row(&mut self, phase: f32) -> f32 {
         while self.at + 1 < self.phase.len() && self.phase[self.at + 1] <= phase {
             self.at += 1;
@@ -279,7 +278,7 @@ impl Partner<'_> {
     }
 }
 
-/// Adds the rows of a clip but for their counterparts.
+/// Adds the rows of a clip without their counterparts.
 fn append_frames(parts: &mut DatabaseParts, script: &Script, performance: &Performance) {
     let Performance { motion, phase, planted } = performance;
     let dt = 1.0 / RATE_HZ;
@@ -291,13 +290,13 @@ fn append_frames(parts: &mut DatabaseParts, script: &Script, performance: &Perfo
         parts.point_cloud.push(point_cloud(&parts.proportions, pose, heading));
     }
     if let [first, second, ..] = rows.as_mut_slice() {
-        // Nothing comes before the first frame; standing still would be a false observation.
+        // The first frame has no predecessor; zero velocity would be a false observation.
         first[VELOCITY_X..].copy_from_slice(&second[VELOCITY_X..]);
     }
     parts.pose.extend(rows);
     parts.contact.extend(planted.iter().map(|feet| feet.map(u8::from)));
 
-    // A canonical frame is one of the neutral style at its preferred speed.
+    // A canonical frame is a frame of the neutral style at its preferred speed.
     let canonical_frames = RATE_HZ * 120.0 / script.action.style(&STYLES[0]).cadence;
     parts.canonical_time.extend(phase.iter().map(|p| p * canonical_frames));
     parts.time_step.extend((0..phase.len()).map(|i| {
@@ -343,14 +342,14 @@ mod tests {
         let frames: usize = queries.iter().map(|q| q.motion.poses.len()).sum();
         assert_eq!((rest.frames(), rest.classes().len()), (whole.frames() - frames, 48));
         assert!(queries.len() > 8);
-        // A clip moved up by what was taken out before it keeps its poses and counterparts.
+        // A clip that moves to earlier rows because others were removed keeps its poses and counterparts.
         let last = |db: &Database| {
             let row = db.frames() - 1;
             let counterpart = db.counterparts(row, 7).next().unwrap();
             (db.pose[row].map(f32::to_bits), db.frames() as f32 - counterpart)
         };
         assert_eq!(last(&rest), last(&whole));
-        // What comes back as motion is the clip.
+        // The decoded motion equals the clip.
         let motion = whole.motion_of_clip(3);
         let (rows, headings) = (whole.clips[3].rows(), headings(&motion));
         let again = whole.chart.encode(&motion.poses[50], headings[50], None, 1.0);

@@ -1,4 +1,4 @@
-//! The page's database and its inputs.
+//! Database and inputs of the page.
 
 use crate::drill::{Drill, perform_drill, script_secs};
 use crate::drills::PAGE_DRILLS;
@@ -18,7 +18,7 @@ use strut_core::registration;
 /// Rate of the built-in motions, frames per second.
 pub const RATE_HZ: f32 = 60.0;
 
-/// Length of the clips of [`first_walk_database`], seconds of the neutral walker.
+/// Length of the clips of [`first_walk_database`], in seconds of the neutral style.
 const FIRST_SECS: f32 = 5.0;
 
 /// A motion with a display name.
@@ -30,8 +30,8 @@ pub struct NamedMotion {
     pub motion: HumanoidMotion,
 }
 
-/// Every take of the page's database in every style, with its exact correspondence: as input of
-/// [`build::build`], or to be written to files.
+/// Every take of the page's database in every style, with its exact correspondence: input of [`build::build`], or clips
+/// to be written to files.
 pub fn clips() -> Vec<SourceClip> {
     let gaits = || (1..).zip(&WALK_TAKES).chain((1..).zip(&RUN_TAKES));
     let gaits = STYLES.iter().flat_map(|style| gaits().map(move |(take, script)| gait_clip(style, take, script)));
@@ -50,14 +50,14 @@ fn drill_clip(style: &Style, drill: &Drill) -> SourceClip {
     source_clip([drill.action, drill.name, style.name], 1, performance, script_secs(drill))
 }
 
-/// The time that all styles share at a phase of a script: seconds of the neutral style at its preferred speed, which
-/// takes two steps a stride.
+/// Common time of all styles at a phase of a script: seconds of the neutral style at its preferred speed, with two
+/// steps per stride.
 pub(crate) fn neutral_secs(script: &Script) -> impl Fn(f32) -> f32 + use<> {
     let secs_per_stride = 120.0 / script.action.style(&STYLES[0]).cadence;
     move |phase| phase * secs_per_stride
 }
 
-/// A performance as input of a database, with the time that all styles share at its phases. The names are those of
+/// A performance as input of a database, with the common time of all styles at its phases. The names are those of
 /// action, take and style.
 pub(crate) fn source_clip(
     [action, name, style]: [&str; 3],
@@ -78,15 +78,15 @@ pub(crate) fn source_clip(
     }
 }
 
-/// The page's database: every style of [`STYLES`], neutral among them, with one counterpart a style.
+/// Page's database: every style of [`STYLES`], including neutral, with one counterpart per style.
 ///
 /// # Errors
-/// Never for the clips that this crate makes; the error is passed on so that the caller need not panic.
+/// Never for the clips of this crate; the error is returned so that the caller need not panic.
 pub fn database() -> Result<Database, BuildError> {
     build(&clips(), RATE_HZ)
 }
 
-/// [`database`] without some takes in any style, by their names such as "walk-pace".
+/// [`database`] without some takes, in all styles, by their names such as "walk-pace".
 ///
 /// # Errors
 /// If no take of the neutral style is left.
@@ -99,7 +99,7 @@ pub fn database_without(takes: &[String]) -> Result<Database, BuildError> {
     build(&clips, RATE_HZ)
 }
 
-/// The smallest database of use: the first walking take in every style of [`STYLES`]. Its clips and their rows are those of
+/// Smallest useful database: the first walking take in every style of [`STYLES`]. Its clips and rows are those of
 /// `whole`, which is [`database`].
 ///
 /// # Errors
@@ -108,8 +108,8 @@ pub fn walk_database(whole: &Database) -> Result<Database, BuildError> {
     walks(whole, f32::INFINITY)
 }
 
-/// The beginnings of the clips of [`walk_database`], with which a page can begin: the strides of medium length, and one that
-/// is longer.
+/// First parts of the clips of [`walk_database`], with which a page can start: the strides of medium length, and one
+/// that is longer.
 ///
 /// # Errors
 /// As for [`database`].
@@ -117,7 +117,7 @@ pub fn first_walk_database(whole: &Database) -> Result<Database, BuildError> {
     walks(whole, FIRST_SECS)
 }
 
-/// The first walking take in every style, as long as the neutral walker takes `secs` seconds for it.
+/// First walking take in every style, with the length at which the neutral style takes `secs` seconds.
 fn walks(whole: &Database, secs: f32) -> Result<Database, BuildError> {
     let clip = |style| {
         let mut clip = gait_clip(style, 1, &WALK_TAKES[0]);
@@ -139,7 +139,7 @@ fn walks(whole: &Database, secs: f32) -> Result<Database, BuildError> {
     Ok(Database::new(parts)?)
 }
 
-/// The input that goes with [`walk_database`]: the first of [`input_clips`].
+/// Input for [`walk_database`]: the first of [`input_clips`].
 pub fn walk_input() -> NamedMotion {
     let script = &INPUT_TAKES[0];
     let motion = perform(script, &STYLES[0], &Proportions::default(), RATE_HZ).motion;
@@ -156,16 +156,16 @@ pub(crate) fn build(clips: &[SourceClip], rate_hz: f32) -> Result<Database, Buil
     Ok(database)
 }
 
-/// The page's inputs: neutral motions of other scripts than the database's, so that nothing is
-/// transferred by finding itself. Each can be repeated: after its last frame comes its first one's pose.
+/// Inputs of the page: neutral motions of other scripts than the database's, so that the transfer does not find the
+/// input itself. Each can be looped: the last frame is followed by the pose of the first.
 pub fn input_clips() -> Vec<NamedMotion> {
     let interludes = INTERLUDES.iter().map(|interlude| &interlude.gait.script);
     let names = INPUT_TAKES.iter().chain([&INPUT_EXCURSION.script]).chain(interludes).map(|script| script.name);
     names.filter_map(|name| Some(NamedMotion { name, motion: perform_input(name, &STYLES[0])?.motion })).collect()
 }
 
-/// An input of [`input_clips`], or a walk or run of [`database`] such as "walk-pace", in a style; `None` if there is none of
-/// this name.
+/// An input of [`input_clips`], or a walk or run of [`database`] such as "walk-pace", in a style; `None` if the name is
+/// unknown.
 fn perform_input(name: &str, style: &Style) -> Option<Performance> {
     let body = Proportions::default();
     if name == INPUT_EXCURSION.script.name {
@@ -180,19 +180,19 @@ fn perform_input(name: &str, style: &Style) -> Option<Performance> {
     Some(perform(script, style, &body, RATE_HZ))
 }
 
-/// An input as another style performs it, frame for frame with the input: what a transfer should come to.
+/// Performance of an input in another style, frame for frame with the input: the ideal result of a transfer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counterpart {
-    /// The pose at the content of each input frame.
+    /// Pose at the content of each input frame.
     pub poses: Vec<Pose>,
-    /// The seconds after which the style has performed the content of each input frame.
+    /// Time at which the style has performed the content of each input frame, seconds.
     pub time_secs: Vec<f32>,
     /// For each input frame whether the left and the right foot is planted.
     pub planted: Vec<[bool; 2]>,
 }
 
-/// The counterpart of an input of [`input_clips`] in a style of [`STYLES`], by their names; `None` if there is no such.
-/// Walks and runs of [`database`] have one too, by the name of their take such as "walk-pace".
+/// Counterpart of an input of [`input_clips`] in a style of [`STYLES`], by their names; `None` if a name is unknown.
+/// Walks and runs of [`database`] also have one, by the name of their take such as "walk-pace".
 pub fn counterpart(input: &str, style: &str) -> Option<Counterpart> {
     let style = STYLES.iter().find(|s| s.name == style)?;
     let neutral = perform_input(input, &STYLES[0])?;

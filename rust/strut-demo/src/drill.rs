@@ -1,4 +1,4 @@
-//! Actions on the spot: jumps, punches and kicks, from key poses that every style performs in its own way.
+//! Actions in place: jumps, punches and kicks, from key poses that depend on the style.
 
 use crate::feet::{FootGeometry, FootPose, pitched};
 use crate::forms::{Arm, Swing};
@@ -16,33 +16,34 @@ use strut_core::math::float_funcs::sin;
 use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
-/// One jump, punch or kick of a drill.
+/// A jump, punch or kick of a drill.
 #[derive(Clone, Copy, Debug)]
 pub struct Move {
-    /// Its keys in a style and of an amplitude, performed with the right side: as many in every style.
+    /// Its keys in a style and of an amplitude, performed with the right side. The number of keys is the same in every
+    /// style.
     pub(crate) keys: fn(&Style, f32) -> Vec<Key>,
-    /// Which side performs it.
+    /// Side that performs it.
     pub(crate) side: Side,
-    /// Its amplitude, 1 as in the style's row.
+    /// Amplitude; 1 is the value of the style.
     pub(crate) size: f32,
-    /// Metres that it leads forward.
+    /// Forward travel, metres.
     pub(crate) ahead: f32,
 }
 
-/// A take of an action on the spot. Its phase counts keys: whole numbers are the key poses.
+/// A take of an action in place. Its phase counts keys: whole numbers are the key poses.
 #[derive(Clone, Copy, Debug)]
 pub struct Drill {
     /// Name, part of the clips' names.
     pub name: &'static str,
     /// Name of the action in a database.
     pub action: &'static str,
-    /// The pose that it begins in.
+    /// Initial pose.
     pub(crate) rest: fn(&Style) -> Key,
     /// Speed of the style, 1 for neutral.
     pub(crate) speed: fn(&Style) -> f32,
     /// Height in metres of the style's flights.
     pub(crate) rise: fn(&Style) -> f32,
-    /// How firmly the hands are held, 0 to 1.
+    /// Stiffness of the hands, 0 to 1.
     pub(crate) firm: f32,
     /// The moves, in order.
     pub(crate) moves: &'static [Move],
@@ -50,27 +51,27 @@ pub struct Drill {
     pub(crate) seed: u64,
 }
 
-/// How far the ankles of someone who stands are behind the hips, metres.
+/// Distance of the ankles behind the hips while standing, metres.
 const ANKLE_BEHIND: f32 = 0.045;
 /// Half the distance of the feet of a neutral stance, metres.
 const HALF_STANCE: f32 = 0.095;
-/// Seconds over which the feet come to follow a body that has left the ground.
+/// Time over which the feet start to follow a body that has left the ground, seconds.
 const SLACK_SECS: f32 = 0.11;
-/// Height in metres from which a foot may miss its way, and from which its toes are stretched.
+/// Height above which a foot may deviate from its path, and above which its toes are stretched (`TOES_FREE_ABOVE`), metres.
 const FREE_ABOVE: f32 = 0.1;
 /// See `FREE_ABOVE`.
 const TOES_FREE_ABOVE: f32 = 0.4;
-/// Seconds a breath.
+/// Duration of a breath, seconds.
 const BREATH_SECS: f32 = 3.2;
-/// Share of the drag that arms have in gaits: who strikes holds them tight.
+/// Share of the arm drag in gaits: strikes hold the arms tight.
 const TIGHT_ARMS: f32 = 0.3;
-/// Metres over which a planted leg's reach limits the height of the pelvis.
+/// Softness of the limit of the pelvis height by the reach of a planted leg, metres.
 const REACH_SOFTNESS: f32 = 0.004;
-/// Seconds before the first frame in which the springs of the arms settle.
+/// Time before the first frame in which the springs of the arms settle, seconds.
 const WARM_UP_SECS: f32 = 1.0;
 
-/// Performs `drill` in `style` at a rate on a body. It begins in the origin, facing +Z. The same arguments give the same
-/// bits.
+/// Performs `drill` in `style` at a frame rate on a body. The motion starts at the origin, facing +Z. The same
+/// arguments give the same bits.
 pub fn perform_drill(drill: &Drill, style: &Style, proportions: &Proportions, rate_hz: f32) -> Performance {
     let stage = Stage::new(drill, style, proportions);
     let dt = 1.0 / rate_hz;
@@ -89,7 +90,7 @@ pub fn perform_drill(drill: &Drill, style: &Style, proportions: &Proportions, ra
     Performance { motion: HumanoidMotion { proportions: *proportions, rate_hz, poses }, phase, planted }
 }
 
-/// The time that all styles share at a phase of a drill: seconds of a neutral performer.
+/// Common time of all styles at a phase of a drill: seconds of a neutral performance.
 pub(crate) fn script_secs(drill: &Drill) -> impl Fn(f32) -> f32 {
     let neutral = timeline(drill, &STYLES[0], &Stance::new(&STYLES[0], &Proportions::default()));
     move |phase| neutral.secs_at(phase)
@@ -140,13 +141,13 @@ fn timeline(drill: &Drill, style: &Style, stance: &Stance) -> Timeline {
     Timeline::new(keys, |i| rises[i])
 }
 
-/// How a style stands on a body.
+/// Standing posture of a style on a body.
 struct Stance {
     legs: Legs,
     geometry: FootGeometry,
     /// Height of the pelvis.
     height: f32,
-    /// Half the distance of the feet.
+    /// Half the distance between the feet.
     half_width: f32,
 }
 
@@ -161,13 +162,13 @@ impl Stance {
         }
     }
 
-    /// Where the ankle's print is for a foot of a side.
+    /// Footprint of the ankle for a foot of a side.
     fn print(&self, side: Side, foot: &Foot, above: f32) -> Vec3 {
         let ahead = Vec3::new(side.sign() * (self.half_width + foot.out), above, foot.ahead - ANKLE_BEHIND);
         Quat::from_rotation_y(foot.turn.to_radians()) * ahead
     }
 
-    /// The foot of a leg that is swung.
+    /// Foot of a swung leg.
     fn swung(&self, side: Side, style: &Style, key: &Key, swing: Swing) -> Foot {
         let b = &key.body;
         let pelvis = Turn { yaw: b.yaw.to_radians(), pitch: (style.pelvis_tilt + b.pitch).to_radians(), roll: 0.0 };
@@ -182,7 +183,7 @@ impl Stance {
     }
 }
 
-/// Everything that a frame is made from.
+/// Data from which a frame is computed.
 struct Stage<'a> {
     style: &'a Style,
     firm: f32,
@@ -203,7 +204,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Pose, phase and planted feet at a time; before the beginning the first pose is held.
+    /// Pose, phase and planted feet at a time. Before the start the first pose is held.
     fn frame(&self, secs: f32, upper_body: &mut UpperBody, dt_secs: f32) -> (Pose, f32, [bool; 2]) {
         let (key, phase, flight, planted) = self.timeline.at(secs.max(0.0));
         let s = self.style;
@@ -282,7 +283,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// Height of feet that hang from a body in flight: they leave the ground and meet it again at rest.
+/// Height of feet that hang from a body in flight. They leave the ground and touch it again at zero speed.
 fn hanging_height(flight: &Flight) -> f32 {
     let slack = |speed: f32, secs: f32| {
         let left = (1.0 - secs / SLACK_SECS).max(0.0);

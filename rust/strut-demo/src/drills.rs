@@ -14,26 +14,26 @@ const fn foot(ahead: f32, lift: f32, pitch: f32) -> Foot {
 pub(crate) const UPRIGHT: Body =
     Body { aside: 0.0, ahead: 0.0, drop: 0.0, yaw: 0.0, pitch: 0.0, chest_yaw: 0.0, bend: 0.0 };
 pub(crate) const FLAT: Foot = foot(0.0, 0.0, 0.0);
-/// Share of the trunk's bend that the pelvis has.
+/// The pelvis' share of the trunk's bend.
 const PELVIS_SHARE: f32 = 0.45;
 
-/// Flexion in degrees at which an arm still hangs, however high the style swings it in walking.
+/// Greatest flexion of a hanging arm, degrees, even if the style holds it higher in walking.
 const MOST_HANGING: f32 = 9.0;
 
-/// Standing at ease: the arms hang as the style carries them.
+/// Standing at ease: the arms hang as in the style.
 pub(crate) fn standing(style: &Style) -> Key {
     let flexion = (5.0 + style.arm_forward).min(MOST_HANGING);
     let hanging = arm(flexion, style.arm_spread, style.arm_twist, 0.8 * style.elbow);
     Key { secs: 0.5, airborne: false, body: UPRIGHT, arms: [hanging; 2], feet: [FLAT; 2], swings: [None; 2] }
 }
 
-/// Between two arms, `t` in [0, 1].
+/// Interpolates between two arms, `t` in [0, 1].
 fn between(a: Arm, b: Arm, t: f32) -> Arm {
     let mix = |of: fn(&Arm) -> f32| of(&a) + (of(&b) - of(&a)) * t;
     Arm { flexion: mix(|a| a.flexion), spread: mix(|a| a.spread), twist: mix(|a| a.twist), elbow: mix(|a| a.elbow) }
 }
 
-/// A body whose trunk is bent forward by so many degrees in all.
+/// A body whose trunk is bent forward by this angle in total.
 fn bent(degrees: f32) -> Body {
     Body { pitch: PELVIS_SHARE * degrees, bend: (1.0 - PELVIS_SHARE) * degrees, ..UPRIGHT }
 }
@@ -101,7 +101,7 @@ pub const JUMPS: Drill = Drill {
     seed: 31,
 };
 
-/// On guard: the left foot ahead, fists before the chin, the right shoulder a little back.
+/// On guard: the left foot ahead, fists in front of the chin, the right shoulder slightly back.
 fn guard(style: &Style) -> Key {
     let form = &style.punch;
     Key {
@@ -112,7 +112,7 @@ fn guard(style: &Style) -> Key {
     }
 }
 
-/// An arm that reaches as far from straight ahead as `reach` says from a chest turned by so many degrees.
+/// An arm at the angle `reach` from straight ahead, while the chest is turned by `turned` degrees.
 fn towards(reach: Arm, turned: f32) -> Arm {
     Arm { spread: reach.spread + turned, ..reach }
 }
@@ -288,7 +288,7 @@ pub const KICKS: Drill = Drill {
     seed: 51,
 };
 
-/// So many of the first moves of a drill.
+/// The first moves of a drill.
 const fn first(moves: usize, drill: Drill) -> Drill {
     Drill { moves: drill.moves.split_at(moves).0, ..drill }
 }
@@ -296,7 +296,7 @@ const fn first(moves: usize, drill: Drill) -> Drill {
 /// The drills of the page's database, which must stay below 1.5 MB.
 pub(crate) const PAGE_DRILLS: [Drill; 3] = [first(3, JUMPS), first(4, PUNCHES), first(3, KICKS)];
 
-/// Jumps, punches and kicks of the page's inputs: other moves than the database's.
+/// Jumps, punches and kicks of the page's inputs: different moves from the database's.
 pub(crate) const INPUT_JUMP: Drill = Drill { moves: &[jump(0.95, 0.3)], seed: 131, ..JUMPS };
 /// See `INPUT_JUMP`.
 pub(crate) const INPUT_PUNCHES: Drill =

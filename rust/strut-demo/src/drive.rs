@@ -1,5 +1,5 @@
-//! Takes to drive with, which recorded sets lack: standing, turns on the spot, halts, changes of gait and sharp curves
-//! (`../shared/spec/live-driving.md` §4). All are neutral.
+//! Takes for driving that recorded data sets lack: standing, turns in place, halts, changes of gait and sharp curves
+//! (`docs/driving.md`). All are neutral.
 
 use crate::action::Action;
 use crate::database::{RATE_HZ, build, source_clip};
@@ -19,16 +19,16 @@ use strut_core::database::build::{BuildError, SourceClip};
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::math::float_funcs::{cos, sin};
 
-/// Somebody who waits shifts their weight so far to either side, metres, and takes so long for it, seconds.
+/// Sideways shift of the weight while waiting, metres, and its duration, seconds.
 const SHIFT: f32 = 0.035;
 const SHIFT_SECS: f32 = 1.1;
-/// The foot that opens a turn on the spot goes so far of it; the other one then goes all the way.
+/// Share of a turn in place by which the first foot turns; the second foot then turns all of it.
 const OPENING: f32 = 0.85;
-/// How high a foot is lifted that turns, metres.
+/// Height by which a turning foot is lifted, metres.
 const TURNING_LIFT: f32 = 0.045;
-/// How far the weight goes towards the foot that stands, metres.
+/// Shift of the weight towards the supporting foot, metres.
 const TURNING_SHIFT: f32 = 0.04;
-/// Seconds around the standing of a halt: from walking before to walking after.
+/// Time before and after the standing part of a halt, seconds: from walking before to walking after.
 const BEFORE_HALT_SECS: f32 = 1.25;
 const AFTER_HALT_SECS: f32 = 1.5;
 
@@ -40,9 +40,9 @@ const fn to_either_side(keys: fn(&Style, f32) -> Vec<Key>, size: f32) -> Move {
     Move { keys, side: Side::Right, size, ahead: 0.0 }
 }
 
-/// Waits, with the weight on one foot and on the other.
+/// Waits, with the weight shifting from one foot to the other.
 const IDLE: Drill = at_ease("idle", &[to_either_side(shift_keys, 1.0), to_either_side(shift_keys, 0.8)]);
-/// Turns on the spot to the left, by 45, 90 and 135 degrees.
+/// Turns in place to the left, by 45, 90 and 135 degrees.
 const TURNS: [Drill; 3] = [
     at_ease("turn by 45", &[to_either_side(turn_keys, 45.0)]),
     at_ease("turn by 90", &[to_either_side(turn_keys, 90.0)]),
@@ -51,7 +51,7 @@ const TURNS: [Drill; 3] = [
 /// Stands between two walks.
 const STANDING: [Drill; 1] = [at_ease("stand", &[to_either_side(still_keys, 1.0)])];
 
-/// The weight goes to the left, to the right, and back to the middle.
+/// The weight shifts to the left, to the right, and back to the middle.
 fn shift_keys(style: &Style, size: f32) -> Vec<Key> {
     let rest = standing(style);
     let leaning = |aside: f32| {
@@ -66,17 +66,18 @@ fn still_keys(style: &Style, _: f32) -> Vec<Key> {
     vec![half, half]
 }
 
-/// A turn to the left by so many degrees: the left foot opens it, the right one joins, and the left one closes.
+/// A turn to the left by `degrees`: the left foot starts it, the right one follows, and the left one completes it.
 fn turn_keys(style: &Style, degrees: f32) -> Vec<Key> {
     let rest = standing(style);
-    // Shares of the turn at which the pelvis and the feet are, the side that the weight is on, which foot is in the air.
+    // Shares of the turn by which the pelvis and the feet have turned, the side that carries the weight, the foot in
+    // the air.
     let key = |secs: f32, pelvis: f32, [left, right]: [f32; 2], weight: f32, lifted: Option<usize>| {
         let foot = |side: usize, share: f32| {
             let lift = if lifted == Some(side) { TURNING_LIFT } else { 0.0 };
             let pitch = if lifted == Some(side) { -8.0 } else { 0.0 };
             Foot { turn: share * degrees, lift, pitch, ..FLAT }
         };
-        // Towards the left of where the feet face in the mean.
+        // Towards the left of the mean direction of the feet.
         let faced = (0.5 * (left + right) * degrees).to_radians();
         let towards = TURNING_SHIFT * weight;
         let body = Body {
@@ -103,7 +104,7 @@ fn turn_keys(style: &Style, degrees: f32) -> Vec<Key> {
     ]
 }
 
-/// A walk at a speed, as a multiple of the preferred one, that halts.
+/// A walk at a speed, as a multiple of the preferred one, with a halt.
 const fn halt(name: &'static str, passages: &'static [Passage], seed: u64) -> Interlude {
     let script = Script { name, action: Action::Walk, passages, seed };
     Interlude {
@@ -127,10 +128,10 @@ const CURVES: [Script; 1] = [Script {
     seed: 221,
 }];
 
-/// Takes to drive with besides those of a database, each a neutral clip.
+/// Takes for driving in addition to those of a database, each a neutral clip.
 ///
 /// # Errors
-/// Never for the clips that this crate makes; the error is passed on so that the caller need not panic.
+/// Never for the clips of this crate; the error is returned so that the caller need not panic.
 pub fn driving_database() -> Result<Database, BuildError> {
     let drills = [IDLE].into_iter().chain(TURNS).map(|drill| {
         let take = perform_drill(&drill, &STYLES[0], &Proportions::default(), RATE_HZ);
@@ -153,7 +154,7 @@ fn clip(action: &str, name: &str, take: Performance) -> SourceClip {
     source_clip([action, name, STYLES[0].name], 1, take, |phase| phase)
 }
 
-/// The halt itself and the strides around it.
+/// The halt and the strides around it.
 fn perform_halt(interlude: &Interlude) -> Performance {
     let whole = perform_interlude(interlude, &STYLES[0], &Proportions::default(), RATE_HZ);
     let stood = standing_frames(&whole.planted);
@@ -167,7 +168,7 @@ fn perform_halt(interlude: &Interlude) -> Performance {
     }
 }
 
-/// The longest time that both feet are planted.
+/// Longest period in which both feet are planted.
 fn standing_frames(planted: &[[bool; 2]]) -> Range<usize> {
     let mut longest = 0..0;
     let mut begin = 0;

@@ -1,9 +1,9 @@
-//! How a foot rolls over the ground and swings to its next footprint.
+//! Rolling of a foot over the ground and its swing to the next footprint.
 //!
-//! In stance the foot turns about what touches the ground: the heel until the foot is flat, then the ball,
-//! at last the tip of the toes (Perry's heel, forefoot and toe rockers; her ankle rocker is the shin over the
-//! flat foot). The touching point is fixed, so that a planted foot cannot slide. In swing the ankle follows a
-//! quintic that continues position, velocity and acceleration of the stances before and after.
+//! In stance the foot rotates about its contact point: the heel until the foot is flat, then the ball, at last the tip
+//! of the toes (Perry's heel, forefoot and toe rockers; her ankle rocker is the shin over the flat foot). The contact
+//! point is fixed, so that a planted foot cannot slide. In swing the ankle follows a quintic that continues position,
+//! velocity and acceleration of the stances before and after.
 
 use crate::action::{Action, Mechanics};
 use crate::jet::Jet;
@@ -16,16 +16,16 @@ use strut_core::humanoid::{Proportions, Role};
 use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
-/// Behind the ankle, the point of the sole that strikes the ground.
+/// Distance behind the ankle of the point of the sole that strikes the ground.
 const HEEL_BEHIND_ANKLE: f32 = 0.058;
-/// Ahead of the toe joint, the point of the sole that leaves the ground last.
+/// Distance ahead of the toe joint of the point of the sole that leaves the ground last.
 const TIP_AHEAD_OF_TOES: f32 = 0.060;
 
-/// Phase since its strike at which it is decided which action a stance belongs to.
+/// Phase after its strike at which a stance's blend of the two actions is evaluated.
 const WEIGHED_AT: f32 = 0.25;
 /// Greatest deceleration of a foot before it strikes, m/s².
 const HARDEST_BRAKING: f32 = 75.0;
-/// Scales t³(1 − t)⁸, greatest a little after a quarter of the swing, to a height of 1.
+/// Scales t³(1 − t)⁸, whose maximum is a little after a quarter of the swing, to a height of 1.
 const EARLY_ARCH: f32 = 629.848;
 /// Scales t³(1 − t)³ to a height of 1.
 const MIDDLE_ARCH: f32 = 64.0;
@@ -45,11 +45,11 @@ pub(crate) struct FootPose {
     pub(crate) cycle: f32,
     /// Direction of the foot, radians about +Y.
     pub(crate) heading: f32,
-    /// How free the foot is to miss its way: 0 on the ground and at the ends of the swing, else up to 1.
+    /// Freedom of the foot to deviate from its path: 0 on the ground and at the ends of the swing, otherwise up to 1.
     pub(crate) freedom: f32,
 }
 
-/// How the feet of an action roll in a style.
+/// Rolling of the feet of an action in a style.
 #[derive(Clone, Debug)]
 struct Row<'a> {
     style: &'a Style,
@@ -66,7 +66,7 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Plans both feet of a performance. Each stance is that of one action or of the other, or between the two.
+/// Plans both feet of a performance. Each stance belongs to one action or the other, or is a blend of both.
 #[derive(Clone, Debug)]
 pub(crate) struct Feet<'a, W> {
     script: &'a Script,
@@ -77,7 +77,7 @@ pub(crate) struct Feet<'a, W> {
     weight: W,
 }
 
-/// Where in its cycle a foot is.
+/// Position of a foot in its cycle.
 #[derive(Clone, Copy, Debug)]
 enum Part {
     /// Share of the stance.
@@ -86,7 +86,7 @@ enum Part {
     Swing(f32),
 }
 
-/// Points of the foot in its own frame, from the ankle, in the flat foot.
+/// Points of the foot in its own frame, relative to the ankle, for a flat foot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FootGeometry {
     ankle_height: f32,
@@ -109,13 +109,13 @@ impl FootGeometry {
         }
     }
 
-    /// Points of the sole that can carry the foot: the heel in the foot's frame, ball and tip in that of the toes.
+    /// Points of the sole that can carry the foot: the heel in the foot's frame, ball and tip in the toes' frame.
     pub(crate) fn sole(&self) -> [Vec3; 3] {
         [self.heel, self.tip_from_ball.with_z(0.0), self.tip_from_ball]
     }
 
-    /// The ankle of a foot on the ground, from the ankle's projection in the flat foot, in the frame of the
-    /// footprint. Pitches in radians, toes up; whichever point carries the foot stays where it is.
+    /// The ankle of a foot on the ground, relative to the ankle's projection in the flat foot, in the frame of the
+    /// footprint. Pitches in radians, toes up. The point that carries the foot does not move.
     pub(crate) fn ankle_on_ground(&self, foot_pitch: f32, toe_pitch: f32) -> Vec3 {
         let flat = Vec3::new(0.0, self.ankle_height, 0.0);
         if foot_pitch >= 0.0 {
@@ -133,7 +133,7 @@ pub(crate) fn pitched(angle: f32) -> Quat {
 }
 
 impl<'a, W: Fn(f32) -> f32> Feet<'a, W> {
-    /// The feet of a script on its path. `gaits` are two actions with their rows; `weight` gives the share of the second
+    /// Feet of a script on its path. `gaits` are two actions with their parameters; `weight` is the share of the second
     /// by phase.
     pub(crate) fn new(
         proportions: &Proportions,
@@ -191,7 +191,7 @@ impl<'a, W: Fn(f32) -> f32> Feet<'a, W> {
         }
     }
 
-    /// Pitch of foot and toes against the ground in radians, toes up. Longer strides need more of both.
+    /// Pitch of foot and toes relative to the ground in radians, toes up. Both increase with the stride length.
     fn pitches(&self, weight: f32, part: Part, phase: f32) -> (f32, f32) {
         let scale = stretch(self.script.speed(phase)).to_radians();
         let cycle = |row: &Row| match part {
@@ -203,7 +203,7 @@ impl<'a, W: Fn(f32) -> f32> Feet<'a, W> {
         (foot * scale, toes * scale)
     }
 
-    /// The ankle on its way between two footprints of rows in these weights.
+    /// Position of the ankle in swing between two footprints, for actions blended with these weights.
     fn swing(&self, prints: [&Footprint; 2], weights: [f32; 2], t: f32, phase: f32) -> Vec3 {
         let [from, to] = prints;
         let duties = weights.map(|weight| self.mixed(weight, |row| row.style.duty));
@@ -251,7 +251,7 @@ fn on_print(print: &Footprint, local: Vec3) -> Vec3 {
 }
 
 /// Pitch of the foot over its cycle: toes up at the strike, flat after a sixth of the stance, heel up until the toes
-/// leave, and trailing in swing.
+/// leave the ground, and trailing in swing.
 fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
     let flat = m.flat_after * s.duty;
@@ -275,8 +275,8 @@ fn foot_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     )
 }
 
-/// Pitch of the toes over the cycle: flat until they roll off, then trailing the foot, a little raised before
-/// the strike. The toe joint bends most at push-off (Perry & Burnfield 2010).
+/// Pitch of the toes over the cycle: flat until they roll off, then trailing the foot, slightly raised before the
+/// strike. The toe joint bends most at push-off (Perry & Burnfield 2010).
 fn toe_pitch_curve(s: &Style, m: &Mechanics) -> PeriodicCurve {
     let swing = |share: f32| s.duty + share * (1.0 - s.duty);
     let flat = 0.9 * m.flat_after * s.duty;

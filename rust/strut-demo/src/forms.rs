@@ -1,8 +1,8 @@
-//! How a style jumps, punches and kicks: the part of its row that walking does not show.
+//! Jumps, punches and kicks of a style: the parameters that do not appear in walking.
 //!
-//! A form says what a performer chooses; what everybody does in the same way is in the [drills](crate::drill).
+//! A form contains what depends on the style; the common part is in the [drills](crate::drill).
 
-/// How an arm is, degrees, seen from the trunk.
+/// Arm posture relative to the trunk, degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arm {
     /// Flexion of the upper arm: 0 hanging, 90 forward.
@@ -15,12 +15,12 @@ pub struct Arm {
     pub elbow: f32,
 }
 
-/// How a leg is swung, degrees.
+/// Posture of a swung leg, degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// Thigh ahead of hanging down.
+    /// Angle of the thigh ahead of vertical.
     pub hip: f32,
-    /// Leg out of the other's way.
+    /// Outward angle of the leg.
     pub out: f32,
     /// Flexion of the knee.
     pub knee: f32,
@@ -28,34 +28,34 @@ pub struct Swing {
     pub ankle: f32,
 }
 
-/// How a style jumps. Lengths in metres, angles in degrees.
+/// Jump of a style. Lengths in metres, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jump {
     /// Height by which the body is lifted.
     pub rise: f32,
-    /// Speed of what is done on the ground, 1 for neutral: Laban's time, sudden or sustained.
+    /// Speed on the ground, 1 for neutral: Laban's time, sudden or sustained.
     pub speed: f32,
-    /// Depth of the crouch before.
+    /// Depth of the crouch before the jump.
     pub dip: f32,
-    /// Forward bend of the trunk in it.
+    /// Forward bend of the trunk in the crouch.
     pub dip_bend: f32,
     /// Forward bend of the trunk in the air.
     pub air_bend: f32,
-    /// Depth in which the landing is caught.
+    /// Depth of the crouch on landing.
     pub landing: f32,
-    /// Forward bend of the trunk in it.
+    /// Forward bend of the trunk on landing.
     pub landing_bend: f32,
-    /// The arms before the push.
+    /// Arms before the push.
     pub wind_up: Arm,
-    /// The left and the right arm at the top.
+    /// Left and right arm at the top.
     pub aloft: [Arm; 2],
-    /// The arms as the landing is caught.
+    /// Arms on landing.
     pub catch: Arm,
-    /// The left and the right leg at the top.
+    /// Left and right leg at the top.
     pub legs: [Swing; 2],
 }
 
-/// How a style punches. Lengths in metres, angles in degrees, times in seconds.
+/// Punch of a style. Lengths in metres, angles in degrees, times in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Punch {
     /// Speed, 1 for neutral.
@@ -64,40 +64,40 @@ pub struct Punch {
     pub stance: f32,
     /// Both arms on guard.
     pub guard: Arm,
-    /// The striking arm before the strike.
+    /// Striking arm before the strike.
     pub wind_up: Arm,
-    /// The striking arm at full reach; its spread from straight ahead.
+    /// Striking arm at full reach; its spread is measured from straight ahead.
     pub reach: Arm,
-    /// The other arm meanwhile.
+    /// Other arm during the strike.
     pub other: Arm,
-    /// Turn of the chest into the strike.
+    /// Turn of the chest in the strike.
     pub turn: f32,
     /// Forward lean of the trunk at full reach; negative leans back.
     pub lean: f32,
-    /// Way of the weight forward.
+    /// Forward shift of the weight.
     pub shift: f32,
     /// Time at full reach.
     pub hold: f32,
-    /// Time of the wind-up as a multiple of a neutral one's: an arm that is thrown overhead needs more.
+    /// Duration of the wind-up as a multiple of the neutral one: an overhead swing needs more.
     pub wind_up_time: f32,
 }
 
-/// How a style kicks. Lengths in metres, angles in degrees, times in seconds.
+/// Kick of a style. Lengths in metres, angles in degrees, times in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kick {
     /// Speed, 1 for neutral.
     pub speed: f32,
-    /// The leg before the strike.
+    /// Leg before the strike.
     pub chamber: Swing,
-    /// The leg at full reach.
+    /// Leg at full reach.
     pub strike: Swing,
     /// Forward lean of the trunk at full reach; negative leans back.
     pub lean: f32,
     /// Time at full reach.
     pub hold: f32,
-    /// How far the standing leg gives in to the weight: it bends the knee.
+    /// Bend of the supporting knee under the weight.
     pub sink: f32,
-    /// The arm of the standing side and that of the kicking side at full reach.
+    /// Arms of the supporting side and of the kicking side at full reach.
     pub arms: [Arm; 2],
 }
 
@@ -109,12 +109,12 @@ pub(crate) const fn swing(hip: f32, knee: f32, ankle: f32) -> Swing {
     Swing { hip, out: 0.0, knee, ankle }
 }
 
-/// Both arms alike.
+/// Equal arms.
 pub(crate) const fn arms(flexion: f32, spread: f32, twist: f32, elbow: f32) -> [Arm; 2] {
     [arm(flexion, spread, twist, elbow); 2]
 }
 
-/// Both legs alike.
+/// Equal legs.
 pub(crate) const fn legs(hip: f32, out: f32, knee: f32, ankle: f32) -> [Swing; 2] {
     [Swing { hip, out, knee, ankle }; 2]
 }

@@ -1,4 +1,4 @@
-//! The database in full size: composed as Table 1 of Xia et al. 2015, which counts 79,829 frames at 120 Hz.
+//! Full-size database with the composition of Table 1 of Xia et al. 2015, which counts 79,829 frames at 120 Hz.
 
 use crate::database::{build, neutral_secs, source_clip};
 use crate::drill::{Drill, perform_drill, script_secs};
@@ -12,7 +12,7 @@ use strut_core::database::Database;
 use strut_core::database::build::{BuildError, SourceClip};
 use strut_core::humanoid::Proportions;
 
-/// Rate of the motions in full size, frames per second.
+/// Frame rate of the full-size motions, frames per second.
 pub const FULL_RATE_HZ: f32 = 120.0;
 
 /// Frames of every action over all styles: Table 1 of the paper.
@@ -26,7 +26,7 @@ enum Take {
     Transition(&'static Transition),
 }
 
-/// A clip of the full database with what its plan knows.
+/// A clip of the full-size database with data of its plan.
 #[derive(Clone, Debug)]
 pub struct PlannedClip {
     /// The clip as input of a database.
@@ -35,7 +35,7 @@ pub struct PlannedClip {
     pub planted: Vec<[bool; 2]>,
 }
 
-/// The takes of an action with the most frames that each may have; more than the action needs.
+/// Takes of an action with the maximum number of frames of each; together more than the action needs.
 fn takes(action: &str) -> Vec<(Take, usize)> {
     let gait = |script| (Take::Gait(script), usize::MAX);
     match action {
@@ -71,8 +71,8 @@ fn clip(take: &Take, number: u32, style: &Style) -> PlannedClip {
     }
 }
 
-/// Every take of the full database in every style, with its exact correspondence. The last take of an action ends, in
-/// every style at the same moment of its script, where the action has the frames that [`TABLE_1`] counts.
+/// Every take of the full-size database in every style, with its exact correspondence. The last take of an action ends
+/// in every style at the same moment of its script, such that the action has the number of frames in [`TABLE_1`].
 pub fn full_clips() -> Vec<PlannedClip> {
     TABLE_1.iter().flat_map(|&(action, frames)| action_clips(action, frames)).collect()
 }
@@ -91,7 +91,7 @@ fn action_clips(action: &str, mut frames: usize) -> Vec<PlannedClip> {
     clips
 }
 
-/// Ends all clips at one moment of their script so that they have at most so many frames together.
+/// Ends all clips at one moment of their script, such that they have at most `frames` frames in total.
 fn cut(clips: &mut [PlannedClip], frames: usize) {
     let times = |c: &PlannedClip| c.clip.script.as_ref().map_or(vec![], |s| s.time.clone());
     let mut moments: Vec<(f32, usize)> =
@@ -108,10 +108,10 @@ fn cut(clips: &mut [PlannedClip], frames: usize) {
     }
 }
 
-/// The full database: every style of [`STYLES`], with one counterpart a style.
+/// Full-size database: every style of [`STYLES`], with one counterpart per style.
 ///
 /// # Errors
-/// Never for the clips that this crate makes; the error is passed on so that the caller need not panic.
+/// Never for the clips of this crate; the error is returned so that the caller need not panic.
 pub fn full_database() -> Result<Database, BuildError> {
     let clips: Vec<SourceClip> = full_clips().into_iter().map(|c| c.clip).collect();
     build(&clips, FULL_RATE_HZ)

@@ -1,8 +1,9 @@
-//! A walk that halts for drills and goes on.
+//! A walk that halts for drills and continues.
 //!
-//! A halt is a closing step: one foot stays planted while the other comes beside it; walking on is a step out of it. On
-//! the way every quantity follows a quintic that continues the motions before and after (Flash & Hogan 1985), the
-//! planted foot rolls where it stands, and the legs are solved between pelvis and feet, so that no foot slides.
+//! A halt is a closing step: one foot stays planted while the other comes beside it; walking continues with a step out
+//! of the stance. During these steps every quantity follows a quintic that continues the motions before and after
+//! (Flash & Hogan 1985), the planted foot rolls in place, and the legs are solved between pelvis and feet, so that no
+//! foot slides.
 
 use crate::drill::{Drill, perform_drill};
 use crate::feet::{FootGeometry, FootPose, pitched};
@@ -17,12 +18,12 @@ use strut_core::math::float_funcs::{asin, atan2};
 use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3, exp_map};
 
-/// A gait with drills in its middle. It ends as it begins, so that it can be repeated.
+/// A gait with drills in the middle. It ends as it begins, so that it can be looped.
 #[derive(Clone, Copy, Debug)]
 pub struct Interlude {
-    /// The gait, which walks and is slow where it halts.
+    /// The gait; around the halt it is a slow walk.
     pub(crate) gait: Excursion,
-    /// Stride of the gait in which it halts.
+    /// Stride of the gait in which the halt occurs.
     pub(crate) halt: u32,
     /// The drills, in order.
     pub(crate) drills: &'static [Drill],
@@ -35,32 +36,32 @@ impl Interlude {
     }
 }
 
-/// Phases of the stride at which the gait is left and taken up again: the left foot is planted, the right one leaves it
-/// behind.
+/// Phases of the stride at which the gait is interrupted and resumed: the left foot is planted, the right one moves
+/// away from it.
 const LEFT_AT: f32 = 0.22;
 /// See `LEFT_AT`.
 const TAKEN_UP_AT: f32 = 0.42;
-/// Seconds of a closing or opening step in the neutral style, and of the way from one drill to the next.
+/// Duration of a closing or opening step in the neutral style, and of the step between two drills, seconds.
 const STEP_SECS: f32 = 0.48;
-/// Height in metres by which a foot is lifted on a way of `ARCH_WAY` or more.
+/// Height by which a foot is lifted on a step of `ARCH_WAY` or more, metres.
 const ARCH: f32 = 0.05;
 /// See `ARCH`.
 const ARCH_WAY: f32 = 0.1;
 /// Scales t³(1 − t)³ to a height of 1.
 const ARCH_SCALE: f32 = 64.0;
-/// Height in metres from which a foot may miss its way.
+/// Height above which a foot may deviate from its path, metres.
 const FREE_ABOVE: f32 = 0.1;
-/// Metres over which the planted leg's reach limits the height of the pelvis.
+/// Softness of the limit of the pelvis height by the reach of the planted leg, metres.
 const REACH_SOFTNESS: f32 = 0.004;
 
-/// Performs an interlude as [`perform_excursion`] does an excursion; a step between two parts counts as one of the phase.
+/// Performs an interlude as [`perform_excursion`] does an excursion. A step between two parts counts as a unit of phase.
 pub fn perform_interlude(interlude: &Interlude, style: &Style, body: &Proportions, rate_hz: f32) -> Performance {
     let gait = perform_excursion(&interlude.gait, style, body, rate_hz);
     let frame_at = |within: f32| gait.phase.partition_point(|p| *p < interlude.halt as f32 + within);
     let (left, taken_up) = (frame_at(LEFT_AT), frame_at(TAKEN_UP_AT));
     let joiner = Joiner::new(body, style, rate_hz);
     let mut whole = part(&gait, 0..left);
-    // Who is on guard has stepped forward with the left foot; whoever comes from walking or goes back to it stands on it.
+    // The guard position has the left foot ahead. A step from or to walking therefore keeps the left foot planted.
     let mut planted = Side::Left;
     for drill in interlude.drills {
         joiner.append(&mut whole, perform_drill(drill, style, body, rate_hz), planted);
@@ -78,7 +79,7 @@ fn part(of: &Performance, frames: std::ops::Range<usize>) -> Performance {
     }
 }
 
-/// A foot on or above the ground, by what it could stand on.
+/// A foot on or above the ground, described by its stance.
 #[derive(Clone, Copy, Debug)]
 struct Stand {
     /// The ankle's projection in the flat foot.
@@ -99,7 +100,7 @@ struct Joiner {
     legs: Legs,
     geometry: FootGeometry,
     proportions: Proportions,
-    /// Of a step.
+    /// Number of frames of a step.
     frames: usize,
 }
 
@@ -114,7 +115,7 @@ impl Joiner {
         }
     }
 
-    /// Appends a performance, placed so that the planted foot stays where it is, after a step of the other foot.
+    /// Appends a performance after a step of the other foot, placed such that the planted foot does not move.
     fn append(&self, whole: &mut Performance, mut next: Performance, planted: Side) {
         let poses = &whole.motion.poses;
         let from = [poses[poses.len() - 2], poses[poses.len() - 1]];
@@ -139,7 +140,7 @@ impl Joiner {
         whole.planted.append(&mut next.planted);
     }
 
-    /// The pose at `t` in [0, 1] of the way from the last to the first of two poses each.
+    /// Pose at `t` in [0, 1] of the transition from the last of two poses to the first of two others.
     fn between(&self, from: &[Pose; 2], to: &[Pose; 2], planted: Side, t: f32) -> Pose {
         let n = self.frames as f32;
         let vector = |of: &dyn Fn(&Pose) -> Vec3| {
@@ -198,7 +199,7 @@ impl Joiner {
         pose
     }
 
-    /// A planted foot that rolls where it stands.
+    /// A planted foot that rolls in place.
     fn on_print(&self, stand: &Stand, foot_pitch: f32, toe_pitch: f32) -> FootPose {
         let turned = Quat::from_rotation_y(stand.heading);
         FootPose {

@@ -1,4 +1,4 @@
-//! A moving point known by position, velocity and acceleration, and the smooth way between two of them.
+//! A moving point with its position, velocity and acceleration, and the smooth path between two of them.
 
 use strut_core::math::Vec3;
 
@@ -11,17 +11,17 @@ pub(crate) struct Jet {
 }
 
 impl Jet {
-    /// Difference step in cycles: several samples of a [`crate::periodic::PeriodicCurve`].
+    /// Step of the finite differences in cycles: several samples of a [`crate::periodic::PeriodicCurve`].
     const STEP: f32 = 0.008;
 
-    /// At the begin of a motion given by time since then.
+    /// State at the start of a motion, given as a function of the time since the start.
     pub(crate) fn forward(motion: impl Fn(f32) -> Vec3) -> Self {
         let h = Self::STEP;
         let [a, b, c] = [motion(0.0), motion(h), motion(2.0 * h)];
         Self { position: a, velocity: (b * 4.0 - a * 3.0 - c) / (2.0 * h), acceleration: (a - b * 2.0 + c) / (h * h) }
     }
 
-    /// At the end of a motion given by the time before it.
+    /// State at the end of a motion, given as a function of the time before the end.
     pub(crate) fn backward(motion: impl Fn(f32) -> Vec3) -> Self {
         let reversed = Self::forward(motion);
         Self { velocity: -reversed.velocity, ..reversed }
@@ -31,12 +31,12 @@ impl Jet {
         Self { position: self.position + by, ..self }
     }
 
-    /// With time measured in units of `length`.
+    /// The same state with time measured in units of `length`.
     pub(crate) fn over(self, length: f32) -> Self {
         Self { velocity: self.velocity * length, acceleration: self.acceleration * (length * length), ..self }
     }
 
-    /// The polynomial of least degree from one jet to the next; `t` in [0, 1].
+    /// Polynomial of least degree from one state to the next; `t` in [0, 1].
     pub(crate) fn quintic(from: &Self, to: &Self, t: f32) -> Vec3 {
         let [[p0, v0, a0], [p1, v1, a1]] = quintic_weights(t);
         from.position * p0
@@ -48,7 +48,7 @@ impl Jet {
     }
 }
 
-/// Weights of a quintic Hermite piece at `t` in [0, 1]: of value, first and second derivative at its beginning and at its
+/// Weights of a quintic Hermite segment at `t` in [0, 1]: of value, first and second derivative at its start and at its
 /// end.
 pub(crate) fn quintic_weights(t: f32) -> [[f32; 3]; 2] {
     let (t2, t3) = (t * t, t * t * t);

@@ -1,22 +1,22 @@
-//! Key poses of a drill, and the way from one to the next.
+//! Key poses of a drill, and the interpolation between them.
 //!
 //! Between two poses at rest every quantity follows a minimum-jerk profile (Flash & Hogan 1985, "The coordination of
-//! arm movements"): its speed is bell-shaped. Through a pose that is only passed, speed is continuous. A body in the air
-//! is in free fall.
+//! arm movements"): its speed is bell-shaped. At a pose that is passed without rest, speed is continuous. A body in the
+//! air is in free fall.
 
 use crate::forms::{Arm, Swing};
 use crate::jet::quintic_weights;
 use crate::pelvis::GRAVITY;
 use strut_core::math::interpolation::monotone_slope;
 
-/// How the pelvis and the trunk are.
+/// Posture of the pelvis and the trunk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Body {
-    /// Pelvis towards the left of where it stands, metres.
+    /// Displacement of the pelvis to the left of its standing position, metres.
     pub(crate) aside: f32,
-    /// Pelvis ahead of where it stands, metres.
+    /// Displacement of the pelvis ahead of its standing position, metres.
     pub(crate) ahead: f32,
-    /// Pelvis below where it stands, metres.
+    /// Displacement of the pelvis below its standing position, metres.
     pub(crate) drop: f32,
     /// Turn of the pelvis to the left, degrees.
     pub(crate) yaw: f32,
@@ -28,46 +28,46 @@ pub(crate) struct Body {
     pub(crate) bend: f32,
 }
 
-/// How a foot is.
+/// Posture of a foot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Foot {
-    /// Ankle outside of where it stands, metres.
+    /// Displacement of the ankle outward from its standing position, metres.
     pub(crate) out: f32,
-    /// Ankle ahead of where it stands, metres.
+    /// Displacement of the ankle ahead of its standing position, metres.
     pub(crate) ahead: f32,
-    /// Ankle above where it is on the ground, or where it hangs from a body in the air, metres.
+    /// Height of the ankle above its height on the ground, or above its hanging height in the air, metres.
     pub(crate) lift: f32,
     /// Toes up, degrees.
     pub(crate) pitch: f32,
-    /// How far it has gone round the middle of the stance, degrees to the left.
+    /// Rotation of the foot's position about the middle of the stance, degrees to the left.
     pub(crate) turn: f32,
 }
 
 /// A pose of the whole body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
-    /// Seconds since the key before, for a neutral performer; gravity decides after a take-off.
+    /// Time since the previous key in a neutral performance, seconds. After a take-off gravity determines it.
     pub(crate) secs: f32,
-    /// Whether the body is in the air from here to the next key.
+    /// Whether the body is in the air from this key to the next.
     pub(crate) airborne: bool,
     pub(crate) body: Body,
     /// Left and right.
     pub(crate) arms: [Arm; 2],
     /// Left and right.
     pub(crate) feet: [Foot; 2],
-    /// How the left and the right leg are swung, which then says where the foot is.
+    /// Swing of the left and the right leg. If set, it determines the position of the foot.
     pub(crate) swings: [Option<Swing>; 2],
 }
 
-/// Quantities of a key.
+/// Number of quantities of a key.
 pub(crate) const CHANNELS: usize = 25;
 const AHEAD: usize = 1;
 const DROP: usize = 2;
-/// First quantities of the feet.
+/// Indices of the feet's first quantities.
 const FEET: [usize; 2] = [15, 20];
 
 impl Key {
-    /// All quantities in a row.
+    /// All quantities as an array.
     pub(crate) fn channels(&self) -> [f32; CHANNELS] {
         let b = &self.body;
         let mut out = [0.0; CHANNELS];
@@ -94,7 +94,7 @@ impl Key {
         }
     }
 
-    /// The key of which this is the mirror image.
+    /// Mirror image of the key.
     pub(crate) fn mirrored(self) -> Self {
         let Body { aside, yaw, chest_yaw, .. } = self.body;
         let [left, right] = self.feet.map(|foot| Foot { turn: -foot.turn, ..foot });
@@ -108,24 +108,24 @@ impl Key {
     }
 }
 
-/// A key at its time, with the speeds of its quantities.
+/// A key at its time, with the time derivatives of its quantities.
 #[derive(Clone, Copy, Debug)]
 struct Instant {
     secs: f32,
-    /// Whether a flight begins or ends here.
+    /// Whether a flight starts or ends here.
     ballistic: bool,
     values: [f32; CHANNELS],
     speeds: [f32; CHANNELS],
 }
 
-/// The flight that a moment belongs to.
+/// The flight at a moment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flight {
     /// Seconds since take-off and until landing.
     pub(crate) since: f32,
     /// See `since`.
     pub(crate) left: f32,
-    /// Speed at which the body leaves the ground and comes back to it, m/s.
+    /// Speed at which the body leaves the ground and lands, m/s.
     pub(crate) take_off: f32,
     /// See `take_off`.
     pub(crate) landing: f32,
@@ -138,7 +138,7 @@ impl Flight {
     }
 }
 
-/// Key poses on a line of time. A flight is a take-off key, one key at its top, and a landing key.
+/// Key poses on a time line. A flight is a take-off key, one key at its top, and a landing key.
 #[derive(Clone, Debug)]
 pub(crate) struct Timeline {
     keys: Vec<Key>,
@@ -146,7 +146,7 @@ pub(crate) struct Timeline {
 }
 
 impl Timeline {
-    /// Keys at their times: the first at 0. `rises` gives the height in metres of the flight that key number i begins.
+    /// Places keys at their times; the first at 0. `rise` is the height of the flight that starts with key `i`, metres.
     pub(crate) fn new(keys: Vec<Key>, rise: impl Fn(usize) -> f32) -> Self {
         let mut secs = 0.0;
         let mut instants: Vec<Instant> = Vec::with_capacity(keys.len());
@@ -178,20 +178,20 @@ impl Timeline {
         Self { keys, instants }
     }
 
-    /// Seconds of the last key.
+    /// Time of the last key, seconds.
     pub(crate) fn secs(&self) -> f32 {
         self.instants.last().map_or(0.0, |i| i.secs)
     }
 
-    /// The seconds at a phase, which counts keys.
+    /// Time of a phase, which counts keys, seconds.
     pub(crate) fn secs_at(&self, phase: f32) -> f32 {
         let i = (phase.max(0.0) as usize).min(self.instants.len().saturating_sub(2));
         let (a, b) = (self.instants[i].secs, self.instants[i + 1].secs);
         a + (b - a) * (phase - i as f32)
     }
 
-    /// The pose at a time, its phase (number of the last key and the share of the way to the next), the flight it
-    /// belongs to, and whether either foot stands still on the ground.
+    /// Pose at a time, its phase (index of the last key plus the fraction of the interval to the next), the flight it
+    /// belongs to, and whether each foot is planted.
     pub(crate) fn at(&self, secs: f32) -> (Key, f32, Option<Flight>, [bool; 2]) {
         let next = self.instants.partition_point(|i| i.secs <= secs).clamp(1, self.instants.len() - 1);
         let i = next - 1;
@@ -208,7 +208,7 @@ impl Timeline {
             }
         });
         let mut values: [f32; CHANNELS] = std::array::from_fn(|c| {
-            // Before take-off and after landing the body is accelerated as in the air, so that nothing jumps.
+            // Before take-off and after landing the body has the acceleration of the flight, so that it is continuous.
             let fall = |of: &Instant| if c == DROP && of.ballistic { GRAVITY } else { 0.0 };
             let from = [a.values[c], a.speeds[c] * span, fall(a) * span * span];
             quintic(from, [b.values[c], b.speeds[c] * span, fall(b) * span * span], t)
@@ -235,7 +235,7 @@ impl Timeline {
     }
 }
 
-/// Take-off, top and landing of the flight over the way from key `i` to the next.
+/// Take-off, top and landing of the flight that contains the interval from key `i` to the next.
 fn flight_keys(keys: &[Key], i: usize) -> Option<[usize; 3]> {
     if !keys[i].airborne {
         return None;
@@ -244,7 +244,7 @@ fn flight_keys(keys: &[Key], i: usize) -> Option<[usize; 3]> {
     (from + 2 < keys.len()).then_some([from, from + 1, from + 2])
 }
 
-/// Speeds at which a key is passed: none at an extreme (Fritsch & Butland 1984).
+/// Speeds at which a key is passed: zero at an extreme (Fritsch & Butland 1984).
 fn passing_speeds(a: &Instant, b: &Instant, c: &Instant) -> [f32; CHANNELS] {
     std::array::from_fn(|i| {
         let before = (b.values[i] - a.values[i]) / (b.secs - a.secs);
@@ -253,7 +253,7 @@ fn passing_speeds(a: &Instant, b: &Instant, c: &Instant) -> [f32; CHANNELS] {
     })
 }
 
-/// The quintic from value, speed and acceleration to another three; `t` in [0, 1].
+/// Quintic from a value, speed and acceleration to another three; `t` in [0, 1].
 pub(crate) fn quintic(from: [f32; 3], to: [f32; 3], t: f32) -> f32 {
     let [[_, v0, a0], [p1, v1, a1]] = quintic_weights(t);
     from[0] + (to[0] - from[0]) * p1 + from[1] * v0 + from[2] * a0 + to[2] * a1 + to[1] * v1

@@ -1,9 +1,9 @@
-//! The built-in procedural motions: no recorded motion may be shipped, so ours is synthesised.
+//! Built-in procedural motions. They are synthesised because no recorded motion may be distributed.
 //!
-//! The feet are planned first: a [`Script`] says how fast to walk and where to turn, a [`Style`] how; both
-//! together give a path with footprints. Feet roll over their prints and swing between them, the pelvis travels
-//! above them, legs are solved in between, trunk and arms follow published gait curves. Every style performs the
-//! same script, so that frames of equal script phase are exact counterparts.
+//! The feet are planned first: a [`Script`] specifies speed and turns, a [`Style`] the movement. Together they define a
+//! path with footprints. Feet roll over their prints and swing between them, the pelvis travels above them, legs are
+//! solved in between, trunk and arms follow published gait curves. Every style performs the same script, so that frames
+//! of equal script phase are exact counterparts.
 //!
 //! Deterministic: the same arguments give the same bits on every platform.
 #![forbid(unsafe_code)]

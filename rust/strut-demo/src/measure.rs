@@ -14,15 +14,15 @@ pub const CYCLE_SAMPLES: usize = 100;
 
 /// The sagittal angles of a leg over one cycle, degrees: [hip, knee, ankle].
 ///
-/// Hip: the thigh against the vertical, flexion positive (Winter 1991, for an upright trunk); knee: flexion; ankle: the
-/// sole against the shin, 0 at a right angle, dorsiflexion positive.
+/// Hip: the thigh relative to the vertical, flexion positive (Winter 1991, for an upright trunk); knee: flexion; ankle:
+/// the sole relative to the shin, 0 at a right angle, dorsiflexion positive.
 pub type Cycle = [[f32; CYCLE_SAMPLES]; 3];
 
-/// Half the time in seconds over which the direction of walking is measured: about a step.
+/// Half the time over which the direction of walking is measured, about a step, seconds.
 const DIRECTION_SECS: f32 = 0.5;
-/// Shortest and longest stride that counts as one, seconds.
+/// Shortest and longest valid stride, seconds.
 const STRIDE_SECS: [f32; 2] = [0.5, 1.8];
-/// Turning beyond which a stride is not straight, degrees a second.
+/// Turn rate above which a stride is not straight, degrees per second.
 const STRAIGHT: f32 = 15.0;
 
 const LEGS: [[Role; 4]; 2] = [
@@ -51,8 +51,7 @@ pub fn cycles(motion: &HumanoidMotion) -> Vec<Cycle> {
     cycles
 }
 
-/// Every stride of both legs between given heel strikes: `strikes` are fractional frames of the left and the right
-/// foot.
+/// Every stride of both legs between given heel strikes. `strikes` are fractional frames of the left and the right foot.
 pub fn cycles_between(motion: &HumanoidMotion, strikes: &[Vec<f32>; 2]) -> Vec<Cycle> {
     let worlds: Vec<WorldPose> = motion.poses.iter().map(|p| world_from_local(&motion.proportions, p)).collect();
     let forward = directions(motion);
@@ -74,7 +73,7 @@ pub fn strikes(phases: &[f32]) -> [Vec<f32>; 2] {
     })
 }
 
-/// Mean horizontal speed in m/s of what carries a planted foot: heel, ball or tip of the toes, whichever is lowest.
+/// Mean horizontal speed of the point that carries a planted foot, m/s: heel, ball or tip of the toes, whichever is lowest.
 pub fn skate(motion: &HumanoidMotion, planted: &[[bool; 2]]) -> f32 {
     let worlds: Vec<WorldPose> = motion.poses.iter().map(|p| world_from_local(&motion.proportions, p)).collect();
     let geometry = FootGeometry::of(&motion.proportions);

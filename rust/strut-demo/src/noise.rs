@@ -3,7 +3,7 @@
 use crate::periodic::b_spline;
 use strut_core::math::random::SplitMix64;
 
-/// Random functions of the script phase that repeat with the script, so that a take can loop.
+/// Random functions of the script phase that repeat with the script, so that a take can be looped.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Noise {
     seed: u64,
@@ -33,19 +33,19 @@ pub(crate) enum Channel {
 }
 
 impl Noise {
-    /// Noise of a script of so many strides (at least 1).
+    /// Noise of a script of this number of strides (at least 1).
     pub(crate) fn new(seed: u64, strides: u32) -> Self {
         Self { seed, strides: strides.max(1) }
     }
 
-    /// A smooth function of phase with about one swing a stride, standard deviation near 0.4, within [−1, 1].
+    /// A smooth function of phase with about one oscillation per stride, standard deviation near 0.4, within [−1, 1].
     pub(crate) fn smooth(self, channel: Channel, phase: f32) -> f32 {
         let i = phase.floor();
         let knot = |k: i64| self.step(channel, 2 * (i as i64 + k));
         b_spline([knot(-1), knot(0), knot(1), knot(2)], phase - i)
     }
 
-    /// An independent number in [−1, 1] for every step (two a stride), which repeats with the script.
+    /// An independent number in [−1, 1] for every step (two per stride), which repeats with the script.
     pub(crate) fn step(self, channel: Channel, index: i64) -> f32 {
         let index = index.rem_euclid(2 * i64::from(self.strides)) as u64;
         within_one(split_mix(split_mix(self.seed ^ (channel as u64) << 48) ^ index))
@@ -57,7 +57,7 @@ pub(crate) fn within_one(bits: u64) -> f32 {
     (bits >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
 }
 
-/// The first random bits of a seed: a hash of it.
+/// First random bits of a seed: a hash of it.
 pub(crate) fn split_mix(seed: u64) -> u64 {
     SplitMix64::new(seed).next_u64()
 }

@@ -7,16 +7,17 @@
 //! - M: Murray, Drought & Kory, "Walking patterns of normal men", J. Bone Joint Surg. 46-A, 1964, and
 //!   Murray, Sepic & Barnard, "Patterns of sagittal rotation of the upper limbs in walking", Phys. Ther. 47, 1967.
 //!
-//! Step length, foot roll and posture follow the style; these curves give the shapes.
+//! Step length, foot roll and posture follow the style; these curves define the shapes.
 
 /// A periodic list of (phase, degrees).
 pub(crate) type Knots = &'static [(f32, f32)];
 
-/// Share of the cycle that a foot is on the ground at natural cadence (P: 62 %, W: 60–62 %).
+/// Share of the cycle in which a foot is on the ground at natural cadence (P: 62 %, W: 60–62 %).
 pub(crate) const NATURAL_DUTY: f32 = 0.608;
 
-/// Knee flexion that the supporting leg asks of the height of the pelvis. It comes out softer: where legs cannot reach,
-/// the pelvis is lower, and its path is smoothed. What comes out is held against [`WALKING_BANDS`].
+/// Knee flexion of the supporting leg from which the height of the pelvis is computed. The resulting flexion is softer:
+/// where legs cannot reach, the pelvis is lower, and its path is smoothed. The result is compared with
+/// [`WALKING_BANDS`].
 pub(crate) const STANCE_KNEE: Knots = &[
     (0.0, 3.6),
     (0.05, 21.2),
@@ -29,16 +30,16 @@ pub(crate) const STANCE_KNEE: Knots = &[
     (0.8, 30.6),
 ];
 
-/// Knee flexion of the supporting leg in running at an easy speed: some 20 at the strike, 45 in mid stance, 20 when
-/// the toes leave (Novacheck 1998, "The biomechanics of running", Gait & Posture 7). Phases for a stance of 36 %.
+/// Knee flexion of the supporting leg in running at an easy speed: about 20 at the strike, 45 in mid stance, 20 at
+/// toe-off (Novacheck 1998, "The biomechanics of running", Gait & Posture 7). Phases for a stance of 36 %.
 pub(crate) const RUNNING_STANCE_KNEE: Knots = &[(0.0, 20.0), (0.16, 48.0), (0.36, 20.0), (0.8, 40.0)];
 
 /// Rotation of the pelvis about the vertical as a share of its half range: the side of the leading leg is
 /// forward at heel strike; positive turns to the left (P: ±5°, M: ±5°).
 pub(crate) const PELVIS_YAW: Knots = &[(0.0, -1.0), (0.25, 0.0), (0.5, 1.0), (0.75, 0.0)];
 
-/// Obliquity of the pelvis as a share of its half range: the swing side drops while the stance leg is loaded,
-/// and comes back by mid stance; positive lifts the left side (P: ±4°).
+/// Obliquity of the pelvis as a share of its half range: the swing side drops while the stance leg is loaded, and
+/// returns by mid stance; positive lifts the left side (P: ±4°).
 pub(crate) const PELVIS_ROLL: Knots =
     &[(0.0, 0.1), (0.16, 1.0), (0.32, 0.45), (0.5, -0.1), (0.66, -1.0), (0.82, -0.45)];
 
@@ -46,7 +47,7 @@ pub(crate) const PELVIS_ROLL: Knots =
 /// furthest forward at that of the other (M 1967; the return is slower than the forward swing).
 pub(crate) const ARM_SWING: Knots = &[(0.02, -1.0), (0.28, 0.05), (0.52, 1.0), (0.76, 0.08)];
 
-/// Flexion of the elbow as a share of its half range: most just after the arm is furthest forward (M 1967).
+/// Flexion of the elbow as a share of its half range: greatest just after the arm is furthest forward (M 1967).
 pub(crate) const ELBOW_SWING: Knots = &[(0.08, -1.0), (0.34, 0.1), (0.57, 1.0), (0.82, -0.15)];
 
 /// A published mean with its standard deviation between people, over the cycle.
@@ -71,11 +72,12 @@ impl Band {
     }
 }
 
-/// Bands of natural walking that the neutral style is judged by: hip (thigh against the vertical), knee, ankle. Means
-/// and standard deviations between 19 adults at natural cadence after W, rounded to whole degrees at the events of the
-/// cycle; P and Kadaba, Ramakrishnan & Wootten 1990 ("Measurement of lower extremity kinematics during level walking",
-/// J. Orthop. Res. 8) have the same shapes within these deviations. The books were not at hand: the values were checked
-/// against second-hand tables of P and W, and the ankle's against the bands of Schwartz, Rozumalski & Trost 2008.
+/// Bands of natural walking against which the neutral style is tested: hip (thigh relative to the vertical), knee,
+/// ankle. Means and standard deviations between 19 adults at natural cadence after W, rounded to whole degrees at the
+/// events of the cycle; P and Kadaba, Ramakrishnan & Wootten 1990 ("Measurement of lower extremity kinematics during
+/// level walking", J. Orthop. Res. 8) have the same shapes within these deviations. The books were not available: the
+/// values were checked against second-hand tables of P and W, and the ankle's against the bands of Schwartz, Rozumalski
+/// & Trost 2008.
 pub const WALKING_BANDS: [Band; 3] = [
     Band {
         name: "hip",

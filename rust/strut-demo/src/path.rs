@@ -1,4 +1,4 @@
-//! The line that the body follows, and the footprints beside it.
+//! Path of the body, and the footprints beside it.
 
 use crate::action::Mechanics;
 use crate::noise::{Channel, Noise};
@@ -8,13 +8,13 @@ use strut_core::math::float_funcs::sin_cos;
 use strut_core::math::interpolation::hermite_weights;
 use strut_core::math::{Quat, Vec3};
 
-/// Points of the line per stride.
+/// Points of the path per stride.
 const SAMPLES_PER_STRIDE: usize = 64;
 
-/// Strides planned before the beginning and after the end of a script.
+/// Strides planned before the start and after the end of a script.
 pub(crate) const MARGIN_STRIDES: u32 = 3;
 
-/// A foot.
+/// Side of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Left,
@@ -41,7 +41,7 @@ impl Side {
     }
 }
 
-/// Where a foot stands flat.
+/// Footprint of a flat foot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Footprint {
     /// The ankle's projection on the ground.
@@ -50,7 +50,7 @@ pub(crate) struct Footprint {
     pub(crate) heading: f32,
 }
 
-/// The line that the middle of the body would follow without any sway, by phase.
+/// Path of the middle of the body without sway, by phase.
 #[derive(Clone, Debug)]
 pub(crate) struct Path {
     positions: Vec<Vec3>,
@@ -58,16 +58,15 @@ pub(crate) struct Path {
     velocities: Vec<Vec3>,
 }
 
-/// How the amplitudes of a stride change with speed: steps lengthen and quicken alike, because the ratio of
-/// step length to cadence stays constant (Sekiya et al. 1996, "The invariant relationship between step
-/// length and step rate").
+/// Factor of a stride's amplitudes at a speed: steps become longer and quicker in equal proportion, because the ratio
+/// of step length to cadence stays constant (Sekiya et al. 1996, "The invariant relationship between step length and
+/// step rate").
 pub(crate) fn stretch(speed: f32) -> f32 {
     speed.max(0.0).sqrt()
 }
 
 impl Path {
-    /// The line of a script with steps of a length, which may change with the phase; heading +Z at phase 0 where it
-    /// passes the origin.
+    /// Path of a script with this step length, a function of the phase. At phase 0 it passes the origin, heading +Z.
     pub(crate) fn plan(script: &Script, step_length: impl Fn(f32) -> f32) -> Self {
         let step = 1.0 / SAMPLES_PER_STRIDE as f32;
         let margin = MARGIN_STRIDES as usize * SAMPLES_PER_STRIDE;
@@ -91,7 +90,7 @@ impl Path {
         path
     }
 
-    /// Moves and turns the line so that sample `i` lies in the origin, heading +Z.
+    /// Moves and turns the path such that sample `i` is at the origin, heading +Z.
     fn place_at_origin(&mut self, i: usize) {
         let (origin, heading) = (self.positions[i], self.headings[i]);
         let turn = Quat::from_rotation_y(-heading);
@@ -123,7 +122,7 @@ impl Path {
         self.headings[i] + (self.headings[i + 1] - self.headings[i]) * t
     }
 
-    /// Metres a stride.
+    /// Length of a stride, metres.
     pub(crate) fn stride_length(&self, phase: f32) -> f32 {
         self.velocities[self.locate(phase).0].length()
     }
@@ -134,8 +133,8 @@ impl Path {
         (i, (x - i as f32).min(1.0))
     }
 
-    /// Where `side` stands in its stance of stride number `stride`: beside the point of the line that the
-    /// body passes in the middle of that stance.
+    /// Footprint of `side` in its stance of stride number `stride`: beside the point of the path that the body passes
+    /// in the middle of that stance.
     pub(crate) fn footprint(
         &self,
         style: &Style,

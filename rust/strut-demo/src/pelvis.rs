@@ -1,4 +1,4 @@
-//! How the pelvis travels and turns above the feet, and the legs between them.
+//! Motion of the pelvis above the feet, and the legs between them.
 
 use crate::action::Mechanics;
 use crate::feet::FootPose;
@@ -15,25 +15,25 @@ use strut_core::math::float_funcs::{cos, sin};
 use strut_core::math::interpolation::smooth_step;
 use strut_core::math::{Quat, Vec3};
 
-/// Largest extension of a leg as a share of its length: a knee flexion of some 4°, so that the knee does not lock.
+/// Largest extension of a leg as a share of its length: a knee flexion of about 4°, so that the knee does not lock.
 const LONGEST_REACH: f32 = 0.9995;
 
 /// Acceleration of free fall, m/s².
 pub(crate) const GRAVITY: f32 = 9.81;
-/// Share of free fall that a runner's sinusoidal bounce has at its top.
+/// Share of free-fall acceleration at the top of a runner's sinusoidal bounce.
 const SMOOTH_FLIGHT: f32 = 0.85;
 
-/// Standard deviations of the smoothing by which the limit is widened in time.
+/// Width, in standard deviations of the smoothing, by which the limit is extended in time.
 const LIMIT_WIDENING: f32 = 0.88;
 
-/// Metres over which the limit of the legs' reach takes hold of the pelvis' height.
+/// Softness of the limit of the pelvis' height by the reach of the legs, metres.
 const LIMIT_SOFTNESS: f32 = 0.0011;
-/// Metres by which the body is lowered half way from one gait to another.
+/// Distance by which the body is lowered half way between two gaits, metres.
 const TRANSITION_DIP: f32 = 0.045;
-/// Metres over which a swinging leg is kept from straightening fully.
+/// Softness of the limit that keeps a swinging leg from straightening fully, metres.
 const SWING_SOFTNESS: f32 = 0.016;
 
-/// The smaller of two values with the corner rounded; half of `softness` below them where they are equal.
+/// Smaller of two values with the corner rounded; where they are equal it is half of `softness` below them.
 pub(crate) fn soft_min(a: f32, b: f32, softness: f32) -> f32 {
     let excess = a - b;
     a - 0.5 * (excess + (excess * excess + softness * softness).sqrt())
@@ -71,17 +71,17 @@ impl PelvisCurves {
     }
 }
 
-/// Heights that the legs ask of the pelvis at a frame, metres.
+/// Heights of the pelvis that follow from the legs at a frame, metres.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Heights {
-    /// Height at which the supporting knee has its flexion.
+    /// Height at which the supporting knee has its planned flexion.
     pub(crate) supported: f32,
-    /// Greatest height that the legs reach.
+    /// Greatest height at which both legs reach their feet.
     pub(crate) limit: f32,
 }
 
 impl Heights {
-    /// From these heights to others, `t` in [0, 1]. On the way no leg is granted more than either grants.
+    /// Interpolates to other heights, `t` in [0, 1]. The limit does not exceed those of both.
     pub(crate) fn mix(self, o: Self, t: f32) -> Self {
         let supported = self.supported + (o.supported - self.supported) * t - 4.0 * TRANSITION_DIP * t * (1.0 - t);
         let (nearer, share) = if t < 0.5 { (self.limit, t) } else { (o.limit, 1.0 - t) };
@@ -90,8 +90,8 @@ impl Heights {
     }
 }
 
-/// Heights of the pelvis over a motion: as supported, below the limit, and smooth. The limit is widened in time
-/// before the smoothing, so that smoothing does not exceed it again. `sigma` in frames.
+/// Heights of the pelvis over a motion: the supported height, below the limit, and smooth. The limit is extended in
+/// time before the smoothing, so that the smoothed height does not exceed it. `sigma` in frames.
 pub(crate) fn smooth_heights(heights: &[Heights], sigma: f32) -> Vec<f32> {
     let radius = (LIMIT_WIDENING * sigma) as usize;
     let limited: Vec<f32> = heights
@@ -107,7 +107,7 @@ pub(crate) fn smooth_heights(heights: &[Heights], sigma: f32) -> Vec<f32> {
     gaussian_smoothed(limited.len(), sigma, |i| limited[i.clamp(0, last) as usize])
 }
 
-/// The legs of a body: lengths and where the hips are in the pelvis.
+/// Legs of a body: lengths, and positions of the hips in the pelvis.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Legs {
     standing: f32,
@@ -142,17 +142,17 @@ impl Legs {
         (self.thigh * self.thigh + self.shin * self.shin + 2.0 * self.thigh * self.shin * c).max(0.0).sqrt()
     }
 
-    /// Height of the pelvis of someone who stands with bent knees.
+    /// Height of the pelvis when standing with bent knees.
     pub(crate) fn standing_with(&self, knee_degrees: f32) -> f32 {
         self.standing - (self.thigh + self.shin - self.reach(knee_degrees))
     }
 
-    /// Greatest height of the pelvis, at this place on the ground plan, at which the leg reaches its ankle.
+    /// Greatest height of the pelvis, at this horizontal position, at which the leg reaches its ankle.
     pub(crate) fn highest(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3) -> f32 {
         self.pelvis_height(side, pelvis, rotation, ankle, self.longest())
     }
 
-    /// The ankle of a leg that is swung from a pelvis.
+    /// Ankle of a leg that is swung from the pelvis.
     pub(crate) fn swung(&self, side: Side, root: Vec3, pelvis: Quat, swing: Swing) -> Vec3 {
         let bone = |degrees: f32| Vec3::new(0.0, -cos(degrees.to_radians()), sin(degrees.to_radians()));
         let leg = bone(swing.hip) * self.thigh + bone(swing.hip - swing.knee) * self.shin;
@@ -163,18 +163,17 @@ impl Legs {
         LONGEST_REACH * (self.thigh + self.shin)
     }
 
-    /// Height of the pelvis at which the distance from hip to ankle is `reach`; if the ankle is further away
-    /// than that on the ground plan, the height of the ankle.
+    /// Height of the pelvis at which the distance from hip to ankle is `reach`. If the horizontal distance to the ankle
+    /// is greater, it is the height of the ankle.
     fn pelvis_height(&self, side: Side, pelvis: Vec3, rotation: Quat, ankle: Vec3, reach: f32) -> f32 {
         let hip = rotation * self.hip(side);
         let (dx, dz) = (pelvis.x + hip.x - ankle.x, pelvis.z + hip.z - ankle.z);
         ankle.y + (reach * reach - dx * dx - dz * dz).max(0.0).sqrt() - hip.y
     }
 
-    /// Heights of the pelvis: the one that gives the supporting leg its knee flexion, and the greatest one at
-    /// which both legs reach their feet. While both feet are planted the weight passes from one leg to the
-    /// other; a runner instead bounces between flight and the bent knee of mid stance. `pelvis` is its position
-    /// on the ground plan.
+    /// Heights of the pelvis: the one that gives the supporting leg its knee flexion, and the greatest one at which
+    /// both legs reach their feet. While both feet are planted the weight shifts from one leg to the other; a runner
+    /// instead bounces between flight and the bent knee of mid stance. `pelvis` is the horizontal position.
     pub(crate) fn heights(
         &self,
         curves: &PelvisCurves,
@@ -195,8 +194,8 @@ impl Legs {
             if !runs {
                 let weight = smooth_step(0.0, style.duty - 0.5, foot.cycle) - smooth_step(0.5, style.duty, foot.cycle);
                 heights.supported += weight * height(self.reach(curves.knee.at(foot.cycle)));
-                // A free foot gives way and the supporting leg has its height already: only a leg that comes or goes
-                // may need a lower one.
+                // A free foot can deviate, and the height of the supporting leg is already included: only a leg near
+                // touch-down or lift-off may need a lower height.
                 limit += 0.05 * (2.0 * foot.freedom * foot.freedom + weight * weight * weight * weight);
             }
             heights.limit = heights.limit.min(limit);
@@ -204,8 +203,8 @@ impl Legs {
         heights
     }
 
-    /// Height of a runner's pelvis: lowest in mid stance, where it is what the bent knee gives; the
-    /// acceleration at the top of the bounce is that of gravity, less what the smooth curve takes.
+    /// Height of a runner's pelvis. It is lowest in mid stance, where the bent knee determines it. The acceleration at
+    /// the top of the bounce is a share of gravity, [`SMOOTH_FLIGHT`].
     fn running_height(&self, curves: &PelvisCurves, style: &Style, support: &Support) -> f32 {
         let mid_stance = 0.5 * style.duty;
         let lowest = self.standing_with(curves.knee.at(mid_stance));
@@ -215,8 +214,8 @@ impl Legs {
         lowest + half_range * (1.0 - cos(2.0 * TAU * (support.phase - mid_stance)))
     }
 
-    /// Rotations of thigh and shin in the world that lead from `hip` to the foot's ankle with the knee in the
-    /// direction of `pole`. A swinging foot gives way where the leg would have to straighten fully.
+    /// World rotations of thigh and shin that lead from `hip` to the foot's ankle with the knee in the direction of
+    /// `pole`. A swinging foot deviates where the leg would have to straighten fully.
     pub(crate) fn solve(&self, hip: Vec3, foot: &FootPose, pole: Vec3) -> [Quat; 2] {
         let full = self.thigh + self.shin;
         let line = foot.ankle - hip;

@@ -1,4 +1,4 @@
-//! A script performed in a style: puts feet, pelvis, legs and upper body together, frame by frame.
+//! Performs a script in a style: combines feet, pelvis, legs and upper body, frame by frame.
 
 use crate::action::Action;
 use crate::feet::{Feet, FootPose};
@@ -26,60 +26,60 @@ pub struct Performance {
     pub planted: Vec<[bool; 2]>,
 }
 
-/// Performed before the beginning, so that the springs of the arms have settled.
+/// Strides performed before the start, so that the springs of the arms settle.
 const WARM_UP_STRIDES: f32 = 1.5;
-/// Standard deviation in seconds of the smoothing of the pelvis' height.
+/// Standard deviation of the smoothing of the pelvis' height, seconds.
 const HEIGHT_SMOOTHING_SECS: f32 = 0.0243;
-/// Phases by which the chest and the head see a turn ahead (Imai et al. 2001, "Interaction of the
-/// body, head, and eyes during walking and turning": the head turns before the body).
+/// Phases by which the chest and the head anticipate a turn (Imai et al. 2001, "Interaction of the body, head, and eyes
+/// during walking and turning": the head turns before the body).
 const CHEST_LEADS: f32 = 0.10;
 const HEAD_LEADS: f32 = 0.28;
 /// Share of the lean that would balance the centripetal acceleration of a curve.
 const LEAN_SHARE: f32 = 0.6;
 
-/// The frame of a performance as far as it does not depend on the height of the pelvis.
+/// The part of a performance's frame that does not depend on the height of the pelvis.
 struct Plan {
     support: Support,
     pelvis: Vec3,
     feet: [FootPose; 2],
 }
 
-/// Performs `script` in `style` at a rate on a body.
+/// Performs `script` in `style` at a frame rate on a body.
 ///
-/// The motion begins in the origin, walking towards +Z, with a heel strike of the left foot, and ends one frame
-/// or less before the same pose of the next repetition. The same arguments give the same bits.
+/// The motion starts at the origin, walking towards +Z, with a heel strike of the left foot. It ends at most one frame
+/// before the same pose of the next repetition. The same arguments give the same bits.
 pub fn perform(script: &Script, style: &Style, proportions: &Proportions, rate_hz: f32) -> Performance {
     perform_gaits(script, [script.action; 2], style, |_| 0.0, proportions, rate_hz)
 }
 
-/// A script that begins in its action and becomes another one.
+/// A script that starts with one action and changes to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transition {
-    /// The script, with the action that it begins in.
+    /// Script, with the initial action.
     pub script: Script,
-    /// The action that it ends in.
+    /// Final action.
     pub to: Action,
-    /// Phases between which the one becomes the other.
+    /// Phases between which the action changes.
     pub over: [f32; 2],
 }
 
-/// Performs a transition as [`perform`] does a script. The plans of both actions are blended, not their poses: feet stay
-/// planted where they stand, and each stance has its own share of either action.
+/// Performs a transition as [`perform`] does a script. The plans of both actions are blended, not their poses: feet
+/// stay planted in place, and each stance has its own share of either action.
 pub fn perform_transition(transition: &Transition, style: &Style, body: &Proportions, rate_hz: f32) -> Performance {
     let Transition { script, to, over: [begin, end] } = transition;
     perform_gaits(script, [script.action, *to], style, |phase| smooth_step(*begin, *end, phase), body, rate_hz)
 }
 
-/// A script that leaves its action for another one and comes back to it, so that it can be repeated.
+/// A script that changes to another action and returns, so that it can be looped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excursion {
-    /// The script, with the action that it begins and ends in.
+    /// Script, with the initial and final action.
     pub script: Script,
     /// The action in between.
     pub to: Action,
-    /// Phases between which the one becomes the other.
+    /// Phases between which the first action changes to the second.
     pub over: [f32; 2],
-    /// Phases between which it becomes the first again.
+    /// Phases between which the second changes back to the first.
     pub back: [f32; 2],
 }
 
@@ -162,7 +162,7 @@ fn perform_gaits(
     }
 }
 
-/// The phase of every frame, warm-up and end included, and the range of the script itself.
+/// Phase of every frame, including warm-up and end, and the range of the script itself.
 fn phases_of_frames(
     script: &Script,
     cadence: impl Fn(f32) -> f32,
@@ -199,7 +199,7 @@ fn phases_of_frames(
     (phases, begin, end)
 }
 
-/// Rotation of the pelvis and its position on the ground plan.
+/// Rotation and horizontal position of the pelvis.
 fn plan_pelvis(
     script: &Script,
     style: &Style,
@@ -229,7 +229,7 @@ fn plan_pelvis(
         turn,
         pelvis: turn.quat(),
     };
-    // Over the left foot a quarter stride after its strike; slowest before mid stance, twice a stride.
+    // The pelvis is over the left foot a quarter stride after its strike, and slowest before mid stance, twice per stride.
     let sway =
         style.sway * (sin(TAU * (phase - 0.04)) + 0.25 * style.irregularity * noise.smooth(Channel::Sway, phase));
     let inwards = -lean * 0.9;
@@ -238,14 +238,14 @@ fn plan_pelvis(
     (support, pelvis)
 }
 
-/// Solves a leg from the pelvis in `pose`, turned by `pelvis_yaw`, to its foot. The knee points between the two.
+/// Solves a leg from the pelvis in `pose`, turned by `pelvis_yaw`, to its foot. The knee points between the two directions.
 pub(crate) fn place_leg(legs: &Legs, side: Side, foot: &FootPose, pelvis_yaw: f32, pose: &mut Pose) {
     let pelvis = pose.rotations[Role::Hips.index()];
     let hip = pose.root + pelvis * legs.hip(side);
     let knee_heading = foot.heading + 0.35 * wrap_angle(pelvis_yaw - foot.heading);
     let ahead = Quat::from_rotation_y(knee_heading) * Vec3::Z;
     let line = foot.ankle - hip;
-    // Square to the leg, so that the knee of a raised one points up.
+    // Perpendicular to the leg, so that the knee of a raised leg points up.
     let pole = Vec3::Y * line.dot(ahead) - ahead * line.y;
     let [thigh, shin] = legs.solve(hip, foot, pole);
     let roles = match side {

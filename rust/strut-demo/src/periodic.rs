@@ -14,16 +14,16 @@ pub(crate) struct PeriodicCurve {
 }
 
 impl PeriodicCurve {
-    /// The curve through `knots` (phase in [0, 1) ascending, value): shape-preserving cubic
-    /// interpolation (Fritsch and Butland 1984), so that what is flat between two equal knots stays
-    /// flat, then smoothed by a Gaussian of standard deviation `softness` cycles, which rounds its corners.
+    /// Curve through `knots` (phase in [0, 1) ascending, value): shape-preserving cubic interpolation (Fritsch and
+    /// Butland 1984), so that the curve is flat between two equal knots, then smoothed by a Gaussian of standard
+    /// deviation `softness` cycles, which rounds its corners.
     pub(crate) fn through(knots: &[(f32, f32)], softness: f32) -> Self {
         let sharp: Vec<f32> = (0..SAMPLES).map(|i| interpolate(knots, i as f32 / SAMPLES as f32)).collect();
         let at = |i: isize| sharp[i.rem_euclid(SAMPLES as isize) as usize];
         Self { samples: gaussian_smoothed(SAMPLES, softness * SAMPLES as f32, at) }
     }
 
-    /// The value at a phase, taken modulo 1.
+    /// Value at a phase, taken modulo 1.
     pub(crate) fn at(&self, phase: f32) -> f32 {
         let x = (phase - phase.floor()) * SAMPLES as f32;
         let i = x as usize;
@@ -42,7 +42,7 @@ pub(crate) fn b_spline(c: [f32; 4], t: f32) -> f32 {
 
 fn interpolate(knots: &[(f32, f32)], phase: f32) -> f32 {
     let n = knots.len();
-    // Knot `i` of the infinitely repeated list; the index may run one period out on either side.
+    // Knot `i` of the periodically repeated list; the index may be one period out of range on either side.
     let knot = |i: usize| {
         let (turns, i) = (i / n, i % n);
         (knots[i].0 + turns as f32 - 1.0, knots[i].1)

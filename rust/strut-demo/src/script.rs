@@ -1,10 +1,10 @@
-//! Scripts of takes, the same in every style: strides at a speed and a rate of turning.
+//! Scripts of takes, the same in every style: strides with a speed and a turn rate.
 
 use crate::action::Action;
 use strut_core::math::float_funcs::wrap_angle;
 use strut_core::math::interpolation::smooth_step;
 
-/// A stretch of a script.
+/// A section of a script.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passage {
     /// Length in strides (two steps each).
@@ -17,21 +17,21 @@ pub struct Passage {
 
 /// A take: its name, its action and passages, and the seed of its irregularities.
 ///
-/// Time within a script is counted in strides (the *phase*): whole numbers are heel strikes of the left
-/// foot, halves of the right. It is what makes frames of two styles counterparts.
+/// Time within a script is counted in strides (the *phase*): whole numbers are heel strikes of the left foot, halves of
+/// the right. Frames of two styles with the same phase are counterparts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Script {
     /// Name, part of the clips' names.
     pub name: &'static str,
     /// The action.
     pub action: Action,
-    /// Stretches in order; the last one leads back into the first. At least one.
+    /// Sections in order; the last one leads back to the first. At least one.
     pub passages: &'static [Passage],
     /// Seed of all irregularities.
     pub seed: u64,
 }
 
-/// Strides before and after a change of passage over which speed and turning change.
+/// Strides before and after a change of passage over which speed and turn rate change.
 const EASE_STRIDES: f32 = 0.75;
 
 impl Script {
@@ -40,17 +40,17 @@ impl Script {
         self.passages.iter().map(|p| p.strides).sum()
     }
 
-    /// Speed at a phase as a multiple of the style's preferred one; repeats with the script.
+    /// Speed at a phase as a multiple of the style's preferred one; periodic with the script.
     pub(crate) fn speed(&self, phase: f32) -> f32 {
         self.eased(phase, |p| p.speed)
     }
 
-    /// Turning at a phase, radians to the left a stride; repeats with the script.
+    /// Turn rate at a phase, radians to the left per stride; periodic with the script.
     pub(crate) fn turn_rate(&self, phase: f32) -> f32 {
         self.eased(phase, |p| p.turn_degrees.to_radians() / p.strides as f32)
     }
 
-    /// Heading reached at the end, relative to the beginning, radians.
+    /// Heading at the end, relative to the start, radians.
     pub fn net_turn(&self) -> f32 {
         wrap_angle(self.passages.iter().map(|p| p.turn_degrees.to_radians()).sum())
     }

@@ -2,8 +2,8 @@
 
 use strut_core::math::gaussian;
 
-/// `count` samples smoothed by a Gaussian with a standard deviation in samples, 0.1 or more. `at` also gives the samples
-/// before the first and after the last.
+/// `count` samples smoothed by a Gaussian with a standard deviation in samples, at least 0.1. `at` also returns the
+/// samples before the first and after the last.
 pub(crate) fn gaussian_smoothed(count: usize, sigma: f32, at: impl Fn(isize) -> f32) -> Vec<f32> {
     let radius = (3.0 * sigma) as usize + 1;
     let weights: Vec<f32> = (0..=radius).map(|k| gaussian::weight(k as f32, sigma.max(0.1))).collect();

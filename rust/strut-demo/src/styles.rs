@@ -1,15 +1,15 @@
-//! The styles: named rows of movement parameters. Adding a style is adding a row.
+//! Styles: named sets of movement parameters. A new style is a new row.
 //!
-//! Values are ours, chosen to lie in the directions (and where given near the sizes) that the movement
-//! analyses cited with each style report, on a body 1.68 m tall. How a style jumps, punches and kicks follows its Effort
-//! (Laban: weight, time, space, flow): nobody has published norms of that.
+//! The values are Strut's own, chosen in the directions (and where given near the sizes) that the movement analyses
+//! cited with each style report, on a body 1.68 m tall. Jumps, punches and kicks of a style follow its Effort (Laban:
+//! weight, time, space, flow), because no norms of them have been published.
 
 use crate::forms::{Jump, Kick, Punch, arm, arms, legs, swing};
 use crate::normative::NATURAL_DUTY;
 use crate::style::Style;
 
-/// Natural walking of adults: Perry & Burnfield 2010 (62 % stance, 8 cm base), Winter 1991 (105–115 steps/min,
-/// foot pitch 20° at strike), Murray 1967 (shoulder 32° in all, mean 8° behind the trunk; elbow 20–40°).
+/// Natural walking of adults: Perry & Burnfield 2010 (62 % stance, 8 cm base), Winter 1991 (105–115 steps/min, foot
+/// pitch 20° at strike), Murray 1967 (shoulder range 32°, mean 8° behind the trunk; elbow 20–40°).
 const NEUTRAL: Style = Style {
     name: "neutral",
     cadence: 114.0,
@@ -314,7 +314,7 @@ pub const STYLES: [Style; 8] = [
             arms: [arm(12.0, 7.0, 25.0, 26.0), arm(-4.0, 7.0, 25.0, 22.0)],
         },
     },
-    // A swagger: shoulders roll against the hips, arms swing wide round the body, weight is thrown from leg to
+    // A swagger: shoulders roll against the hips, arms swing wide around the body, weight shifts strongly from leg to
     // leg (Johnson & Tassinary 2005: shoulder swagger; Mather & Murdoch 1994: lateral body sway of men).
     Style {
         name: "strutting",

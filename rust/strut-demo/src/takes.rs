@@ -1,4 +1,4 @@
-//! The takes of the built-in databases and inputs.
+//! Takes of the built-in databases and inputs.
 
 use crate::action::Action;
 use crate::drills::{INPUT_JUMP, INPUT_KICKS, INPUT_PUNCHES};
@@ -29,7 +29,7 @@ pub const WALK_TAKES: [Script; 2] = [
     },
 ];
 
-/// The take that makes the walking database of full size long enough: step sizes, speeds and turns of every sharpness.
+/// Take that gives the full-size walking database its length: step sizes, speeds, and turns of every sharpness.
 pub(crate) const LONG_WALK: [Script; 1] = [Script {
     name: "stroll",
     action: Action::Walk,
@@ -74,7 +74,7 @@ pub const TRANSITIONS: [Transition; 2] = [
     },
 ];
 
-/// The page's inputs, which are not takes of the database.
+/// Inputs of the page, which are not takes of the database.
 pub const INPUT_TAKES: [Script; 4] = [
     Script {
         name: "neutral walk",
@@ -109,7 +109,7 @@ pub const INPUT_TAKES: [Script; 4] = [
     },
 ];
 
-/// An input that changes its gait and comes back, so that it can be repeated.
+/// An input that changes its gait and returns, so that it can be looped.
 pub(crate) const INPUT_EXCURSION: Excursion = Excursion {
     script: Script {
         name: "neutral walk, run and walk",
@@ -122,7 +122,7 @@ pub(crate) const INPUT_EXCURSION: Excursion = Excursion {
     back: [9.0, 10.5],
 };
 
-/// Inputs that halt for jumps, punches and kicks.
+/// Inputs that halt or slow down for jumps, punches and kicks.
 pub const INTERLUDES: [Interlude; 2] = [
     Interlude {
         gait: Excursion {

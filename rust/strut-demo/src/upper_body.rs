@@ -1,7 +1,7 @@
 //! Trunk, head and arms above a walking pelvis.
 //!
-//! Rotations are first planned in the world (what eyes, balance and gravity ask for), then made relative to
-//! the parent joints. The arms follow their planned swing through springs: what is heavy or loose comes late.
+//! Rotations are first planned in the world (for gaze, balance and gravity), then made relative to the parent joints.
+//! The arms follow their planned swing through springs: heavy or loose arms lag.
 
 use crate::noise::{Channel, Noise};
 use crate::normative::{ARM_SWING, ELBOW_SWING};
@@ -13,9 +13,9 @@ use strut_core::humanoid::{Pose, Role};
 use strut_core::math::Quat;
 use strut_core::math::float_funcs::{cos, exp, sin};
 
-/// Share of the trunk's bend that hanging arms follow; the rest gravity takes.
+/// Share of the trunk's bend that hanging arms follow; gravity keeps the rest.
 const ARMS_FOLLOW_TRUNK: f32 = 0.25;
-/// Strides a breath: 16 breaths a minute at 56 strides a minute.
+/// Strides per breath: 16 breaths per minute at 56 strides per minute.
 const STRIDES_PER_BREATH: f32 = 3.5;
 
 /// Inputs of the upper body from pelvis and path at a frame; radians.
@@ -23,21 +23,21 @@ const STRIDES_PER_BREATH: f32 = 3.5;
 pub(crate) struct Support {
     /// Phase of the script.
     pub(crate) phase: f32,
-    /// Strides of the script, for what repeats with it.
+    /// Strides of the script, the period of periodic quantities.
     pub(crate) strides: u32,
     /// Direction of walking.
     pub(crate) heading: f32,
-    /// Turn of the chest and of the head towards where the path leads.
+    /// Turn of the chest and of the head (`head_lead`) towards the direction of the path.
     pub(crate) chest_lead: f32,
     /// See `chest_lead`.
     pub(crate) head_lead: f32,
     /// Lean into the curve, positive to the right.
     pub(crate) lean: f32,
-    /// How much longer than preferred the strides are, 1 at preferred speed.
+    /// Stride length relative to the preferred one; 1 at preferred speed.
     pub(crate) stretch: f32,
     /// Angles of the pelvis in the world.
     pub(crate) turn: Turn,
-    /// The rotation that they make.
+    /// Rotation made of these angles.
     pub(crate) pelvis: Quat,
 }
 
@@ -49,10 +49,10 @@ struct Spring {
 }
 
 impl Spring {
-    /// One time step towards `target`; the distance halves about every `half_life_secs`. Exact for a
-    /// constant target.
+    /// Advances one time step towards `target`; the distance halves about every `half_life_secs`. Exact for a constant
+    /// target.
     fn follow(&mut self, target: f32, half_life_secs: f32, dt_secs: f32) -> f32 {
-        // A critically damped spring of decay rate y has covered half its way after 1.68 / y.
+        // A critically damped spring of decay rate y has covered half its distance after 1.68 / y.
         let y = 1.68 / half_life_secs.max(1e-3);
         let offset = self.value - target;
         let slope = self.velocity + offset * y;
@@ -63,7 +63,7 @@ impl Spring {
     }
 }
 
-/// Where an arm is wanted, degrees.
+/// Target of an arm, degrees.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ArmTarget {
     /// Flexion of the upper arm: 0 hanging, 90 forward.
@@ -74,15 +74,15 @@ pub(crate) struct ArmTarget {
     pub(crate) spread: f32,
     /// Inward twist of the upper arm.
     pub(crate) twist: f32,
-    /// Shoulder drawn forward.
+    /// Forward shift of the shoulder.
     pub(crate) protraction: f32,
-    /// Shoulder raised.
+    /// Elevation of the shoulder.
     pub(crate) raise: f32,
-    /// How firmly the hand is held in line with the forearm, 0 to 1: a fist.
+    /// Stiffness of the hand in line with the forearm, 0 to 1: a fist.
     pub(crate) firm: f32,
 }
 
-/// An arm on its way to its target.
+/// State of an arm that follows its target.
 #[derive(Clone, Copy, Debug, Default)]
 struct ArmState {
     flexion: Spring,
@@ -92,7 +92,7 @@ struct ArmState {
     wrist: Spring,
 }
 
-/// Moves the upper body frame by frame; holds the state of the springs.
+/// Moves the upper body frame by frame; contains the state of the springs.
 #[derive(Clone, Debug)]
 pub(crate) struct UpperBody<'a> {
     style: &'a Style,
@@ -101,7 +101,7 @@ pub(crate) struct UpperBody<'a> {
     arms: [ArmState; 2],
 }
 
-/// How the upper body goes along with walking and running.
+/// Motion of the upper body in walking and running.
 #[derive(Clone, Debug)]
 pub(crate) struct Gait<'a> {
     style: &'a Style,
@@ -119,7 +119,7 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    /// Heading, then forward tilt, then obliquity.
+    /// Rotation: heading, then forward tilt, then obliquity.
     pub(crate) fn quat(self) -> Quat {
         Quat::from_rotation_y(self.yaw) * Quat::from_rotation_x(self.pitch) * Quat::from_rotation_z(self.roll)
     }
@@ -142,7 +142,7 @@ pub(crate) struct Posture {
 }
 
 impl Posture {
-    /// From this posture to another one, `t` in [0, 1].
+    /// Interpolates to another posture, `t` in [0, 1].
     pub(crate) fn mix(self, o: &Self, t: f32) -> Self {
         let mix = |a: f32, b: f32| a + (b - a) * t;
         let arm = |i: usize| {
@@ -221,7 +221,7 @@ impl<'a> Gait<'a> {
         };
         let wobble = |channel, degrees| self.wobble(channel, degrees, support.phase);
         let cycle = support.phase - side.strike_phase();
-        // Arms swing further the faster one walks (Murray 1967).
+        // Arms swing further at higher walking speed (Murray 1967).
         let vigour = support.stretch * support.stretch;
         let swing = vigour * s.arm_swing * self.arm_swing.at(cycle) + wobble(arm_channel, 2.5);
         let elbow = vigour * s.elbow_swing * self.elbow_swing.at(cycle) + wobble(elbow_channel, 2.5);
@@ -241,13 +241,13 @@ impl<'a> Gait<'a> {
 }
 
 impl<'a> UpperBody<'a> {
-    /// With arms that follow their targets in this share of the time that the style's arms take.
+    /// Creates the state. The arms follow their targets with `drag_share` of the style's delay.
     pub(crate) fn new(style: &'a Style, drag_share: f32) -> Self {
         Self { style, drag: drag_share * style.arm_drag, arms: [ArmState::default(); 2] }
     }
 
-    /// Sets the upper body's joints of the next frame, `dt_secs` after the last, above the pelvis: `turn` its angles
-    /// and `pelvis` the rotation that they make.
+    /// Sets the joints of the upper body in the next frame, `dt_secs` after the last, above the pelvis. `turn` are the
+    /// angles of the pelvis, `pelvis` the same as a rotation.
     pub(crate) fn pose(&mut self, posture: &Posture, turn: Turn, pelvis: Quat, dt_secs: f32, pose: &mut Pose) {
         let Posture { chest, head, spine_pitch, arms } = *posture;
         let spine = Turn { pitch: spine_pitch, ..turn.mix(chest, 0.45) };
@@ -273,7 +273,7 @@ impl<'a> UpperBody<'a> {
         let elbow = state.elbow.follow(target.elbow, 1.5 * self.drag, dt_secs);
         let spread = state.spread.follow(target.spread, self.drag, dt_secs);
         let twist = state.twist.follow(target.twist, self.drag, dt_secs);
-        // The hand trails the forearm: it bends back while the elbow bends, and swings through after.
+        // The hand trails the forearm: it bends back while the elbow bends, and swings through afterwards.
         let trail = state.wrist.follow(-0.035 * (state.elbow.velocity + state.flexion.velocity), 0.05, dt_secs);
 
         let wrist = (1.0 - target.firm) * (s.wrist + trail);

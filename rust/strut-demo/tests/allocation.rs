@@ -1,5 +1,5 @@
-//! Nothing is allocated in a frame whose targets have been read before: from a file's skeleton to the humanoid, unlabelled,
-//! towards three styles and one of its own for an arm, feet held, and back to the file's skeleton.
+//! No memory is allocated in a frame whose targets have been read before. The path runs from a file's skeleton to the
+//! humanoid, unlabelled, towards three styles and another for an arm, with feet held, and back to the file's skeleton.
 
 use std::sync::Arc;
 use strut_core::math::{Quat, Vec3};
@@ -8,7 +8,7 @@ use strut_core::transfer::{BodyPart, Model, Options, Stylizer};
 use strut_demo::benchmark;
 use strut_formats::bvh::Bvh;
 
-/// Frames until every list has had its greatest length.
+/// Number of frames until every list has reached its greatest length.
 const WARM_UP: usize = 30;
 
 #[test]

@@ -1,4 +1,4 @@
-//! The built-in database.
+//! Tests of the built-in database.
 
 use strut_demo::{PlannedClip, RUN_TAKES, STYLES, TABLE_1, WALK_TAKES, clips, database, full_clips};
 

@@ -1,4 +1,4 @@
-//! What makes the built-in motions credible, checked on every take in every style.
+//! Tests of the plausibility of the built-in motions, on every take in every style.
 
 use strut_core::contact;
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
@@ -12,7 +12,7 @@ use strut_demo::{
     perform_interlude, perform_transition,
 };
 
-/// A sole's points that can carry the foot: joint, and position in its frame (heel, ball, tip of the toes).
+/// Points of a sole that can carry the foot: joint, and position in its frame (heel, ball, tip of the toes).
 const SOLE: [[(Role, Vec3); 3]; 2] = [
     [
         (Role::LeftFoot, Vec3::new(0.0, -0.118, -0.058)),
@@ -41,13 +41,13 @@ fn drills() -> impl Iterator<Item = (&'static Style, &'static Drill, Performance
     STYLES.iter().flat_map(move |style| DRILLS.into_iter().map(move |drill| (style, drill, perform(drill, style))))
 }
 
-/// From walking to running and back in every style.
+/// Transitions between walking and running in every style.
 fn transitions() -> impl Iterator<Item = (&'static Style, &'static Transition, Performance)> {
     let perform = |transition, style| perform_transition(transition, style, &Proportions::default(), RATE_HZ);
     STYLES.iter().flat_map(move |style| TRANSITIONS.iter().map(move |t| (style, t, perform(t, style))))
 }
 
-/// The inputs that halt, in every style.
+/// Inputs that halt, in every style.
 fn interludes() -> impl Iterator<Item = (String, Performance)> {
     let perform = |i: &'static Interlude, style| perform_interlude(i, style, &Proportions::default(), RATE_HZ);
     STYLES.iter().flat_map(move |style| {
@@ -55,7 +55,7 @@ fn interludes() -> impl Iterator<Item = (String, Performance)> {
     })
 }
 
-/// Everything that is performed, with a name for messages.
+/// All performances, with a name for messages.
 fn everything() -> impl Iterator<Item = (String, Performance)> {
     let gaits = takes().map(|(style, script, take)| (format!("{} {}", style.name, script.name), take));
     let transitions = transitions().map(|(style, t, take)| (format!("{} {}", style.name, t.script.name), take));
@@ -91,7 +91,7 @@ fn a_planted_foot_rests_on_a_point_that_does_not_slide() {
     for (name, take) in everything() {
         let worlds = worlds(&take.motion);
         for (side, sole) in SOLE.iter().enumerate() {
-            // Where each point of the sole touched down in the present stance.
+            // Position at which each point of the sole touched down in the current stance.
             let mut touched: [Option<Vec3>; 3] = [None; 3];
             for (world, planted) in worlds.iter().zip(&take.planted) {
                 let mut carried = false;
@@ -302,7 +302,7 @@ fn straight_walking_is_symmetric_up_to_irregularity() {
 
 #[test]
 fn every_pair_of_styles_differs_clearly() {
-    // Mean distance of the joints at equal phases, hips and heading taken away: what a viewer sees of a pose.
+    // Mean distance of the joints at equal phases without hips and heading: the visible difference of poses.
     let script = &WALK_TAKES[0];
     let clouds: Vec<(Vec<f32>, Vec<[Vec3; JOINTS]>)> = STYLES
         .iter()

@@ -1,4 +1,4 @@
-//! What the page loads of the built-in motions is what they are.
+//! The packed file that the page loads reproduces the built-in motions.
 
 use strut_core::kinematics::world_from_local;
 use strut_demo::{database, input_clips};

@@ -1,4 +1,4 @@
-//! The smallest built-in database, with which embedded players begin.
+//! Tests of the smallest built-in database, with which embedded players start.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -10,13 +10,14 @@ use strut_demo::{
 };
 use strut_formats::strutdb::packed;
 
-/// Bound of the mean angle between joints of the proud walk styled with the small and with the full database, radians.
-/// 0.0054 was measured, 0.31°.
+/// Upper bound of the mean angle between joints of the proud walk styled with the small and with the full database,
+/// radians. The measured value was 0.0054 (0.31°).
 const MAX_MEAN_ANGLE: f32 = 0.01;
-/// The same with the first steps alone, which a page begins with. 0.0126 was measured, 0.72°,
-/// and 0.0274 in the worst frame.
+/// The same for the first strides alone, with which a page starts. The measured value was 0.0126 (0.72°), and 0.0274 in
+/// the worst frame.
 const MAX_FIRST_ANGLE: f32 = 0.015;
-/// Bound of the small database's distance from the performed proud walk, in that of the full one. 1.03 was measured.
+/// Upper bound of the small database's distance from the performed proud walk, relative to the full one's. The measured
+/// value was 1.03.
 const MAX_LOSS: f32 = 1.15;
 
 #[test]
@@ -52,7 +53,7 @@ fn the_full_database_stores_no_walk_again() {
     let mut both = walks.clone();
     packed::append(&mut both, &whole, &[]).unwrap();
     assert_eq!(*packed::read_database(&both).unwrap(), *packed::read_database(&alone).unwrap());
-    // A walk has seven columns more than its pose.
+    // A walk has seven more columns than its pose.
     assert!(both.len() < alone.len() + walks.len() / 4, "{} of {} and {}", both.len(), alone.len(), walks.len());
 }
 

@@ -6,10 +6,10 @@ use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
 use strut_demo::{STYLES, clips};
 
-/// Frames of each walk.
+/// Number of frames of each walk.
 const FRAMES: usize = 20 * RATE_HZ as usize;
-/// Greatest rotation of a joint from one frame to the next, and from its mean rotation, where the exponential map wraps at
-/// π; radians. 0.35 and 1.25 were measured.
+/// Greatest rotation of a joint from one frame to the next, and from its mean rotation, where the exponential map wraps
+/// at π; radians. The measured values were 0.35 and 1.25.
 const MAX_STEP: f32 = 0.45;
 const MAX_ANGLE: f32 = 1.6;
 

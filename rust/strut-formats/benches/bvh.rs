@@ -1,5 +1,5 @@
-//! Throughput of the BVH parser and writer in bytes of text a second, on a generated clip of the usual
-//! form: 22 joints, six channels each, six decimals.
+//! Throughput of the BVH parser and writer in bytes of text per second, on a generated clip of the usual form: 22
+//! joints with six channels each, six decimals.
 #![allow(missing_docs)] // Criterion's macro makes an undocumented public function.
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};

@@ -1,7 +1,7 @@
-//! Which joint of a skeleton plays which role, as a person says it: a small JSON file.
+//! User-specified roles of a skeleton's joints: a small JSON file.
 //!
 //! `{"joints": {"hips": "Bip01", "left_upper_leg": "Bip01 L Thigh", "chest": null}}`. Roles have the names of
-//! [`Role::name`]; `null` says that the skeleton has no such joint. Roles that are left out are detected.
+//! [`Role::name`]; `null` means that the skeleton has no such joint. Omitted roles are detected.
 
 use crate::quotation::quotation;
 use serde::{Deserialize, Serialize};
@@ -22,19 +22,19 @@ pub struct JointAssignment {
     joints: BTreeMap<String, Option<String>>,
 }
 
-/// Why bytes are no assignment.
+/// Reason why bytes are not a joint assignment.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum JointsError {
-    /// Not of the form above.
+    /// The JSON does not have the form above.
     #[error("this is no assignment of joints: {0}; {{\"joints\": {{\"hips\": \"name\", …}}}} was expected")]
     Json(String),
-    /// A role that does not exist.
+    /// A role does not exist.
     #[error("there is no role '{0}'; one of {expected} was expected", expected = Role::ALL.map(Role::name).join(", "))]
     Role(String),
 }
 
 impl JointAssignment {
-    /// Names of joints, or `None` where the skeleton has none, by names of roles.
+    /// Creates an assignment from names of joints by names of roles; `None` if the skeleton has no such joint.
     ///
     /// # Errors
     /// [`JointsError::Role`].
@@ -49,7 +49,7 @@ impl JointAssignment {
         &self.joints
     }
 
-    /// The assignment in these bytes.
+    /// Parses an assignment.
     ///
     /// # Errors
     /// See [`JointsError`].
@@ -59,7 +59,7 @@ impl JointAssignment {
         Self::new(said.joints)
     }
 
-    /// The joint of each role of a clip's skeleton.
+    /// Joint of each role of a clip's skeleton.
     ///
     /// # Errors
     /// [`BindError::UnknownJoint`] for a name that the skeleton lacks.
@@ -75,17 +75,17 @@ impl JointAssignment {
     }
 }
 
-/// What a person says of files, in place of what is read from the bodies in them.
+/// User-specified options of reading files, in place of detection from the body.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
-    /// Which joint plays which role.
+    /// Joint of each role.
     pub joints: Option<JointAssignment>,
-    /// Everything else; its own joints are not used.
+    /// All other options; its `joints` are not used.
     pub read_as: ReadAs,
 }
 
 impl Reading {
-    /// The binding of a clip.
+    /// Binding of a clip.
     ///
     /// # Errors
     /// See [`BindError`].

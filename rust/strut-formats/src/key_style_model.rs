@@ -1,7 +1,7 @@
-//! The file of a key-style model, `.strutkeys`: a [container](crate::container).
+//! Key-style model file, `.strutkeys`: a [container](crate::container).
 //!
-//! Tensors are little-endian f32. There are A axes (1 to 3), K components and N recorded frames. D = 64 are the numbers of a
-//! pose: an exponential map about its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m.
+//! Tensors are little-endian f32. There are A axes (1 to 3), K components and N recorded frames. A pose has D = 64
+//! numbers: an exponential map relative to its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m.
 //!
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
@@ -34,31 +34,31 @@ use thiserror::Error;
 pub const KIND: Kind =
     Kind { name: "key-style model", entry: "strut-keys", version: "1.1", checksum_since: 1, max_bytes: 256 << 20 };
 
-/// Greatest magnitude of a pose's number and of its change with a standard deviation of an axis, radians or metres. Far beyond it
-/// poses overflow in single precision.
+/// Greatest absolute value of a pose's number and of its change with a standard deviation of an axis, radians or
+/// metres. Far beyond it poses overflow in single precision.
 const MODERATE: f32 = 1e3;
 const MODERATE_EXPECTED: &str = "a number within ±1000";
-/// Greatest magnitude of a style, in its unit or in standard deviations.
+/// Greatest absolute value of a style, in its unit or in standard deviations.
 const STYLE: f32 = 1e6;
 const STYLE_EXPECTED: &str = "a number within ±1000000";
 /// Standard deviations of an axis, and variances of poses; training gives at least 1e-5.
 const DEVIATIONS: RangeInclusive<f32> = 1e-6..=STYLE;
 const VARIANCES: RangeInclusive<f64> = 1e-9..=1e6;
 
-/// Why bytes are not a key-style model.
+/// Reason why bytes are not a key-style model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum KeyStyleModelError {
-    /// Not a container of this kind, or a damaged one.
+    /// The container is of another kind or damaged.
     #[error(transparent)]
     File(#[from] ContainerError),
-    /// Another body or rate.
+    /// The body or the frame rate is not supported.
     #[error("the key-style model's {0} differ from those of this Strut")]
     Layout(&'static str),
-    /// Too few or too many of something.
+    /// A count is out of range.
     #[error("the key-style model has {found} {what}; {least} to {most} were expected")]
     Count { what: &'static str, found: usize, least: usize, most: usize },
-    /// An axis that cannot be measured.
+    /// An axis cannot be measured.
     #[error("the key-style model's axis '{axis}' cannot be measured: {reason}")]
     Axis { axis: String, reason: String },
 }
@@ -66,7 +66,7 @@ pub enum KeyStyleModelError {
 #[derive(Serialize, Deserialize)]
 struct Metadata {
     version: String,
-    /// Absent before version 1.1.
+    /// Missing before version 1.1.
     #[serde(default)]
     checksum: String,
     generator: String,
@@ -91,11 +91,11 @@ struct ClipInfo {
     frames: usize,
 }
 
-/// The file of a model; `generator` names the program and version that made it. Numbers of tensors are rounded to single
-/// precision.
+/// Writes the file of a model. `generator` is the name and version of the program. Numbers of tensors are rounded to
+/// single precision.
 ///
 /// # Panics
-/// Never: names and shapes are those of this module.
+/// Never: names and shapes are defined in this module.
 pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
     let axes = model.axis_count();
     let metadata = Metadata {
@@ -135,7 +135,7 @@ pub fn write(model: &KeyStyleModel, generator: &str) -> Vec<u8> {
 /// Reads a file; checks every value.
 ///
 /// # Errors
-/// [`KeyStyleModelError`] for anything but a key-style model of this major version.
+/// [`KeyStyleModelError`] unless the file is a key-style model of this major version.
 pub fn read(file: &[u8]) -> Result<KeyStyleModel, KeyStyleModelError> {
     let (metadata, tensors): (Metadata, _) = container::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(KeyStyleModelError::Layout("joints"))?;
@@ -212,7 +212,7 @@ fn within(what: &'static str, found: usize, least: usize, most: usize) -> Result
     if (least..=most).contains(&found) { Ok(()) } else { Err(KeyStyleModelError::Count { what, found, least, most }) }
 }
 
-/// Consecutive spans of the clips, and their number of frames; `None` if it overflows.
+/// Consecutive frame ranges of the clips, and their number of frames; `None` if it overflows.
 fn spans(clips: Vec<ClipInfo>) -> (Vec<ClipSpan>, Option<usize>) {
     let mut next = Some(0_usize);
     let spans = clips.into_iter().map(|ClipInfo { name, frames }| {

@@ -1,4 +1,4 @@
-//! Bytes to core types and back, with stated limits; no file system.
+//! Conversion between bytes and core types, with documented limits; no file system.
 #![forbid(unsafe_code)]
 
 pub mod bvh;
@@ -16,5 +16,5 @@ pub mod walk_model;
 
 pub use quotation::quotation;
 
-/// Program and version, as files that Strut writes record it.
+/// Program and version, as recorded in files that Strut writes.
 pub const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));

@@ -1,6 +1,6 @@
-//! What messages quote of a file.
+//! Quotations from a file in messages.
 
-/// The beginning of a text, on one line: at most `most` characters, with a mark in place of what is not printed.
+/// Start of a text on one line: at most `most` characters, with control characters replaced.
 pub fn quotation(text: &str, most: usize) -> String {
     text.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).take(most).collect()
 }

@@ -1,8 +1,8 @@
-//! What a person says of how a file is read, as text that packages for JavaScript take, and the identity of a skeleton.
+//! User-specified reading options of a file as text, for the JavaScript packages, and the identity of a skeleton.
 //!
-//! A line says one thing: `up -z`, `floor -0.93` and `unit 0.01` in metres, `swapSides true`, `mirrored false`,
-//! `joint left_hand Wrist L`, `joint chest` where the skeleton has none, or `joints`, as the person looked at all of them.
-//! It is read by hand: for one small object, what reads JSON would be as large as what finds the joints.
+//! A line contains one option: `up -z`, `floor -0.93` and `unit 0.01` in metres, `swapSides true`, `mirrored false`,
+//! `joint left_hand Wrist L`, `joint chest` if the skeleton has no such joint, or `joints` if the user has checked all
+//! of them. The parser is written by hand: a JSON parser would be as large as the detection of the joints.
 
 use crate::joints::{JointAssignment, JointsError, Reading};
 use crate::quotation::quotation;
@@ -11,25 +11,25 @@ use strut_core::retarget::UpAxis;
 use strut_core::skeleton::Skeleton;
 use thiserror::Error;
 
-/// Why a text does not say how a file is to be read.
+/// Reason why a text does not contain reading options.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ReadingError {
-    /// A line that says nothing of a file.
+    /// A line contains no option.
     #[error("'{0}' does not say how a file is read; up, floor, swapSides, mirrored, unit and joints do")]
     Line(String),
-    /// An axis that does not exist.
+    /// An axis does not exist.
     #[error("there is no up axis '{0}'; x, -x, y, -y, z or -z was expected")]
     Up(String),
-    /// A height or a unit beyond all bodies.
+    /// A height or a unit is out of range for bodies.
     #[error("'{0}' is no length that files have")]
     Length(String),
-    /// A role that does not exist.
+    /// A role does not exist.
     #[error(transparent)]
     Joints(#[from] JointsError),
 }
 
 impl Reading {
-    /// What these lines say.
+    /// Parses reading options, one per line.
     ///
     /// # Errors
     /// See [`ReadingError`].
@@ -68,20 +68,20 @@ impl Reading {
     }
 }
 
-/// The length that a line gives.
+/// Length in a line.
 fn length(line: &str, value: &str) -> Result<f32, ReadingError> {
-    // Files are read with numbers of double precision, too.
+    // JavaScript passes numbers in double precision, too.
     let metres = value.parse::<f64>().ok().map(|metres| metres as f32).filter(|metres| metres.is_finite());
     metres.ok_or_else(|| ReadingError::Length(quotation(line, 40)))
 }
 
-/// Identity of a skeleton by which what a person said of it is found again: a hash (FNV-1a) of the names and the tree of its
-/// joints. The same names in the same tree give the same one, whatever the lengths are.
+/// Identity of a skeleton, by which a user's reading options are found again: a hash (FNV-1a) of the names and the tree
+/// of its joints. It does not depend on lengths.
 pub fn skeleton_id(skeleton: &Skeleton) -> String {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     for joint in skeleton.joints() {
         let parent = joint.parent.map_or(u32::MAX, |parent| parent as u32).to_le_bytes();
-        // No name has a byte of 0: where one ends is part of it.
+        // No name contains a byte of 0, so that the hash includes where a name ends.
         for byte in parent.iter().chain(joint.name.as_bytes()).chain(&[0]) {
             hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
         }

@@ -1,5 +1,5 @@
-//! Styles over time from a table: CSV with the columns `time` (seconds) and one for every axis of a key-style model, in the
-//! axes' own units and in any order.
+//! Styles over time from a table: CSV with the columns `time` (seconds) and one for every axis of a key-style model, in
+//! the axes' own units and in any order.
 
 use crate::quotation::quotation;
 use strut_core::somn::{Key, MAX_AXES, Measure};
@@ -7,38 +7,38 @@ use thiserror::Error;
 
 const TIME: &str = "time";
 
-/// Why a table cannot be used.
+/// Reason why a table is invalid.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum StyleKeysError {
-    /// Other columns.
+    /// The columns are wrong.
     #[error("line 1 is '{found}'; '{expected}' was expected")]
     Header {
         /// The line.
         found: String,
-        /// The columns of this model.
+        /// Columns of this model.
         expected: String,
     },
-    /// A row of another length.
+    /// A row has another number of columns than the header.
     #[error("line {line} has {found} columns; {expected} were expected")]
     Columns {
         /// Line in the file, from 1.
         line: u64,
-        /// Columns of the row.
+        /// Number of columns of the row.
         found: usize,
-        /// Columns of the header.
+        /// Number of columns of the header.
         expected: usize,
     },
-    /// A cell that is not a number.
+    /// A cell is not a number.
     #[error("line {line}: {column} is '{found}'; a number was expected")]
     Number {
         /// Line in the file, from 1.
         line: u64,
-        /// The column's name.
+        /// Name of the column.
         column: String,
         /// The cell.
         found: String,
     },
-    /// Times that are not ascending.
+    /// The times are not ascending.
     #[error("line {line}: the time {secs} s does not come after the one before; ascending times were expected")]
     Order {
         /// Line in the file, from 1.
@@ -46,23 +46,23 @@ pub enum StyleKeysError {
         /// The time.
         secs: f64,
     },
-    /// No keys.
+    /// There are no keys.
     #[error("there is no key below the header; at least one was expected")]
     Empty,
-    /// Not a CSV file.
+    /// The file is not CSV.
     #[error("{0}")]
     Csv(String),
 }
 
-/// The keys in a CSV file for a model with these axes.
+/// Parses the keys in a CSV file for a model with these axes.
 ///
 /// # Errors
-/// With the line and what was expected in it.
+/// Returns the line and the expected content.
 pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError> {
     let no_csv = |e: csv::Error| StyleKeysError::Csv(format!("this is no CSV file: {e}"));
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(bytes);
     let header: Vec<String> = reader.headers().map_err(no_csv)?.iter().map(str::to_owned).collect();
-    // Spaces in expressions do not matter.
+    // Spaces in expressions are ignored.
     let bare = |text: &str| text.split_whitespace().collect::<String>();
     let column = |name: &str| header.iter().position(|h| bare(h) == bare(name));
     let found = axes.iter().map(|axis| column(axis.text())).collect::<Option<Vec<usize>>>();

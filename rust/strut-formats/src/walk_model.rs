@@ -1,23 +1,23 @@
-//! The file of a walk model, `.strutwalk`: a [container](crate::container).
+//! Walk model file, `.strutwalk`: a [container](crate::container).
 //!
-//! Tensors are little-endian f32. There are S styles, two sides (left, right) and five states. D = 63 are the degrees of freedom
-//! of a pose, an exponential map about its reference for every joint. Three streams are static, delta and delta-delta: pose,
-//! velocity and acceleration per frame.
+//! Tensors are little-endian f32. There are S styles, two sides (left, right) and five states. D = 63 are the degrees
+//! of freedom of a pose, an exponential map relative to its reference for every joint. The three streams are static,
+//! delta and delta-delta: pose, velocity and acceleration per frame.
 //!
 //! | Name | Shape | Content |
 //! | --- | --- | --- |
 //! | `reference` | 21, 4 | mean rotations x y z w; that of the hips without the heading |
 //! | `means` | S, 2, 5, 3, D | means of every style's states |
 //! | `durations` | S, 2, 5 | mean durations of the states, frames |
-//! | `step_lengths` | S | mean length of a step as it is walked, metres; since version 1.2, absent where it was not measured |
-//! | `step_length_bends` | S, 2 | metres that a step is asked to be longer than in proportion for every unit of a weight below 0 and above 1; since version 1.3, absent where that is nothing |
+//! | `step_lengths` | S | mean length of a synthesised step, metres; since version 1.2, absent if it was not measured |
+//! | `step_length_bends` | S, 2 | step length requested in addition to the proportional one, metres per unit of a weight below 0 and above 1; since version 1.3, absent if zero |
 //! | `variances` | 2, 5, 3, D | variances, shared by all styles |
 //! | `duration_variances` | 2, 5 | variances of the durations, frames² |
 //! | `range` | 2, D | least and greatest value in the recorded walks |
 //!
-//! The metadata entry `strut-walk` is a JSON object. `version`, `generator`, `checksum`, `rate_hz` and `skeleton` are as in a
-//! database. `styles` has the names of the styles, `contexts` the steps that the models of the two sides are for. Models of
-//! other contexts, such as the first step of a walk, may follow in a later version.
+//! The metadata entry `strut-walk` is a JSON object. `version`, `generator`, `checksum`, `rate_hz` and `skeleton` are
+//! as in a database. `styles` contains the names of the styles, `contexts` the steps for which the models of the two
+//! sides are. Models of other contexts, such as the first step of a walk, may follow in a later version.
 
 use crate::container::{self, ContainerError, Kind, floats, rounded};
 use crate::strutdb::SkeletonInfo;
@@ -35,13 +35,13 @@ pub const KIND: Kind =
     Kind { name: "walk model", entry: "strut-walk", version: "1.3", checksum_since: 1, max_bytes: 64 << 20 };
 /// Greatest number of styles of a model.
 pub const MAX_STYLES: usize = 1000;
-/// Greatest magnitude of a mean and of a range's end, radians, and of a step's bend, metres.
+/// Greatest absolute value of a mean and of a range's limits, radians, and of `step_length_bends`, metres.
 const MODERATE: f32 = 100.0;
 /// Variances, radians²; training gives at least 1e-9. Walking divides by them in single precision.
 const VARIANCES: RangeInclusive<f32> = 1e-10..=1e4;
-/// Durations of a state, frames.
+/// Range of the durations of a state, frames.
 const DURATIONS: RangeInclusive<f32> = 1e-3..=1e3;
-/// Lengths of a step, metres; 0 where it was not measured.
+/// Range of the lengths of a step, metres; 0 if it was not measured.
 const STEP_LENGTHS: RangeInclusive<f32> = 0.0..=100.0;
 /// Variances of durations, frames²; training gives at least 0.25.
 const DURATION_VARIANCES: RangeInclusive<f32> = 1e-6..=1e6;
@@ -51,17 +51,17 @@ const BENDS: &str = "step_length_bends";
 const CONTEXTS: [&str; SIDES] = ["left", "right"];
 const OBSERVATION: usize = 3 * ROTATION_DIMS;
 
-/// Why bytes are not a walk model.
+/// Reason why bytes are not a walk model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)]
 pub enum WalkModelError {
-    /// Not a container of this kind, or a damaged one.
+    /// The container is of another kind or damaged.
     #[error(transparent)]
     File(#[from] ContainerError),
-    /// Another body, rate, or set of contexts.
+    /// The body, the frame rate or the contexts are not supported.
     #[error("the walk model's {0} differ from those of this Strut")]
     Layout(&'static str),
-    /// No styles, or too many.
+    /// There are no styles, or too many.
     #[error("the walk model has {0} styles; 1 to {MAX_STYLES} were expected")]
     Styles(usize),
 }
@@ -69,7 +69,7 @@ pub enum WalkModelError {
 #[derive(Serialize, Deserialize)]
 struct Metadata {
     version: String,
-    /// Absent before version 1.1.
+    /// Missing before version 1.1.
     #[serde(default)]
     checksum: String,
     generator: String,
@@ -79,10 +79,10 @@ struct Metadata {
     contexts: Vec<String>,
 }
 
-/// The file of a model; `generator` names the program and version that made it. Numbers are rounded to single precision.
+/// Writes the file of a model. `generator` is the name and version of the program. Numbers are rounded to single precision.
 ///
 /// # Panics
-/// Never: names and shapes are those of this module.
+/// Never: names and shapes are defined in this module.
 pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
     let metadata = Metadata {
         version: KIND.version.to_owned(),
@@ -126,7 +126,7 @@ pub fn write(model: &WalkModel, generator: &str) -> Vec<u8> {
 /// Reads a file; checks every value.
 ///
 /// # Errors
-/// [`WalkModelError`] for anything but a walk model of this major version.
+/// [`WalkModelError`] unless the file is a walk model of this major version.
 pub fn read(file: &[u8]) -> Result<WalkModel, WalkModelError> {
     let (metadata, tensors): (Metadata, _) = container::open(KIND, file)?;
     let proportions = metadata.skeleton.proportions().ok_or(WalkModelError::Layout("joints"))?;

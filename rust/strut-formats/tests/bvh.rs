@@ -1,4 +1,4 @@
-//! What the BVH reader accepts, what it refuses and how, and that nothing is lost on the way.
+//! Tests of the BVH reader: accepted files, rejected files with their messages, and lossless round trips.
 
 use proptest::prelude::*;
 use strut_formats::bvh::{self, Axis, Bvh, Channel, Joint};
@@ -83,7 +83,7 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         ),
         (replaced("Yposition", "Xposition"), "line 5 has Xposition twice on one joint; once was expected"),
         (replaced("ROOT Hips", "ROOT"), "line 3, column 1 has '{'; a joint name of 1 to 256 bytes was expected"),
-        // A name that ended in a brace could not be written.
+        // A name that ends in a brace could not be written.
         (replaced("Left Leg", "Left Leg {{"), "line 6, column 18 has '{'; OFFSET was expected"),
         (
             replaced("Left Leg", "Left\tLeg"),
@@ -133,7 +133,7 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
     }
 }
 
-/// What is guessed of a changed walk, with its codes.
+/// The file of a changed walk, and the codes of its notes.
 fn noted(text: &str) -> (Bvh, Vec<&'static str>) {
     let (file, notes) = bvh::parse_noted(text.as_bytes()).unwrap_or_else(|e| panic!("{e}\n{text}"));
     (file, notes.iter().map(|note| note.code.name()).collect())
@@ -177,7 +177,7 @@ fn what_other_programs_write_is_read_with_a_note() {
 fn a_last_row_that_was_cut_off_is_left_out() {
     let (file, codes) = noted(WALK.trim_end().rsplit_once(' ').unwrap().0);
     assert_eq!((file.frames, codes), (1, vec!["frame-count"]));
-    // Also where as many frames are left as were announced.
+    // Also if the remaining number of frames is the announced one.
     let (file, notes) = bvh::parse_noted([WALK, "1 2 3\n"].concat().as_bytes()).unwrap();
     assert_eq!((file.frames, notes.len()), (2, 1));
     assert_eq!(notes[0].text, "The file announces 2 frames and has 2. Its last row was cut off and left out.");
@@ -187,10 +187,10 @@ fn a_last_row_that_was_cut_off_is_left_out() {
 fn damaged_rows_are_refused_although_the_numbers_make_whole_frames() {
     let rows = WALK.find("0 91 2").unwrap();
     let damaged = |text: &str| error(&[&WALK[..rows], text].concat());
-    // A number of the second row stands in the first.
+    // A number of the second row is in the first row.
     assert_eq!(damaged("1 2 3 4 5 6 7 8 9 10\n2 3 4 5 6 7 8 9\n"), "line 19 has 10 numbers; this skeleton needs 9");
     assert_eq!(damaged("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8 9 10\n"), "line 19 has 8 numbers; this skeleton needs 9");
-    // Rows that are short and long by the same number, whatever is between.
+    // Rows that are too short and too long by the same number, with any rows between them.
     for (rows, line, found) in [
         ("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6 7 8 9 10\n", 19, 8),
         ("1 2 3 4 5 6 7 8 9\n1 2 3 4 5 6\n1 2 3 4 5 6 7 8 9 10 11 12\n", 20, 6),
@@ -198,7 +198,7 @@ fn damaged_rows_are_refused_although_the_numbers_make_whole_frames() {
     ] {
         assert_eq!(damaged(rows), format!("line {line} has {found} numbers; this skeleton needs 9"));
     }
-    // The last row, whole, or with the one before it, or cut off where rows are missing.
+    // The last row: complete, together with the one before it, or cut off while rows are missing.
     for last in
         ["x0.5 2 3 4 5 6 7 8 9\n", "x0.5 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\n", "x0.5 2 3\n", "x0.5 2 3 4 5 6\n# end\n"]
     {
@@ -262,12 +262,12 @@ fn utf_16_is_read_and_written_as_utf_8() {
         assert_eq!(notes[0].text, "The file is in UTF-16. It is written back in UTF-8.");
         assert_eq!(bvh::parse_noted(&bvh::write(&file)).unwrap(), (file.clone(), vec![]));
         assert_eq!(bvh::parse_hierarchy(&bytes).unwrap().joints, walk.joints);
-        // Half a character at the end is none.
+        // Half a character at the end is ignored.
         assert!(bvh::parse(&bytes[..bytes.len() - 1]).is_ok());
     }
 }
 
-/// A walk whose second joint has a name of these bytes, with what stands between it and `OFFSET`.
+/// A walk whose second joint has a name of these bytes, followed by `brace` before `OFFSET`.
 fn named(name: &[u8], brace: &str) -> Vec<u8> {
     let (before, after) = WALK.split_once("Left Leg\n\t{\n").unwrap();
     [before.as_bytes(), name, brace.as_bytes(), after.as_bytes()].concat()
@@ -276,7 +276,7 @@ fn named(name: &[u8], brace: &str) -> Vec<u8> {
 #[test]
 fn names_in_other_encodings_are_written_back_as_they_came() {
     let cases: [(&[u8], &str); 6] = [
-        // Shift-JIS, of which the second has a letter that ends in the byte of a brace.
+        // Shift-JIS; the second name has a letter whose last byte has the value of a brace.
         (b"\x8D\xB6\x91\xAB", "左足"),
         (b"\x8D\xB6\x83\x7B", "左ボ"),
         (b"Gr\xF6\xDFe", "Größe"),
@@ -316,7 +316,7 @@ fn joints_without_channels_cannot_need_more_memory_than_there_is() {
 
 #[test]
 fn a_frame_time_in_milliseconds_is_taken_as_such_where_the_motion_has_small_steps() {
-    // The second frame of the walk is far from the first.
+    // The second frame of the walk differs strongly from the first.
     let slow = WALK.replacen("0.0333333", "8.33", 1);
     assert_eq!(noted(&slow).0.frame_time_secs, 8.33);
     let smooth = |time: &str| {
@@ -415,7 +415,7 @@ fn offset() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(prop_oneof![Just(0.0), -1e3..1e3, -1e-7..1e-7, -1e7..=1e7])
 }
 
-/// Random trees: each joint hangs on the path to the joint before it, so that subtrees are contiguous.
+/// Random trees: each joint is attached to the path to the joint before it, so that subtrees are contiguous.
 fn hierarchy() -> impl Strategy<Value = Vec<Joint>> {
     let joint =
         ("[A-Za-z_][A-Za-z0-9_:. ]{0,12}[a-z0-9]", offset(), channels(), prop::option::of(offset()), 0_usize..4);
@@ -455,7 +455,7 @@ proptest! {
     #[test]
     fn reading_what_was_written_gives_the_same_document(document in document()) {
         let read = bvh::parse(&bvh::write(&document)).unwrap();
-        // Whether positions are added is judged by the numbers.
+        // Whether positions are added is determined from the numbers.
         prop_assert_eq!(&read, &Bvh { added_positions: read.added_positions, ..document });
     }
 

@@ -1,4 +1,5 @@
-//! One performance on the skeletons of other programs is one performance; what is no human is refused.
+//! A performance on the skeletons of other programs is read as the same performance; a skeleton that is not human is
+//! rejected.
 
 mod mocap;
 mod performances;
@@ -13,11 +14,11 @@ use strut_core::retarget::{BindError, Binding, CharacterFacts, ReadAs, to_humano
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_formats::bvh;
 
-/// Farthest that a joint may be from where the clean file has it, metres.
+/// Greatest distance of a joint from its position in the clean file, metres.
 const NEAR: f32 = 1e-3;
 
-/// Files as other programs write them: `$STRUT_MOCAP/../cases`, else `shared/cases` beside the repository. Without them
-/// prints that the test is skipped.
+/// Files as other programs write them: `$STRUT_MOCAP/../cases`, else `shared/cases` beside the repository. If they are
+/// missing, prints that the test is skipped.
 fn cases() -> Option<PathBuf> {
     let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/cases");
     let folder = std::env::var_os("STRUT_MOCAP").map_or(beside, |data| PathBuf::from(data).join("../cases"));
@@ -41,17 +42,17 @@ fn performed(motion: &Motion) -> HumanoidMotion {
     to_humanoid(motion, &Binding::detect(motion).unwrap(), &Proportions::default())
 }
 
-/// A joint that is added above another one: its name, and how much of the other's translation it takes.
+/// A joint that is inserted above others: its name, and its share of their translation.
 struct Inserted {
     above: Vec<usize>,
     name: String,
     share: f32,
 }
 
-/// The motion with joints that do not turn put between given joints and their parent, which they share.
+/// The motion with joints that do not turn inserted between given joints and their common parent.
 fn with_inserted(motion: &Motion, inserted: &[Inserted]) -> Motion {
     let old = motion.skeleton.joints();
-    // The new joint for an inserted one (its index) or an old one, in an order that has parents first.
+    // New joints, inserted ones (by index) and old ones, in an order with parents first.
     let mut joints: Vec<Joint> = Vec::new();
     let mut origin: Vec<(usize, f32, bool)> = Vec::new();
     let mut place = vec![0; old.len()];
@@ -97,7 +98,7 @@ fn with_inserted(motion: &Motion, inserted: &[Inserted]) -> Motion {
     Motion::new(Skeleton::new(joints).unwrap(), motion.frame_time_secs, translations, rotations).unwrap()
 }
 
-/// The motion without joints that have no children.
+/// The motion without the joints `ends`, which have no children.
 fn without(motion: &Motion, ends: &[usize]) -> Motion {
     let kept: Vec<usize> = (0..motion.skeleton.len()).filter(|j| !ends.contains(j)).collect();
     let place = |old: usize| kept.iter().position(|&k| k == old);
@@ -170,7 +171,7 @@ fn a_pelvis_of_its_own_and_twist_bones_change_nothing() {
         let clean = performed(&motion);
         let hips = joint(Role::Hips);
         let on_hips = |roles: [Role; 2]| {
-            // The joints on the way to the limbs that hang on the hips.
+            // The ancestor of each joint that is a child of the hips.
             roles.map(|role| {
                 let joints = motion.skeleton.joints();
                 std::iter::successors(Some(joint(role)), |&j| joints[j].parent)
@@ -215,7 +216,7 @@ fn a_dog_is_refused_unless_a_person_says_which_joints_to_take() {
     }
     let taken = Binding::read(&dog, &ReadAs { joints: Some(likely), ..ReadAs::default() }).unwrap();
     assert!(taken.doubts.iter().any(|note| note.code == NoteCode::NotHuman), "{:?}", taken.doubts);
-    // Human names make no human.
+    // Human joint names do not make a skeleton human.
     let named = dog.skeleton.joints().iter().map(|j| {
         let arm = |name: &str| name.replace("FrontUpperLeg", "Arm").replace("FrontLowerLeg", "ForeArm");
         Joint { name: arm(&j.name).replace("FrontFoot", "Hand").replace("FrontS", "S"), ..j.clone() }
@@ -224,7 +225,7 @@ fn a_dog_is_refused_unless_a_person_says_which_joints_to_take() {
     assert!(matches!(Binding::detect(&named), Err(BindError::NotHuman(_))));
 }
 
-/// The joints of a glTF character in its zero pose, with offsets along the world's axes.
+/// Joints of a glTF character in its zero pose, with offsets along the world's axes.
 fn gltf_skeleton(glb: &[u8], root: &str) -> Skeleton {
     let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
     let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();

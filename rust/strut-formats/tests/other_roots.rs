@@ -1,4 +1,4 @@
-//! A body whose file begins at the chest, the head or the spine is the same body.
+//! A body is read as the same body if its file starts at the chest, the head or the spine.
 
 mod mocap;
 mod performances;
@@ -11,7 +11,7 @@ use strut_core::retarget::{Binding, from_humanoid, to_humanoid};
 use strut_core::skeleton::{Joint, Skeleton};
 use strut_formats::bvh;
 
-/// Farthest that a joint may be from where the clean file has it, metres.
+/// Greatest distance of a joint from its position in the clean file, metres.
 const NEAR: f32 = 1e-3;
 
 fn performed(motion: &Motion, binding: &Binding) -> HumanoidMotion {
@@ -29,8 +29,7 @@ fn world(motion: &Motion, frame: usize) -> Vec<(Vec3, Quat)> {
     world
 }
 
-/// The same movements of the same bodies with another root: each body on the way between the roots hangs where it joined the
-/// one that was below it.
+/// The same motion with another root. Each joint on the path between the roots is attached to its former child.
 fn rooted_at(motion: &Motion, root: usize) -> Motion {
     let old = motion.skeleton.joints();
     let way: Vec<usize> = std::iter::successors(Some(root), |&j| old[j].parent).collect();
@@ -41,7 +40,7 @@ fn rooted_at(motion: &Motion, root: usize) -> Motion {
     order.extend((0..old.len()).filter(|&j| on_way(j).is_none()).map(|j| (j, old[j].parent)));
     let place = |joint: usize| order.iter().position(|&(j, _)| j == joint).unwrap();
 
-    // Where a joint hangs on its new parent, given the old translations.
+    // Position of a joint in the frame of its new parent, given the old translations.
     let hangs = |joint: usize, t: &[Vec3]| match (on_way(joint), old[joint].parent.and_then(on_way)) {
         (Some(0), _) => Vec3::ZERO,
         (Some(i), _) => {
@@ -93,7 +92,7 @@ fn a_clip_that_begins_elsewhere_in_the_trunk_is_the_same_and_is_written_back() {
             let other = rooted_at(&motion, root);
             let read = Binding::detect(&other).unwrap_or_else(|e| panic!("{name}: {e}"));
             let same = performed(&other, &read);
-            // The spine of CMU's body is doubled at the hips, which a file that begins elsewhere does not show.
+            // The spine of CMU's body has two joints at the hips, which a file with another root does not show.
             let doubled = if name.contains("xia") { 0.01 } else { NEAR };
             let distance = apart(&same, &clean);
             assert!(distance < doubled, "{name}: {distance} m");

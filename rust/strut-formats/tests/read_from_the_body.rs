@@ -1,4 +1,4 @@
-//! The same performance in another file gives the same motion: every clip with another floor, up axis, sides and place.
+//! The same performance in another file gives the same motion: every clip with another floor, up axis, sides and position.
 
 mod mocap;
 
@@ -13,7 +13,7 @@ use strut_core::skeleton::{Joint, Skeleton};
 use strut_core::transfer::ClipInput;
 use strut_formats::bvh::{self, Bvh, Channel};
 
-/// The motion on the default body, and the codes of what was noted.
+/// The motion on the default body, and the codes of its notes.
 fn read(motion: &Motion) -> (HumanoidMotion, Vec<NoteCode>) {
     let binding = Binding::detect(motion).unwrap_or_else(|e| panic!("{e}"));
     let codes = binding.doubts.iter().map(|note| note.code).collect();
@@ -30,7 +30,7 @@ fn apart(a: &HumanoidMotion, b: &HumanoidMotion) -> f32 {
     joints.fold(0.0, f32::max)
 }
 
-/// A motion whose joints' offsets and local transforms are changed.
+/// A motion with changed joint offsets and local transforms.
 fn changed(motion: &Motion, translate: impl Fn(Vec3) -> Vec3, turn: impl Fn(Quat) -> Quat) -> Motion {
     let joints = motion.skeleton.joints().iter().map(|joint| Joint {
         offset: translate(joint.offset),
@@ -45,7 +45,7 @@ fn changed(motion: &Motion, translate: impl Fn(Vec3) -> Vec3, turn: impl Fn(Quat
     }
 }
 
-/// A motion whose root is placed otherwise.
+/// A motion with a changed root transform.
 fn placed(motion: &Motion, translate: impl Fn(Vec3) -> Vec3, turn: Quat) -> Motion {
     let mut placed = motion.clone();
     for frame in 0..motion.frames() {
@@ -82,7 +82,7 @@ fn check(path: &Path) {
     assert_eq!(codes, [NoteCode::Mirrored], "{name}: mirrored");
 }
 
-/// A file whose body is elsewhere, in its own unit.
+/// A file whose body is at another position, in the file's unit.
 fn moved(file: &Bvh, place: [f64; 3]) -> Bvh {
     let mut moved = file.clone();
     let channels = file.channels();
@@ -95,7 +95,7 @@ fn moved(file: &Bvh, place: [f64; 3]) -> Bvh {
     moved
 }
 
-/// A body that is 10 km away is brought near, and written back to where it was.
+/// A body that is 10 km away is moved near the origin, and written back to its position.
 #[test]
 fn every_clip_is_the_same_far_from_the_origin() {
     for path in mocap::clips().unwrap_or_default() {
@@ -130,7 +130,7 @@ fn every_clip_is_the_same_on_another_floor_with_another_up_axis_and_mirrored() {
     }
 }
 
-/// Walks over the ground, whose root alone is turned, as body models are exported.
+/// Walks over the ground in which only the root is turned, as in exports of body models.
 #[test]
 fn a_root_that_alone_is_turned_is_turned_back() {
     for path in mocap::clips().unwrap_or_default() {

@@ -1,4 +1,4 @@
-//! Real motion capture, where it is present: every clip is read and comes back from a motion unchanged.
+//! Real motion capture, if it is present: every clip is read and is unchanged after the conversion to a motion and back.
 
 mod mocap;
 

@@ -16,7 +16,7 @@ use strut_core::math::Vec3;
 use strut_core::parallel::ParallelMap;
 use strut_core::registration::{self, Method};
 
-/// Two threads that take the next piece when they are done with one.
+/// Two threads that fetch the next task when they finish one.
 struct TwoThreads;
 
 impl ParallelMap for TwoThreads {
@@ -33,7 +33,7 @@ impl ParallelMap for TwoThreads {
     }
 }
 
-/// A database of the clips whose paths contain one of these.
+/// A database of the clips whose paths contain one of these texts.
 fn database(wanted: &[&str]) -> Option<(Database, BuildReport)> {
     let is_wanted = |p: &PathBuf| wanted.iter().any(|w| p.to_string_lossy().contains(w));
     let paths: Vec<PathBuf> = mocap::clips()?.into_iter().filter(is_wanted).collect();
@@ -47,10 +47,10 @@ fn database(wanted: &[&str]) -> Option<(Database, BuildReport)> {
 
 #[test]
 fn walking_is_registered_and_its_label_errors_are_found() {
-    // Straight and turning.
+    // Straight and turning walks.
     let Some((db, report)) = database(&["dataset-2_walk"]) else { return };
 
-    // The clips that turn the other way are the set's known label errors.
+    // The clips that turn in the opposite direction are the set's known label errors.
     let mut refused: Vec<&str> = report.refused().map(|c| c.name.trim_start_matches("dataset-2_walk-turn-")).collect();
     refused.sort_unstable();
     let known = ["left_masculine_006", "left_masculine_007", "right_masculine_006", "right_masculine_007"];
@@ -61,7 +61,7 @@ fn walking_is_registered_and_its_label_errors_are_found() {
         })
     );
 
-    // Contacts cut every clip into cycles of plausible length.
+    // Contacts divide every clip into cycles of plausible length.
     assert!(report.actions.iter().all(|a| a.method == Method::Cycles));
     for clip in report.accepted() {
         assert!(clip.cycles >= 1 && clip.faulty_cycles.is_empty(), "{clip:?}");
@@ -70,7 +70,7 @@ fn walking_is_registered_and_its_label_errors_are_found() {
     }
 
     let catalogue = Arc::new(Catalogue::new(db.clone()));
-    // Counterparts stand on the same foot.
+    // Counterparts have contact with the same foot.
     for style in 0..db.styles.len() {
         let targets = TargetTable::new(Arc::clone(&catalogue), style as u16);
         let agreeing: usize = (0..db.frames())
@@ -83,7 +83,7 @@ fn walking_is_registered_and_its_label_errors_are_found() {
         assert!(share > 0.93, "{}: contacts agree in {share} of the frames", db.styles[style]);
     }
 
-    // The pace of each style against normal walking, as a reference prototype found it.
+    // Pace of each style relative to normal walking, as measured with a reference prototype.
     let walk = db.action_index("walk").unwrap();
     let class = db.classes().iter().find(|c| (c.action, c.style) == (walk, db.neutral)).unwrap();
     for (style, expected) in [("elderly", 0.92), ("active", 0.83), ("exhausted", 0.97), ("normal", 1.0)] {
@@ -94,8 +94,9 @@ fn walking_is_registered_and_its_label_errors_are_found() {
     }
 }
 
-/// Where a clip's first counterpart of the frame in which `role` moves fastest in a direction is, against where it moves
-/// fastest there: milliseconds, for all pairs of clips of an action in different styles.
+/// Time differences between the first counterpart of the frame in which `role` moves fastest in a direction and the
+/// frame in which it moves fastest in the other clip, milliseconds, for all pairs of clips of an action in different
+/// styles.
 fn offsets(db: &Database, action: &str, role: Role, direction: Vec3) -> Vec<f32> {
     let action = db.action_index(action).unwrap();
     let fastest = |rows: std::ops::Range<usize>| {
@@ -114,7 +115,7 @@ fn offsets(db: &Database, action: &str, role: Role, direction: Vec3) -> Vec<f32>
         .collect()
 }
 
-/// From end to end, with no events but contacts, it would be 222 ms on average for bowing and 55 ms for the others.
+/// With contacts as the only events it would be 222 ms on average for bowing and 55 ms for the others.
 #[test]
 fn the_moments_of_actions_that_do_not_repeat_correspond() {
     let sets = [

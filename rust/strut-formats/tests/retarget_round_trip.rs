@@ -1,5 +1,5 @@
-//! Retargeting on real motion capture: every clip comes back from a database's body, and on the way it
-//! looks like a person.
+//! Retargeting of real motion capture: every clip is unchanged after the conversion to a database's body and back, and
+//! looks human on that body.
 
 mod mocap;
 
@@ -27,7 +27,7 @@ fn load(path: &Path) -> Clip {
     Clip { name, motion, binding }
 }
 
-/// The first clip whose path contains `part`.
+/// First clip whose path contains `part`.
 fn find(clips: &[PathBuf], part: &str) -> Option<Clip> {
     clips.iter().find(|p| p.to_string_lossy().contains(part)).map(|p| load(p))
 }
@@ -43,7 +43,7 @@ fn positions(clip: &Clip, motion: &Motion, frame: usize) -> Vec<Vec3> {
     world.into_iter().map(|(p, _)| p * clip.binding.metres_per_unit).collect()
 }
 
-/// Mean error of all joints, and of ankles and toes, in centimetres, after going to a body and back.
+/// Mean error of all joints, and of ankles and toes, after the conversion to a body and back, centimetres.
 fn round_trip_errors(clip: &Clip, body: &Proportions) -> (f32, f32) {
     let humanoid = to_humanoid(&clip.motion, &clip.binding, body);
     let frames: Vec<f64> = (0..clip.motion.frames()).map(|f| f as f64).collect();
@@ -91,7 +91,7 @@ fn a_skeleton_binds_alike_in_every_clip() {
             let turned = rests.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max);
             let offsets = clip.binding.proportions.offsets.iter().zip(&first.binding.proportions.offsets);
             let moved = offsets.map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max);
-            // Some files give the right knee another offset by 0.4 mm, which is 1 mrad of the thigh.
+            // In some files the offset of the right knee differs by 0.4 mm, which is 1 mrad of the thigh.
             assert!(turned < 2e-3 && moved < 1e-3, "{} and {}: {turned} rad, {moved} m", clip.name, first.name);
         }
     }
@@ -118,11 +118,11 @@ fn the_rest_pose_is_a_t_pose_of_human_size() {
     }
 }
 
-/// Means over a clip's frames, in the heading frame (+Z ahead, +X left).
+/// Means over a clip's frames, relative to the heading (+Z ahead, +X left).
 struct Look {
-    /// Cosine between heading and travel.
+    /// Cosine of the angle between heading and travel.
     ahead: f32,
-    /// Direction in which each foot points, horizontally.
+    /// Horizontal direction of each foot.
     feet: [Vec3; 2],
     /// Flexion of the knees and elbows, degrees, left first.
     knees: [f32; 2],
@@ -132,7 +132,7 @@ struct Look {
     head: Vec3,
     /// Wrists relative to shoulders.
     hands: [Vec3; 2],
-    /// Directions of the palms and of the thumbs' side of the hands.
+    /// Directions of the palms and of the thumb sides of the hands.
     palms: [Vec3; 2],
     thumbs: [Vec3; 2],
 }
@@ -239,7 +239,7 @@ fn neutral_walks_of_all_sets_are_the_same_species() {
         .collect();
     for (i, a) in means.iter().enumerate() {
         for (k, b) in means[..i].iter().enumerate() {
-            // The hips' rotation holds the heading, which is each clip's own.
+            // The hips' rotation contains the heading, which differs between clips.
             for role in &Role::ALL[1..] {
                 let angle = a[role.index()].inv_mul(b[role.index()]).angle().to_degrees();
                 let pair = (&walks[i].name, &walks[k].name);

@@ -1,4 +1,4 @@
-//! A database comes back from its file as it was, and no damage goes unnoticed.
+//! A database is unchanged after writing and reading, and every damage is detected.
 
 use proptest::prelude::*;
 use strut_core::database::{Clip, Database, DatabaseParts};
@@ -10,7 +10,7 @@ use strut_core::search::Index;
 use strut_formats::container::ContainerError;
 use strut_formats::strutdb::{self, Contents, Metadata, StrutdbError};
 
-/// Two actions, two styles, three clips of different lengths, every value distinct.
+/// Two actions, two styles, three clips of different lengths; all values are different.
 fn small() -> Database {
     let clip = |name: &str, action, style, first_frame, frames| Clip {
         name: name.into(),
@@ -56,7 +56,7 @@ fn error(bytes: &[u8]) -> String {
     strutdb::read(bytes).expect_err("refused").to_string()
 }
 
-/// The file with a part of its header replaced by one of the same length.
+/// The file with a part of its header replaced by text of the same length.
 fn replaced(from: &str, to: &str) -> Vec<u8> {
     let mut bytes = file_of(&small());
     let at = bytes.windows(from.len()).position(|w| w == from.as_bytes()).expect("occurs");
@@ -112,7 +112,7 @@ fn a_file_is_opened_in_parts_as_it_is_read() {
     }
 }
 
-/// The database whose clips are so long that they are read in several parts.
+/// The database with clips so long that they are read in several parts.
 fn longer() -> Database {
     let mut parts = (*small()).clone();
     let mut rows = 0;
@@ -132,7 +132,7 @@ fn longer() -> Database {
     Database::new(parts).unwrap()
 }
 
-/// The header says 50 million frames; neither they nor any room for them are there.
+/// The header announces 50 million frames, which are neither in the file nor fit in memory.
 #[test]
 fn a_database_that_does_not_fit_is_refused_before_it_is_read() {
     let file = checked(|json| json.replacen(r#""frames":4"#, r#""frames":50000000"#, 1));
@@ -146,14 +146,14 @@ fn a_database_that_does_not_fit_is_refused_before_it_is_read() {
     assert!(refusal.to_string().ends_with(" MB of memory, of which 3000 MB can be had"), "{refusal}");
     let unlimited = strutdb::read_catalogue(&file, None).expect_err("refused");
     assert_eq!(unlimited.to_string(), "the database is not consistent: more than 4000000 frames");
-    // More than any machine has, and more than numbers hold.
+    // More than any machine has, and more than the numbers can represent.
     let endless = checked(|json| json.replace(r#""frames":"#, r#""frames":1844674407370955161"#));
     let refusal = strutdb::read_catalogue(&endless, Some(u64::MAX)).expect_err("refused");
     assert!(matches!(refusal, StrutdbError::Memory { most: None, .. }), "{refusal:?}");
     assert!(refusal.to_string().ends_with(" MB of memory, of which less can be had"), "{refusal}");
 }
 
-/// The small file with other metadata, and the checksum that these have.
+/// The small file with changed metadata, and their correct checksum.
 fn checked(change: impl Fn(&str) -> String) -> Vec<u8> {
     let file = file_of(&small());
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
@@ -161,7 +161,7 @@ fn checked(change: impl Fn(&str) -> String) -> Vec<u8> {
     with_checksum(&tensors.tensors(), &change(&header.metadata().as_ref().unwrap()["strut"]))
 }
 
-/// A file of these, with a checksum as a reader in another language computes it.
+/// A file with these tensors, with a checksum computed as a reader in another language does.
 fn with_checksum(views: &Views<'_>, json: &str) -> Vec<u8> {
     let mut json = json.to_owned();
     let at = json.find("\"checksum\":\"").unwrap() + 12;
@@ -231,7 +231,7 @@ fn damage_is_described_in_a_sentence() {
     assert_eq!(error(&other), "this safetensors file is no Strut database: it has no 'strut' metadata");
 }
 
-/// What a style's step lasts is a ratio of two of these.
+/// The duration of a style's step is a ratio of two of these.
 #[test]
 fn time_steps_whose_ratios_are_no_numbers_are_refused() {
     for (secs, shown) in [(1e-40, "0.0000"), (0.0, "0"), (f32::INFINITY, "inf"), (f32::NAN, "NaN")] {
@@ -280,14 +280,14 @@ mod packed {
     use strut_formats::strutdb::StrutdbError;
     use strut_formats::strutdb::packed::{self, MAGIC, NamedMotion, ROW_STEP, STEP};
 
-    /// The same with point clouds that follow from the rows, as in every database that was built.
+    /// The small database with point clouds that follow from the rows, as in every database that was built.
     fn built() -> Database {
         let db = small();
         let cloud = |row| point_cloud(&db.proportions, &db.chart.decode(row, Placement::default()), 0.0);
         Database::new(DatabaseParts { point_cloud: db.pose.iter().map(cloud).collect(), ..(*db).clone() }).unwrap()
     }
 
-    /// Turns about itself while it travels: angles beyond half a turn are among them.
+    /// Turns about the vertical while it travels, with angles of more than half a turn.
     fn input(name: &str, frames: u16) -> NamedMotion {
         let pose = |f: u16| {
             let t = f32::from(f) * 0.2;
@@ -339,7 +339,7 @@ mod packed {
         }
     }
 
-    /// Where a header says of a clip what it is: the length of its name, the name, action, style, take and frames, a byte each.
+    /// Position of a clip in a header: the length of its name, the name, action, style, take and frames, a byte each.
     fn entry_of(clip: &Clip, header: &[u8]) -> usize {
         let name = clip.name.as_bytes();
         let [action, style] = [clip.action, clip.style].map(|index| index as u8);
@@ -347,7 +347,7 @@ mod packed {
         header.windows(entry.len()).position(|window| window == entry).unwrap()
     }
 
-    /// The database of one clip of [`built`] and one input, then all of it.
+    /// The database of one clip of [`built`] and one input, then the whole database.
     fn sets() -> (Vec<u8>, Vec<u8>) {
         let db = built();
         let others: Vec<usize> = (1..db.clips.len()).collect();
@@ -379,7 +379,7 @@ mod packed {
         parts.chart.means[1] = Quat::from_rotation_y(0.5);
         let turned = Database::new(parts).unwrap();
         assert_eq!(packed::append(&mut first, &turned, &[]), Err(StrutdbError::Layout("joints")));
-        // A second set that takes a clip more often than the first one has it.
+        // A second set that contains a clip of the first set several times.
         let (first, both) = sets();
         let mut second = both[first.len()..].to_vec();
         for clip in &db.clips {
@@ -399,7 +399,7 @@ mod packed {
         assert_eq!(packed::read_database(&newer).unwrap_err(), StrutdbError::NotPacked);
     }
 
-    /// What says that it is larger than it is makes no room for it.
+    /// A file that announces more frames than it contains makes the reader allocate no memory for them.
     #[test]
     fn claimed_frames_need_bytes() {
         let (db, mut bytes) = (built(), file());

@@ -1,4 +1,4 @@
-//! Databases of any size out of a real one, and motion that they do not hold.
+//! Databases of any size made from a real one, and motion that is not in them.
 
 use strut_core::database::{Clip, Database, DatabaseParts};
 use strut_core::humanoid::JOINTS;
@@ -7,15 +7,15 @@ use strut_core::math::float_funcs::sin;
 use strut_core::pose_vector::{HEADING_RATE, Placement};
 use strut_core::search::QueryWindow;
 
-/// Every so many clips one is kept out of the database.
+/// Interval of the clips that are held out of the database.
 const HELD_OUT: usize = 8;
 
-/// A database of about `frames` frames in `classes` classes: the clips of another, but for one in eight, and as often as
-/// needed again with their points moved smoothly by a few centimetres.
+/// A database of about `frames` frames in `classes` classes: the clips of another except one in eight, repeated as
+/// often as needed with their points smoothly displaced by a few centimetres.
 pub(crate) fn grown(db: &Database, frames: usize, classes: usize) -> Database {
     let kept: Vec<&Clip> = db.clips.iter().enumerate().filter(|(i, _)| i % HELD_OUT != 0).map(|(_, c)| c).collect();
     assert!(kept.len() >= classes, "{} clips are too few for {classes} classes", kept.len());
-    // Classes of many clips are divided until there are enough.
+    // Classes of many clips are divided until there are enough classes.
     let mut groups: Vec<Vec<&Clip>> = db
         .classes()
         .iter()
@@ -78,7 +78,7 @@ pub(crate) fn grown(db: &Database, frames: usize, classes: usize) -> Database {
     Database::new(parts).unwrap()
 }
 
-/// A frame of the copy of a clip; copy 0 is the clip itself.
+/// A frame of a copy of a clip; copy 0 is the clip itself.
 fn moved(cloud: &[Vec3; JOINTS], copy: usize, row: usize) -> [Vec3; JOINTS] {
     std::array::from_fn(|joint| {
         let wave = |axis: usize| {
@@ -90,7 +90,7 @@ fn moved(cloud: &[Vec3; JOINTS], copy: usize, row: usize) -> [Vec3; JOINTS] {
     })
 }
 
-/// Windows of the clips that [`grown`] keeps out, frame by frame.
+/// Windows of the clips that [`grown`] holds out, frame by frame.
 pub(crate) fn held_out(db: &Database) -> Vec<QueryWindow> {
     let mut windows = Vec::new();
     for clip in db.clips.iter().step_by(HELD_OUT) {

@@ -1,15 +1,15 @@
 //! Gaussian process regression with inducing points (subset of regressors; Quiñonero-Candela and Rasmussen,
 //! "A Unifying View of Sparse Approximate Gaussian Process Regression", 2005, §5).
 //!
-//! With the kernel k(a, b) = exp(−|a − b|² / 2ℓ²), noise σ² relative to the signal, Z the inducing points and X
-//! the samples, the mean at a is k(a, Z) w with `(σ² K_ZZ + K_ZX K_XZ) w = K_ZX Y`. Far from all points it
-//! falls back to the prior's zero.
+//! With the kernel k(a, b) = exp(−|a − b|² / 2ℓ²), noise σ² relative to the signal, Z the inducing points and X the
+//! samples, the mean at a is k(a, Z) w with `(σ² K_ZZ + K_ZX K_XZ) w = K_ZX Y`. Far from all points it approaches zero,
+//! the mean of the prior.
 
 use super::products::dot;
 use crate::math::float_funcs::double::exp;
 use nalgebra::{Cholesky, DMatrix};
 
-/// Added to the diagonal of `K_ZZ`, which would be singular for points that lie close together.
+/// Added to the diagonal of `K_ZZ`, which would be singular for points that are close together.
 const JITTER: f64 = 1e-6;
 
 /// Number of samples whose products are summed at a time: their kernel values stay in the cache.
@@ -31,12 +31,12 @@ impl Kernel {
     }
 }
 
-/// The part of a process that depends on the samples' inputs only.
+/// Part of a process that depends on the samples' inputs only.
 #[derive(Clone, Debug)]
 pub(super) struct Basis {
     kernel: Kernel,
     width: usize,
-    /// Z, one point after the other.
+    /// Z, the points in sequence.
     points: Vec<f64>,
     /// `K_ZX`: a row for each point.
     values: Vec<f64>,
@@ -44,8 +44,8 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// For samples of `width` numbers that follow each other in `inputs`, and inducing points likewise; `None` if
-    /// there is no point or a value is not finite.
+    /// Creates the basis for samples of `width` numbers each, stored in sequence in `inputs`, and inducing points in
+    /// the same form; `None` if there is no point or a value is not finite.
     pub(super) fn new(kernel: Kernel, width: usize, inputs: &[f64], points: Vec<f64>) -> Option<Self> {
         let point = |i: usize| &points[i * width..(i + 1) * width];
         let count = points.len() / width;
@@ -66,7 +66,7 @@ impl Basis {
         Some(Self { kernel, width, values, cholesky: Cholesky::new(gram)?, points })
     }
 
-    /// The process for some outputs: `outputs[j]` holds output j of every sample.
+    /// Fits the process to outputs: `outputs[j]` contains output j of every sample.
     pub(super) fn fit(&self, outputs: &[Vec<f64>]) -> Process {
         let samples = outputs.first().map_or(0, Vec::len);
         let flat: Vec<f64> = outputs.iter().flatten().copied().collect();
@@ -81,7 +81,7 @@ impl Basis {
     }
 }
 
-/// The matrix of aᵢ · bⱼ for rows of `length` numbers; `lower` asks for i ≥ j only.
+/// Matrix of aᵢ · bⱼ for rows of `length` numbers; with `lower` only for i ≥ j.
 fn products(a: &[f64], b: &[f64], length: usize, lower: bool) -> DMatrix<f64> {
     let (rows, columns) = (a.len() / length.max(1), b.len() / length.max(1));
     let mut out = DMatrix::zeros(rows, columns);
@@ -105,7 +105,7 @@ pub(super) struct Process {
     width: usize,
     points: Vec<f64>,
     outputs: usize,
-    /// The outputs' weights of each point.
+    /// Weights of each point for the outputs.
     weights: Vec<f64>,
 }
 
@@ -120,8 +120,8 @@ impl Process {
     }
 }
 
-/// Indices of at most `count` samples such that each is the one farthest from those before it, beginning with the
-/// one nearest to the mean: they cover the samples evenly.
+/// Indices of at most `count` samples, each the farthest from those before it, starting with the sample nearest to the
+/// mean: they cover the samples evenly.
 pub(super) fn farthest_points(inputs: &[f64], width: usize, count: usize) -> Vec<usize> {
     let samples = inputs.len() / width;
     let squared = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum() };

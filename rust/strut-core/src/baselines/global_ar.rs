@@ -1,17 +1,16 @@
-//! Global autoregression: the regression of [`crate::transfer`]'s mixture, fitted once to all pairs instead
-//! of anew to the neighbours of every frame. It is what Xia et al. 2015, §7 show to be too stiff for
-//! heterogeneous motion.
+//! Global autoregression: the regression of [`crate::transfer`]'s mixture, fitted once to all pairs instead of to the
+//! neighbours of every frame. Xia et al. 2015, §7 show that it is too stiff for heterogeneous motion.
 //!
-//! yₜ = a xₜ₋₁ + b yₜ₋₁ + c xₜ + d for each degree of freedom, by ridge λ·N on standardised variables with
-//! |b| ≤ 0.9. The input's frames all last equally long, so the same regression of log durations reduces to
-//! their mean, and the output keeps one tempo.
+//! yₜ = a xₜ₋₁ + b yₜ₋₁ + c xₜ + d for each degree of freedom, by ridge λ·N on standardised variables with |b| ≤ 0.9.
+//! All input frames have the same duration, so the same regression of log durations reduces to their mean, and the
+//! output has a constant tempo.
 
 use super::{Now, Pairs, Prediction, Predictor};
 use crate::autoregression::MAX_FEEDBACK;
 use crate::math::float_funcs::exp;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 
-/// See the module documentation.
+/// Global autoregression.
 #[derive(Clone, Debug)]
 pub(super) struct GlobalAr {
     /// [a, b, c, d] of each degree of freedom.
@@ -39,8 +38,8 @@ impl GlobalAr {
     }
 }
 
-/// The [a, b, c, d] that minimise Σ (a u₀ + b u₁ + c u₂ + d − y)² + `ridge`·N·(a² + b² + c²) subject to
-/// |b| ≤ [`MAX_FEEDBACK`]. Zero without samples.
+/// Computes the [a, b, c, d] that minimise Σ (a u₀ + b u₁ + c u₂ + d − y)² + `ridge`·N·(a² + b² + c²) subject to |b| ≤
+/// [`MAX_FEEDBACK`]. Zero without samples.
 fn fit(samples: impl Iterator<Item = ([f64; 3], f64)> + Clone, ridge: f64) -> [f64; 4] {
     let mut mean = [0.0; 4];
     let mut n = 0.0;
@@ -67,7 +66,7 @@ fn fit(samples: impl Iterator<Item = ([f64; 3], f64)> + Clone, ridge: f64) -> [f
     for (i, row) in s.iter_mut().enumerate().take(3) {
         row[i] += (ridge * n).max(f64::MIN_POSITIVE);
     }
-    // As in the local regression: b first (Schur complement of the input's part), limited, then the others.
+    // As in the local regression: b first (by the Schur complement of the input's part), limited, then the others.
     let determinant = s[0][0] * s[2][2] - s[0][2] * s[0][2];
     let solve = |p: f64, c: f64| ((s[2][2] * p - s[0][2] * c) / determinant, (s[0][0] * c - s[0][2] * p) / determinant);
     let (p, c) = solve(s[0][1], s[2][1]);

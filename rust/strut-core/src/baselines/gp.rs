@@ -1,10 +1,10 @@
 //! Gaussian processes: Ikemoto, Arikan, Forsyth, "Generalizing Motion Edits with Gaussian Processes", 2009.
 //!
-//! From kinematic features of the input (pose and velocity, by their principal components) a process
-//! predicts the difference between target and input, and the log duration. Predicted frame by frame on its own
-//! the difference flickers where training frames of similar features differ; so a second process also sees the
-//! last difference. It is trained on the first process's predictions in place of the true last differences, and so on
-//! errors like its own, from which it recovers instead of drifting.
+//! From kinematic features of the input (pose and velocity, by their principal components) a process predicts the
+//! difference between target and input, and the log duration. If each frame is predicted separately, the difference
+//! flickers where training frames with similar features differ. Therefore a second process also uses the last
+//! difference as input. It is trained on the first process's predictions in place of the true last differences, and so
+//! on errors similar to its own, from which it recovers instead of drifting.
 
 use super::gaussian_process::{Basis, Kernel, Process, farthest_points};
 use super::principal::Principal;
@@ -13,13 +13,13 @@ use crate::math::float_funcs::exp;
 use crate::pose_vector::{DOFS, PoseRow};
 use std::sync::Arc;
 
-/// Components of pose and velocity.
+/// Number of components of pose and velocity.
 const COMPONENTS: usize = 20;
-/// Components of the last difference.
+/// Number of components of the last difference.
 const DIFFERENCE_COMPONENTS: usize = 8;
-/// Features of the second process.
+/// Number of features of the second process.
 const WIDTH: usize = COMPONENTS + DIFFERENCE_COMPONENTS;
-/// Differences of all degrees of freedom and the log duration.
+/// Number of outputs: differences of all degrees of freedom, and the log duration.
 const OUTPUTS: usize = DOFS + 1;
 /// Variance of the velocity features as a share of the pose features'.
 const VELOCITY_SHARE: f64 = 0.2;
@@ -32,16 +32,16 @@ const POINTS: usize = 256;
 /// ℓ in standard deviations of the features taken together, and σ².
 const KERNEL: Kernel = Kernel { length: 1.0, noise: 0.2 };
 
-/// The part shared by the processes of all target styles: features of the input, and the first process's basis.
+/// Data shared by the processes of all target styles: features of the input, and the first process's basis.
 #[derive(Clone, Debug)]
 pub(super) struct Features {
     principal: Principal,
-    /// Factor of the velocities before the components are taken.
+    /// Factor of the velocities before the components are computed.
     velocity_scale: f64,
-    /// Factor of the components: their total variance becomes 1.
+    /// Factor of the components, by which their total variance becomes 1.
     scale: f64,
     rate_hz: f64,
-    /// The training rows; each has two rows before it.
+    /// Training rows; each has two rows before it.
     rows: Vec<usize>,
     /// Their features, [`COMPONENTS`] numbers each.
     inputs: Vec<f64>,
@@ -51,7 +51,7 @@ pub(super) struct Features {
 }
 
 impl Features {
-    /// Of the inputs of some pairs; the targets do not matter.
+    /// Features of the inputs of some pairs; they do not depend on the targets.
     pub(super) fn new(pairs: &Pairs<'_>) -> Self {
         let rows = || pairs.segments.iter().flat_map(|s| s.start + 2..s.end);
         let rows: Vec<usize> = rows().step_by(rows().count().div_ceil(MAX_ROWS).max(1)).collect();
@@ -129,7 +129,7 @@ fn variances(kinematics: &[f64]) -> [f64; 2] {
     variance
 }
 
-/// See the module documentation.
+/// Gaussian processes of one target style.
 #[derive(Clone, Debug)]
 pub(super) struct Gp {
     features: Arc<Features>,
@@ -137,9 +137,9 @@ pub(super) struct Gp {
     differences: Principal,
     /// Factor of those components in the second process's input.
     difference_scale: f64,
-    /// The second process; none without training rows.
+    /// Second process; `None` without training rows.
     process: Option<Process>,
-    /// Means of the outputs, to which the prior falls back.
+    /// Means of the outputs, to which the prediction returns far from the training rows.
     mean: [f64; OUTPUTS],
     frame_secs: f32,
 }

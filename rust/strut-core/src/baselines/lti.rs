@@ -1,10 +1,10 @@
 //! Linear time-invariant systems: Hsu, Pulli, Popović, "Style Translation for Human Motion", 2005.
 //!
-//! A state-space model translates the input's degrees of freedom into the output's. Its pairs are registered
-//! rows, as the paper's are warped clips. Two variants: one system of order 8 for each degree of freedom (the
-//! figures of `docs/methods/mar.md` are of this one), or one system for the leading principal components of all.
-//! Timing is one more output: the log duration, from the input's leading components. The paper smooths it
-//! afterwards, and so do we; feet are planted by the stylizer as for every method.
+//! A state-space model maps the input's degrees of freedom to the output's. The training pairs are registered rows, as
+//! the paper's are warped clips. There are two variants: one system of order 8 for each degree of freedom (the figures
+//! of `docs/methods/mar.md` are for this variant), or one system for the leading principal components of all. Timing is
+//! an additional output: the log duration, predicted from the input's leading components and smoothed afterwards, as in
+//! the paper. Feet are planted by the stylizer, as for every method.
 
 use super::principal::Principal;
 use super::subspace::{Recording, Shape, StateSpace};
@@ -13,16 +13,16 @@ use crate::math::float_funcs::double;
 use crate::math::float_funcs::exp;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 
-/// Shape of the systems of one degree of freedom: the order of the literature, and lags of a third of a second at
-/// 60 Hz, enough to tell a step's phase.
+/// Shape of the systems of one degree of freedom: the order of the literature, and lags of a third of a second at 60
+/// Hz, enough to determine the phase of a step.
 const SINGLE: Shape = Shape { inputs: 1, outputs: 1, order: 8, lags: 20 };
-/// Principal components of the input and of the output that the joint system sees.
+/// Number of principal components of the input and of the output in the joint system.
 const COMPONENTS: usize = 16;
-/// Shape of the joint system: with more outputs fewer lags determine the state.
+/// Shape of the joint system: with more outputs, fewer lags determine the state.
 const JOINT: Shape = Shape { inputs: COMPONENTS, outputs: COMPONENTS, order: 32, lags: 8 };
 /// Shape of the system that predicts the log duration from the leading components of the input.
 const TIMING: Shape = Shape { inputs: 6, outputs: 1, order: 8, lags: 12 };
-/// Degrees of freedom with a smaller deviation count as constant.
+/// Degrees of freedom with a smaller deviation are treated as constant.
 const STILL: f64 = 1e-5;
 /// Half-life of the smoothing of log durations, seconds: a tempo changes over a step, not within it.
 const TIMING_HALF_LIFE_SECS: f64 = 0.1;
@@ -30,7 +30,7 @@ const TIMING_HALF_LIFE_SECS: f64 = 0.1;
 /// A system for each degree of freedom, or one for all.
 #[derive(Clone, Debug)]
 enum Systems {
-    /// One entry a degree of freedom; `None` where the input stands still.
+    /// One entry for each degree of freedom; `None` if the input is constant.
     Single(Vec<Option<StateSpace>>),
     Joint {
         system: StateSpace,
@@ -38,13 +38,13 @@ enum Systems {
     },
 }
 
-/// See the module documentation.
+/// Linear time-invariant systems of one target style.
 #[derive(Clone, Debug)]
 pub(super) struct Lti {
     systems: Systems,
     /// Components of the input's rows.
     components: Principal,
-    /// From the components to the log duration.
+    /// System from the components to the log duration.
     timing: StateSpace,
     input_mean: Vec<f64>,
     input_deviation: Vec<f64>,
@@ -55,7 +55,7 @@ pub(super) struct Lti {
 }
 
 impl Lti {
-    /// One system for each degree of freedom.
+    /// Trains one system for each degree of freedom.
     pub(super) fn train(pairs: &Pairs<'_>) -> Self {
         let (x, y) = (&pairs.inputs, &pairs.targets);
         let mut lti = Self::timing_only(pairs);
@@ -71,7 +71,7 @@ impl Lti {
         lti
     }
 
-    /// One system for the principal components of all degrees of freedom.
+    /// Trains one system for the principal components of all degrees of freedom.
     pub(super) fn train_joint(pairs: &Pairs<'_>) -> Self {
         let mut lti = Self::timing_only(pairs);
         let output = principal(pairs, &pairs.targets);
@@ -84,7 +84,7 @@ impl Lti {
         lti
     }
 
-    /// Everything but the systems for the pose.
+    /// Trains everything except the systems for the pose.
     fn timing_only(pairs: &Pairs<'_>) -> Self {
         let [input_mean, input_deviation] = pairs.moments(&pairs.inputs);
         let [output_mean, _] = pairs.moments(&pairs.targets);
@@ -103,7 +103,7 @@ impl Lti {
         }
     }
 
-    /// Calls `f` for every system with the quantity it predicts, its memory and its input for a row.
+    /// Calls `f` for every system with the quantity that it predicts, its memory and its input for a row.
     fn for_each(&self, memory: &mut [f64], row: &PoseRow, mut f: impl FnMut(Part, &StateSpace, &mut [f64], &[f64])) {
         let components = projected(&self.components, row);
         let (timing, mut rest) = memory.split_at_mut(2 * self.timing.order());
@@ -123,7 +123,7 @@ impl Lti {
     }
 }
 
-/// What a system predicts.
+/// Quantity that a system predicts.
 #[derive(Clone, Copy, Debug)]
 enum Part {
     Duration,
@@ -206,7 +206,7 @@ fn recordings<const M: usize, const L: usize>(
     pairs.segments.iter().map(recording).collect()
 }
 
-/// Components of some rows at the pairs.
+/// Components of some rows of the pairs.
 fn principal(pairs: &Pairs<'_>, rows: &[PoseRow]) -> Principal {
     let data: Vec<f64> = pairs.segments.iter().cloned().flatten().flat_map(|t| wide(&rows[t])).collect();
     Principal::new(&data, DOFS, COMPONENTS)

@@ -1,4 +1,4 @@
-//! Trained predictors, kept as long as the model they belong to.
+//! Trained predictors, which are kept as long as their model.
 
 use super::global_ar::GlobalAr;
 use super::gp::{Features, Gp};
@@ -7,12 +7,12 @@ use super::{Baseline, Pairs, Predictor};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Everything that a predictor depends on, for one database.
+/// All inputs of a predictor's training, for one database.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     baseline: Baseline,
     style: u16,
-    /// 0 for those without a ridge.
+    /// 0 for predictors without a ridge.
     lambda: f32,
     segments: Vec<Range<usize>>,
 }
@@ -25,7 +25,7 @@ pub(crate) struct Baselines {
 }
 
 impl Baselines {
-    /// The predictor for some pairs, trained on first use. Threads that train different predictors do not wait for each
+    /// Predictor for some pairs, trained at the first use. Threads that train different predictors do not wait for each
     /// other.
     pub(crate) fn predictor(&self, baseline: Baseline, pairs: &Pairs<'_>, lambda: f32) -> Arc<dyn Predictor> {
         let key = Key {

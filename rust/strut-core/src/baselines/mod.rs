@@ -1,10 +1,10 @@
-//! Baselines with training, for comparison: global autoregression, linear
-//! time-invariant systems and Gaussian processes. (Nearest neighbour, KNN interpolation and the local
-//! autoregression share the search and live beside the mixture in [`crate::transfer`].)
+//! Baselines with training, for comparison: global autoregression, linear time-invariant systems and Gaussian
+//! processes. (Nearest neighbour, KNN interpolation and the local autoregression use the search and are in
+//! [`crate::transfer`].)
 //!
-//! All learn from the same pairs: rows of a database and their registered targets in one style. They are
-//! reached through [`crate::transfer::Method`] like every other method; training happens when a style is
-//! activated, once a model. Sums are in double precision. In the browser only the Compare view's package contains them.
+//! All are trained on the same pairs: rows of a database and their registered targets in one style. They are selected
+//! by [`crate::transfer::Method`] like every other method. They are trained when a style is activated, once for each
+//! model. Sums are in double precision. In the browser only the package of the Compare view contains them.
 
 mod gaussian_process;
 mod global_ar;
@@ -25,18 +25,18 @@ use std::fmt::Debug;
 /// A trained method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Baseline {
-    /// See [`global_ar`].
+    /// Global autoregression ([`global_ar`]).
     GlobalAr,
-    /// See [`lti`]: one system a degree of freedom.
+    /// Linear systems ([`lti`]), one for each degree of freedom.
     Lti,
-    /// See [`lti`]: one system for the principal components of all.
+    /// A linear system ([`lti`]) for the principal components of all degrees of freedom.
     LtiJoint,
-    /// See [`gp`].
+    /// Gaussian processes ([`gp`]).
     Gp,
 }
 
 impl Baseline {
-    /// Whether what is trained depends on λ.
+    /// Returns whether the training depends on λ.
     pub(crate) fn has_ridge(self) -> bool {
         self == Self::GlobalAr
     }
@@ -49,7 +49,7 @@ pub(crate) struct Now<'a> {
     pub(crate) input: &'a PoseRow,
     /// xₜ₋₁.
     pub(crate) previous_input: &'a PoseRow,
-    /// yₜ₋₁; for the first frame a guess.
+    /// yₜ₋₁; an estimate for the first frame.
     pub(crate) previous_output: &'a PoseRow,
 }
 
@@ -58,17 +58,17 @@ pub(crate) struct Now<'a> {
 pub(crate) struct Prediction {
     /// yₜ.
     pub(crate) output: PoseRow,
-    /// How long it lasts, seconds.
+    /// Duration of the frame, seconds.
     pub(crate) step_secs: f32,
 }
 
 /// A method trained for one target style.
 pub(crate) trait Predictor: Debug + Send + Sync {
-    /// Numbers that [`Predictor::predict`] keeps from frame to frame.
+    /// Number of values that [`Predictor::predict`] keeps from frame to frame.
     fn memory_len(&self) -> usize;
 
-    /// Sets the memory to its value after the rows of `past`, the stored frames up to the one nearest to the first input.
-    /// May be empty.
+    /// Sets the memory to its value after the rows of `past`, the stored frames up to the one nearest to the first
+    /// input. `past` may be empty.
     fn start(&self, memory: &mut [f64], past: &[PoseRow]);
 
     /// Predicts the next frame. Allocates nothing.

@@ -1,4 +1,4 @@
-//! The training pairs of the baselines.
+//! Training pairs of the baselines.
 
 use crate::catalogue::{Catalogue, TargetTable};
 use crate::math::float_funcs::ln;
@@ -8,7 +8,7 @@ use std::ops::Range;
 /// Rows of some classes of a database and their targets in one style.
 #[derive(Clone, Debug)]
 pub(crate) struct Pairs<'a> {
-    /// Their rate and ranges.
+    /// Catalogue, with their frame rate and ranges.
     pub(crate) catalogue: &'a Catalogue,
     /// x.
     pub(crate) inputs: Vec<PoseRow>,
@@ -16,15 +16,15 @@ pub(crate) struct Pairs<'a> {
     pub(crate) targets: Vec<PoseRow>,
     /// Index of the style.
     pub(crate) style: u16,
-    /// How long each y lasts, seconds.
+    /// Duration of each y, seconds.
     step_secs: Vec<f32>,
-    /// Rows that follow each other in time: one range a clip, of two rows at least.
+    /// Rows in sequence: one range for each clip, of at least two rows.
     pub(crate) segments: Vec<Range<usize>>,
 }
 
 impl<'a> Pairs<'a> {
-    /// The pairs of some classes. Classes without the style are left out, unless that leaves none: their
-    /// targets are their own rows.
+    /// Pairs of some classes. Classes without the style are omitted, unless none would be left; then the targets of
+    /// rows are the rows themselves.
     pub(crate) fn new(catalogue: &'a Catalogue, targets: &TargetTable, classes: &[usize]) -> Self {
         let any = classes.iter().any(|&c| targets.class_has_target(c));
         let segments = classes
@@ -44,12 +44,12 @@ impl<'a> Pairs<'a> {
         }
     }
 
-    /// Rows that have a row before them, in order: the t of xₜ₋₁, xₜ, yₜ₋₁, yₜ.
+    /// Rows that have a predecessor, in order: the t of xₜ₋₁, xₜ, yₜ₋₁, yₜ.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.segments.iter().flat_map(|s| s.start + 1..s.end)
     }
 
-    /// Logarithm of the target's duration in frames at a row: 0 where the style keeps the input's tempo.
+    /// Logarithm of the target's duration in frames at a row: 0 if the style keeps the input's tempo.
     pub(crate) fn log_duration(&self, row: usize) -> f64 {
         f64::from(ln((self.step_secs[row] * self.catalogue.rate_hz).max(1e-3)))
     }

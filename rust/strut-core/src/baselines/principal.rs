@@ -6,15 +6,15 @@ use nalgebra::{DMatrix, SymmetricEigen};
 #[derive(Clone, Debug)]
 pub(super) struct Principal {
     mean: Vec<f64>,
-    /// One direction of unit length after the other, by falling variance.
+    /// Directions of unit length in sequence, by decreasing variance.
     directions: Vec<f64>,
     /// Variance of the vectors along each direction.
     variance: Vec<f64>,
 }
 
 impl Principal {
-    /// Principal components of the vectors of `width` numbers in `data`; at most `count` directions, only those of positive
-    /// variance.
+    /// Computes the principal components of the vectors of `width` numbers in `data`; at most `count` directions, only
+    /// those of positive variance.
     pub(super) fn new(data: &[f64], width: usize, count: usize) -> Self {
         let n = (data.len() / width).max(1) as f64;
         let mut mean = vec![0.0; width];
@@ -57,7 +57,7 @@ impl Principal {
         }
     }
 
-    /// Writes the vector of some components.
+    /// Writes the vector with these components.
     pub(super) fn reconstruct(&self, components: &[f64], out: &mut [f64]) {
         out.copy_from_slice(&self.mean);
         for (c, direction) in components.iter().zip(self.directions.chunks_exact(self.mean.len())) {

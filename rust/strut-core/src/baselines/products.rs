@@ -1,5 +1,5 @@
-//! Sums of products in a fixed order: nalgebra's own matrix product takes instructions that only some
-//! processors have, and its last bits depend on them.
+//! Sums of products in a fixed order. nalgebra's own matrix product uses instructions that only some CPUs have, and its
+//! last bits depend on them.
 
 use nalgebra::DMatrix;
 

@@ -1,32 +1,32 @@
 //! Subspace identification of linear time-invariant systems from recordings of their inputs and outputs
 //! (Van Overschee and De Moor, "Subspace Identification for Linear Systems", 1996).
 //!
-//! xₜ₊₁ = A xₜ + B uₜ,  yₜ = C xₜ + D uₜ + e. With i lags, the past wₜ = [uₜ₋ᵢ, yₜ₋ᵢ, …, uₜ₋₁, yₜ₋₁] and the
-//! future inputs predict the future outputs by least squares; the part Γ xₜ = L wₜ that comes from the past has
-//! rank n, and its leading directions (weighted as in MOESP, by the past that the future inputs do not explain)
-//! give the states as xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system runs in open loop, without
-//! y, C, D and the offset are fitted to the states of a simulation, which after a while do not depend on the first one.
+//! xₜ₊₁ = A xₜ + B uₜ,  yₜ = C xₜ + D uₜ + e. With i lags, the past wₜ = [uₜ₋ᵢ, yₜ₋ᵢ, …, uₜ₋₁, yₜ₋₁] and the future
+//! inputs predict the future outputs by least squares. The part Γ xₜ = L wₜ that comes from the past has rank n, and
+//! its leading directions (weighted as in MOESP, by the past that the future inputs do not explain) give the states as
+//! xₜ = T wₜ. Regressing xₜ₊₁ on xₜ and uₜ gives A and B. Since the system runs in open loop, without y, C, D and the
+//! offset are fitted to the states of a simulation, which after some time do not depend on the initial state.
 //!
-//! Everything but that last step needs only the lagged products of the recordings, a block Hankel Gram matrix
-//! whose blocks follow from their upper left neighbours.
+//! All steps except the last need only the lagged products of the recordings: a block Hankel Gram matrix whose blocks
+//! follow from their upper left neighbours.
 
 use super::products::{dot, product};
 use crate::math::float_funcs::double;
 use nalgebra::{Cholesky, DMatrix, DVector, Schur, SymmetricEigen};
 
-/// Greatest spectral radius of A: a memory of about 1 s at 60 Hz.
+/// Greatest spectral radius of A: a time constant of about 1 s at 60 Hz.
 const MAX_RADIUS: f64 = 0.985;
 /// Ridge of Gram matrices, as a share of their mean diagonal: for periodic motion the lags are nearly collinear.
 const RIDGE: f64 = 1e-5;
 /// Added to each diagonal entry of the regression of C and D, as a share of itself: inputs may be collinear.
 const OUTPUT_RIDGE: f64 = 1e-7;
 
-/// A stretch of frames that follow each other in time.
+/// A sequence of consecutive frames.
 #[derive(Clone, Debug)]
 pub(super) struct Recording {
-    /// uₜ, one frame after the other.
+    /// uₜ, frames in sequence.
     pub(super) inputs: Vec<f64>,
-    /// yₜ likewise.
+    /// yₜ, frames in sequence.
     pub(super) outputs: Vec<f64>,
 }
 
@@ -47,13 +47,13 @@ pub(super) struct StateSpace {
     transition: Vec<f64>,
     /// [C D offset], l rows.
     output: Vec<f64>,
-    /// (I − A)⁻¹ B, n rows: the state at rest per unit of constant input.
+    /// (I − A)⁻¹ B, n rows: the steady state per unit of constant input.
     rest: Vec<f64>,
 }
 
 impl StateSpace {
-    /// Identifies a system of this shape. Where recordings are too short or not exciting enough the order is lower, down to
-    /// a static map; without any frame the output is zero.
+    /// Identifies a system of this shape. If recordings are too short or not exciting enough the order is lower, down
+    /// to a static map; without any frame the output is zero.
     pub(super) fn identify(recordings: &[Recording], shape: Shape) -> Self {
         let none = || (DMatrix::zeros(0, 0), DMatrix::zeros(0, shape.inputs));
         let (a, b) = dynamics(recordings, shape).unwrap_or_else(none);
@@ -75,12 +75,12 @@ impl StateSpace {
         system
     }
 
-    /// Dimension of the state; [`StateSpace::step`] needs twice as many numbers of memory.
+    /// Dimension of the state; [`StateSpace::step`] needs twice as many values of memory.
     pub(super) fn order(&self) -> usize {
         self.order
     }
 
-    /// Sets the state to that of an input that has always been `u`.
+    /// Sets the state to the steady state of the constant input `u`.
     pub(super) fn rest(&self, state: &mut [f64], u: &[f64]) {
         for (x, row) in state.iter_mut().zip(self.rest.chunks_exact(u.len())) {
             *x = dot(row, u);
@@ -95,7 +95,7 @@ impl StateSpace {
         }
     }
 
-    /// Moves on by one frame. `memory` holds the state and room for another.
+    /// Advances by one frame. `memory` contains the state and space for another.
     pub(super) fn step(&self, memory: &mut [f64], u: &[f64]) {
         let n = self.order;
         let (state, next) = memory.split_at_mut(n);
@@ -105,8 +105,8 @@ impl StateSpace {
         state.copy_from_slice(&next[..n]);
     }
 
-    /// Fits C, D and the offset to the states that the recordings' inputs give. A recording begins at rest with its
-    /// first input; its first frames do not count, unless that leaves few.
+    /// Fits C, D and the offset to the states that result from the recordings' inputs. A recording starts in the steady
+    /// state of its first input. Its first frames are ignored, unless few would be left.
     fn fit_output(&mut self, recordings: &[Recording], shape: Shape) {
         let Shape { inputs: m, outputs: l, lags, .. } = shape;
         let width = self.order + m + 1;
@@ -137,7 +137,7 @@ impl StateSpace {
             }
         }
         gram.fill_upper_triangle_with_lower_triangle();
-        // Relative to each regressor's size: states may be much smaller than inputs.
+        // Relative to the size of each regressor: states may be much smaller than inputs.
         for i in 0..width {
             gram[(i, i)] += OUTPUT_RIDGE * gram[(i, i)] + f64::MIN_POSITIVE.max(1e-12 * count);
         }
@@ -151,7 +151,7 @@ fn by_rows(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
 }
 
-/// The series of all components of all recordings, [recording][component][frame], less the components' means.
+/// Series of all components of all recordings, [recording][component][frame], minus the components' means.
 fn centred(recordings: &[Recording], shape: Shape) -> Vec<Vec<Vec<f64>>> {
     let Shape { inputs: m, outputs: l, .. } = shape;
     let series = |r: &Recording, c: usize| -> Vec<f64> {
@@ -226,7 +226,7 @@ fn dynamics(recordings: &[Recording], shape: Shape) -> Option<(DMatrix<f64>, DMa
     (a.iter().chain(b.iter()).all(|v| v.is_finite())).then_some((a, b))
 }
 
-/// A scaled to a spectral radius of at most [`MAX_RADIUS`].
+/// A, scaled to a spectral radius of at most [`MAX_RADIUS`].
 fn stabilised(a: DMatrix<f64>) -> Option<DMatrix<f64>> {
     if a.is_empty() {
         return Some(a);
@@ -236,8 +236,8 @@ fn stabilised(a: DMatrix<f64>) -> Option<DMatrix<f64>> {
     Some(if radius > MAX_RADIUS { a * (MAX_RADIUS / radius) } else { a })
 }
 
-/// Σ sₜ sₜᵀ over all windows sₜ = [uₜ, yₜ, uₜ₊₁, yₜ₊₁, …] of 2·`lags` frames of some recordings, given by their
-/// components' series; `None` if there are fewer windows than numbers in one.
+/// Σ sₜ sₜᵀ over all windows sₜ = [uₜ, yₜ, uₜ₊₁, yₜ₊₁, …] of 2·`lags` frames of some recordings, given the series of
+/// their components; `None` if there are fewer windows than numbers in a window.
 fn hankel_gram(recordings: &[Vec<Vec<f64>>], lags: usize) -> Option<DMatrix<f64>> {
     let p = recordings.first()?.len();
     let length = 2 * lags;
@@ -250,8 +250,9 @@ fn hankel_gram(recordings: &[Vec<Vec<f64>>], lags: usize) -> Option<DMatrix<f64>
         }
         let windows = frames + 1 - length;
         count += windows;
-        // Products of one lag at a time: of the first frame of the windows with the one `lag` later, then of the second with
-        // the one after that, by subtracting the first window's product and adding that of a window after the last.
+        // Products for one lag at a time: first between the first frames of the windows and those `lag` later; then
+        // between the second frames and those `lag` later, by subtracting the first window's product and adding that of
+        // a window after the last; and so on.
         for lag in 0..length {
             for (i, x) in series.iter().enumerate() {
                 for (j, y) in series.iter().enumerate() {
@@ -276,12 +277,12 @@ mod tests {
     use super::*;
     use crate::fixtures::noise;
 
-    /// Inputs that begin at rest.
+    /// Inputs that start at zero.
     fn from_rest(seed: u32, frames: usize) -> Vec<f64> {
         std::iter::once(0.0).chain(noise(seed)).take(frames).collect()
     }
 
-    /// A damped swing (eigenvalues 0.8 ± 0.4i) and a slow decay, seen through one output, at rest before.
+    /// A damped oscillation (eigenvalues 0.8 ± 0.4i) and a slow decay, with one output, initially at rest.
     fn planted(inputs: &[f64]) -> Vec<f64> {
         let mut x = [0.0; 3];
         inputs
@@ -330,7 +331,7 @@ mod tests {
         }
     }
 
-    /// Two inputs cross over to two outputs, each with its own decay.
+    /// Two inputs act crosswise on two outputs, each with its own decay.
     #[test]
     fn systems_with_several_inputs_and_outputs_are_recovered() {
         let (u, v) = (from_rest(5, 800), from_rest(6, 800));

@@ -1,5 +1,5 @@
-//! The baselines as wholes: on sparse training data through the stylizer, and on their training targets. Their parts are
-//! tested in their own modules.
+//! Tests of complete baselines: on sparse training data through the stylizer, and on their training targets. Their
+//! parts are tested in their own modules.
 
 use crate::database::{Database, DatabaseParts};
 use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, database, walk};
@@ -8,8 +8,8 @@ use crate::pose_vector::DOFS;
 use crate::transfer::{Method, Model, Options, Stylizer};
 use std::sync::Arc;
 
-/// The methods, and how high their hips may be for wild input, metres. 0.98 to 1.2 were measured; a joint system of few
-/// frames extrapolates farther, to 5.2.
+/// Methods, and the greatest accepted height of their hips for extreme input, metres. The measured values were 0.98 to
+/// 1.2; a joint system of few frames extrapolates farther, to 5.2.
 const METHODS: [(Method, f32); 4] =
     [(Method::GlobalAr, 1.5), (Method::Lti, 1.5), (Method::LtiJoint, 6.0), (Method::Gp, 1.5)];
 
@@ -69,8 +69,8 @@ fn one_short_clip_a_class_gives_finite_motion_for_any_input() {
     }
 }
 
-/// Mean distance of predictions and targets over rows in time, in standard deviations of the degrees of freedom, and mean
-/// difference of their durations as a share.
+/// Mean distance of predictions and targets over consecutive rows, in standard deviations of the degrees of freedom,
+/// and the mean relative difference of their durations.
 fn training_error(pairs: &super::Pairs<'_>, predictor: &dyn super::Predictor) -> [f32; 2] {
     let sigma = pairs.catalogue.sigma();
     let (mut error, mut of_duration, mut count) = (0.0, 0.0, 0);
@@ -92,13 +92,13 @@ fn training_error(pairs: &super::Pairs<'_>, predictor: &dyn super::Predictor) ->
     [error, of_duration].map(|sum| sum / count as f32)
 }
 
-/// Each method, fed back its own output, follows the targets that it was trained on.
+/// Each method, with its own output as feedback, follows its training targets.
 #[test]
 fn training_targets_are_predicted() {
     let model = Model::new(database());
     let table = model.target_table(1);
     let pairs = super::Pairs::new(model.catalogue(), &table, &[0]);
-    // Twice the errors that were measured.
+    // Twice the measured errors.
     for (baseline, greatest) in [
         (super::Baseline::GlobalAr, [0.03, 0.03]),
         (super::Baseline::Lti, [0.02, 0.0025]),
@@ -129,7 +129,7 @@ fn a_predictor_is_trained_once_a_model() {
     assert_ne!(again[2], first, "another style has its own");
 }
 
-/// With the input at rest an LTI system's output is at rest, wherever the predictor begins.
+/// With a constant input an LTI system's output becomes constant, whatever the initial state of the predictor.
 #[test]
 fn memory_of_the_start_dies_out() {
     let model = Model::new(database());

@@ -1,4 +1,4 @@
-//! A catalogue from rows that are read in parts.
+//! Builds a catalogue from rows that are read in parts.
 
 use super::gait_phase::GaitPhase;
 use super::header::Header;
@@ -14,14 +14,14 @@ use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Index, Places, Plan, PlanSource, WINDOW, Windows};
 use std::ops::Range;
 
-/// Rows that are read at once.
+/// Number of rows that are read at once.
 const PORTION: usize = 256;
 
-/// Copies rows from a number on; they exist.
+/// Copies rows from an index on. The rows must exist.
 pub type RowReader<'a, T> = dyn Fn(usize, &mut [T]) + 'a;
 
-/// A [`Catalogue`] without its index. The tensors that take most of a database's bytes are copied in parts from where they
-/// are, so that a package's memory, which never shrinks, need not hold them.
+/// A [`Catalogue`] without its index. The tensors that take most of a database's bytes are copied in parts from their
+/// source, so that the memory of a WebAssembly module, which never shrinks, need not contain them.
 pub struct CatalogueBuilder {
     header: Header,
     rows: QuantisedRows,
@@ -37,8 +37,8 @@ pub struct CatalogueBuilder {
 }
 
 impl CatalogueBuilder {
-    /// Reads the poses: `read` copies those of the rows from a number on. Those of `parts` and its point clouds are not
-    /// used. Every shape, index and value is checked as by [`Database::new`](crate::database::Database::new).
+    /// Reads the poses: `read` copies the rows from an index on. The poses and point clouds of `parts` are not used.
+    /// Every shape, index and value is checked as by [`Database::new`](crate::database::Database::new).
     ///
     /// # Errors
     /// See [`DatabaseError`].
@@ -92,7 +92,7 @@ impl CatalogueBuilder {
         })
     }
 
-    /// The rows of a database, and its point clouds.
+    /// Rows of a database, and its point clouds.
     fn of(db: Database) -> (Self, Vec<PointCloud>) {
         let (mut parts, _) = db.into_parts();
         let (pose, point_cloud) = (std::mem::take(&mut parts.pose), std::mem::take(&mut parts.point_cloud));
@@ -100,11 +100,11 @@ impl CatalogueBuilder {
         (valid(Self::new(parts, &copy)), point_cloud)
     }
 
-    /// Reads the point clouds, `read` as in [`CatalogueBuilder::new`], and makes the search index by a plan. Without a plan,
-    /// or with that of another database, it is built, which takes longer.
+    /// Reads the point clouds with `read`, as in [`CatalogueBuilder::new`], and creates the search index from a plan.
+    /// Without a plan, or with that of another database, the index is built, which takes longer.
     ///
     /// # Errors
-    /// If a position is not a number within 1 km.
+    /// If a position is not finite or not within 1 km.
     pub fn finish(
         mut self,
         read: Box<RowReader<'_, PointCloud>>,
@@ -122,7 +122,7 @@ impl CatalogueBuilder {
         Ok(self.finish_with(Index::of_windows(windows, plan)))
     }
 
-    /// Takes an index of the same rows.
+    /// Completes the catalogue with an index of the same rows.
     fn finish_with(self, index: Index) -> Catalogue {
         Catalogue {
             header: self.header,
@@ -141,16 +141,16 @@ impl CatalogueBuilder {
 }
 
 impl Catalogue {
-    /// The catalogue of a database; builds the search index.
+    /// Creates the catalogue of a database; builds the search index.
     pub fn new(db: Database) -> Self {
         Self::with_plan(db, None)
     }
 
-    /// The catalogue of a database with the search index of a plan. Without a plan, or with that of another database, the
-    /// index is built, which takes longer.
+    /// Creates the catalogue of a database with the search index of a plan. Without a plan, or with that of another
+    /// database, the index is built, which takes longer.
     ///
     /// # Panics
-    /// Never: a [`Database`] was validated when it was made.
+    /// Never: a [`Database`] was validated when it was created.
     pub fn with_plan(db: Database, plan: Option<Plan>) -> Self {
         let (builder, point_cloud) = CatalogueBuilder::of(db);
         let copy = move |first: usize, to: &mut [PointCloud]| to.copy_from_slice(&point_cloud[first..][..to.len()]);
@@ -161,7 +161,7 @@ impl Catalogue {
         }
     }
 
-    /// The catalogue of a database and its index.
+    /// Creates the catalogue of a database with its index.
     ///
     /// # Panics
     /// As [`Catalogue::with_plan`].
@@ -170,13 +170,13 @@ impl Catalogue {
     }
 }
 
-/// What a [`Database`] gives, which was validated when it was made. Not by `expect`: how that shows an error would be a
-/// twenty-fifth of a small package.
+/// Unwraps a result for a [`Database`], which was validated when it was created. `expect` is not used, because its
+/// formatting of an error would be a twenty-fifth of a small package.
 fn valid<T>(result: Result<T, DatabaseError>) -> T {
     result.unwrap_or_else(|error| unreachable!("the database is valid, but {error}"))
 }
 
-/// The rows of a clip in parts.
+/// Rows of a clip in parts.
 fn portions_of(clip: &Clip) -> impl Iterator<Item = Range<usize>> {
     let rows = clip.rows();
     rows.clone().step_by(PORTION).map(move |first| first..rows.end.min(first + PORTION))

@@ -1,11 +1,11 @@
-//! The rows of the examples in a catalogue.
+//! Rows of the examples in a catalogue.
 
 use super::quantised::{QuantisedRows, Quantiser, Rows, Steps};
 use super::target_table::TargetTable;
 use crate::math::lanes::Lane;
 
-/// Rows of the examples: their inputs x, or their targets y in a style. One type for both, so that what reads them is
-/// compiled once.
+/// Rows of the examples: their inputs x, or their targets y in a style. A single type for both, so that the code that
+/// reads them is compiled once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ExampleRows<'a> {
     Inputs(&'a QuantisedRows),

@@ -1,23 +1,23 @@
-//! Where in the gait cycle each row of a catalogue is, from the canonical times.
+//! Position in the gait cycle of each row of a catalogue, from the canonical times.
 
 use crate::database::{Clip, DatabaseParts};
 use crate::math::float_funcs::sin_cos;
 use std::f32::consts::TAU;
 
-/// Sine and cosine are kept in units of this.
+/// Unit in which sine and cosine are stored.
 const UNIT: f32 = 1.0 / i16::MAX as f32;
 
-/// Phases of the rows whose action walks or runs; other rows have none.
+/// Phases of the rows whose action walks or runs; other rows have no phase.
 #[derive(Clone, Debug)]
 pub struct GaitPhase {
-    /// Cosine and sine of each row's phase, in [`UNIT`]s; zeros where there is none.
+    /// Cosine and sine of each row's phase, in [`UNIT`]s; zeros without a phase.
     phasors: Vec<[i16; 2]>,
-    /// Cycles that each row's clip advances in a frame; 0 where there is no phase.
+    /// Cycles that each row's clip advances per frame; 0 without a phase.
     advances: Vec<f32>,
 }
 
 impl GaitPhase {
-    /// The phases of a database's rows. An action has gait cycles if its canonical time wraps around within a clip.
+    /// Phases of a database's rows. An action has gait cycles if its canonical time wraps around within a clip.
     pub(super) fn new(parts: &DatabaseParts) -> Self {
         let n = parts.canonical_time.len();
         let mut phases = Self { phasors: vec![[0; 2]; n], advances: vec![0.0; n] };
@@ -33,19 +33,19 @@ impl GaitPhase {
         phases
     }
 
-    /// Cosine and sine of a row's phase; zeros where there is none.
+    /// Cosine and sine of a row's phase; zeros without a phase.
     pub fn phasor(&self, row: usize) -> [f32; 2] {
         self.phasors[row].map(|v| f32::from(v) * UNIT)
     }
 
-    /// Cycles that a row's clip advances in a frame; 0 where there is no phase.
+    /// Cycles that a row's clip advances per frame; 0 without a phase.
     pub fn advance(&self, row: usize) -> f32 {
         self.advances[row]
     }
 }
 
-/// Length of a canonical cycle in frames, which is a whole number, from the canonical times of an action's clips; `None` if
-/// in no clip the time wraps around.
+/// Length of a canonical cycle in frames, a whole number, from the canonical times of an action's clips; `None` if the
+/// time wraps around in no clip.
 fn period<'a>(clips: impl Iterator<Item = &'a [f32]> + Clone) -> Option<f32> {
     let greatest = clips.clone().flatten().copied().fold(0.0, f32::max);
     let wraps = |times: &[f32]| times.windows(2).any(|pair| pair[0] - pair[1] > 0.5 * greatest);

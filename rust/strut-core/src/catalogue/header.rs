@@ -4,7 +4,7 @@ use crate::database::{Class, Clip, DatabaseParts};
 use crate::humanoid::Proportions;
 use crate::pose_vector::PoseChart;
 
-/// The rate, the body, the names, the clips and the classes of a catalogue.
+/// Frame rate, body, names, clips and classes of a catalogue.
 #[derive(Clone, Debug)]
 pub struct Header {
     /// Frames per second of every clip.
@@ -49,7 +49,7 @@ impl Header {
         self.clips.last().map_or(0, |clip| clip.rows().end)
     }
 
-    /// Index of the class that a row belongs to.
+    /// Index of the class of a row.
     ///
     /// # Panics
     /// If `row` is not below [`Header::frames`].
@@ -58,7 +58,7 @@ impl Header {
         self.classes.partition_point(|class| class.rows.end <= row)
     }
 
-    /// Index of the clip that a row belongs to.
+    /// Index of the clip of a row.
     ///
     /// # Panics
     /// If `row` is not below [`Header::frames`].

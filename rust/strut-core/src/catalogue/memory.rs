@@ -1,4 +1,4 @@
-//! How much memory a catalogue takes, before it is made.
+//! Memory of a catalogue, estimated before it is created.
 
 use super::quantised::QuantisedRows;
 use super::runtime::Catalogue;
@@ -6,10 +6,10 @@ use super::target_table::TargetTable;
 use crate::database::Clip;
 use crate::search::Index;
 
-/// What the memory of a catalogue depends on.
+/// Quantities that determine the memory of a catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CatalogueSize {
-    /// Rows of all clips.
+    /// Number of rows of all clips.
     pub frames: u64,
     /// Number of styles.
     pub styles: u64,
@@ -19,17 +19,17 @@ pub struct CatalogueSize {
     pub clips: u64,
     /// Number of classes.
     pub classes: u64,
-    /// Rows of the largest class.
+    /// Number of rows of the largest class.
     pub frames_of_class: u64,
 }
 
-/// Bytes of a clip: names, source and licence, in the file's form and in ours.
+/// Memory of a clip, bytes: names, source and licence, in the file's form and in the catalogue's.
 const CLIP: u64 = 1200;
-/// Bytes that no size matters to: directions of windows, and working memory.
+/// Memory that does not depend on the size, bytes: directions of windows, and working memory.
 const FIXED: u64 = 400_000;
 
 impl CatalogueSize {
-    /// Of clips sorted by class; what they claim may be impossible.
+    /// Size of clips sorted by class; their values may be invalid.
     pub fn of_clips(clips: &[Clip], styles: usize, counterparts_per_style: usize) -> Self {
         let by_class = clips.chunk_by(|a, b| (a.action, a.style) == (b.action, b.style));
         let frames = |clips: &[Clip]| clips.iter().fold(0_u64, |n, clip| n.saturating_add(clip.frames as u64));
@@ -43,16 +43,16 @@ impl CatalogueSize {
         }
     }
 
-    /// Of a catalogue.
+    /// Size of a catalogue.
     pub fn of(catalogue: &Catalogue) -> Self {
         Self::of_clips(&catalogue.clips, catalogue.styles.len(), catalogue.counterparts_per_style)
     }
 
-    /// Bytes that a [`CatalogueBuilder`](super::CatalogueBuilder) takes at most, with what it reads and makes; with a plan of
-    /// the search index or without. At least the true number, and at most a fifth more.
+    /// Maximum memory of a [`CatalogueBuilder`](super::CatalogueBuilder), bytes, including the data that it reads and
+    /// creates, with a plan of the search index or without. At least the true number, and at most a fifth more.
     pub fn bytes(&self, has_plan: bool) -> u64 {
         let counterparts = self.styles.saturating_mul(self.counterparts_per_style).saturating_mul(4);
-        // Durations, phases, contacts; and the order of a plan, or that of the windows to be built.
+        // Durations, phases and contacts; and the order of a plan, or that of the windows to be built.
         let row = counterparts.saturating_add(4 + 8 + 2 + 8);
         let index = Index::bytes(self.frames, self.classes, (!has_plan).then_some(self.frames_of_class));
         [self.frames.saturating_mul(row), CLIP.saturating_mul(self.clips), index, FIXED]
@@ -60,7 +60,7 @@ impl CatalogueSize {
             .fold(QuantisedRows::bytes(self.frames), u64::saturating_add)
     }
 
-    /// Bytes of the [table of targets](super::TargetTable) of a style once every target has been read.
+    /// Memory of the [table of targets](super::TargetTable) of a style after every target has been read, bytes.
     pub fn table_bytes(&self) -> u64 {
         TargetTable::bytes(self.frames)
     }

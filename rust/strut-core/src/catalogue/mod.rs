@@ -1,4 +1,4 @@
-//! The runtime form of a database: compact, indexed and read-only.
+//! Runtime form of a database: compact, indexed and read-only.
 
 mod builder;
 mod example_rows;

@@ -1,17 +1,17 @@
-//! Rows of degrees of freedom as 16-bit integers: half the memory, and half as much to fetch for a frame.
+//! Rows of degrees of freedom as 16-bit integers: half the memory, and half the memory accesses per frame.
 //!
-//! A step is the 65,534th part of a degree of freedom's range in the database: some 1e-5 … 1e-4 rad. In styled clips of
-//! motion capture half the channels change by less than 2e-5° and one in a hundred by 1e-3°.
+//! A step is the 65,534th part of a degree of freedom's range in the database: about 1e-5 … 1e-4 rad. In styled clips
+//! of motion capture half the channels change by less than 2e-5°, and one in a hundred by 1e-3°.
 
 use crate::math::lanes::{Lane, WIDTH};
 use crate::pose_vector::{PoseRow, ROW};
 
 /// Rows that can be read four degrees of freedom at a time.
 pub(crate) trait Rows {
-    /// The numbers 4 `l` … of a row.
+    /// Values 4 `l` … of a row.
     fn lane(&self, row: usize, l: usize) -> Lane;
 
-    /// The same of the row before and of the row, by `l`.
+    /// Values of the previous row and of the row, as a function of `l`.
     #[inline]
     fn pair(&self, row: usize) -> impl Fn(usize) -> [Lane; 2] {
         move |l| [self.lane(row - 1, l), self.lane(row, l)]
@@ -28,17 +28,17 @@ impl Rows for [PoseRow] {
 /// A row as integers.
 pub(super) type Steps = [i16; ROW];
 
-/// The integers of values within a range.
+/// Conversion between integers and values within a range.
 #[derive(Clone, Debug)]
 pub(super) struct Quantiser {
     middle: PoseRow,
     step: PoseRow,
-    /// The step; infinite where it is zero.
+    /// The step; infinite if it is zero.
     divisor: PoseRow,
 }
 
 impl Quantiser {
-    /// For values between the least and the greatest of `range`.
+    /// Quantiser for values between the least and the greatest of `range`.
     pub(super) fn new([least, greatest]: &[PoseRow; 2]) -> Self {
         let step: PoseRow = std::array::from_fn(|d| (greatest[d] - least[d]) / (2.0 * f32::from(i16::MAX)));
         Self {
@@ -48,27 +48,27 @@ impl Quantiser {
         }
     }
 
-    #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+    #[inline(never)] // In WebAssembly a function is optimised once it has been called often.
     pub(super) fn quantised(&self, row: &PoseRow) -> Steps {
         let mut steps = [0; ROW];
         for (l, four) in steps.chunks_exact_mut(WIDTH).enumerate() {
             let exact = (Lane::of(row, l) - Lane::of(&self.middle, l)) / Lane::of(&self.divisor, l);
             for (steps, exact) in four.iter_mut().zip(exact.to_array()) {
-                // Where the range is narrow and far from zero, the rounding error of its middle may be a step.
+                // If the range is narrow and far from zero, the rounding error of its middle may be a step.
                 let limited = exact.clamp(-f32::from(i16::MAX), f32::from(i16::MAX));
-                // Rounded to the nearest by truncating a positive number.
+                // Rounded to nearest by truncating a positive number.
                 *steps = ((limited + 65_536.5) as i32 - 65_536) as i16;
             }
         }
         steps
     }
 
-    /// The row of these integers.
+    /// Row of these integers.
     pub(super) fn row(&self, steps: &Steps) -> PoseRow {
         std::array::from_fn(|d| self.middle[d] + self.step[d] * f32::from(steps[d]))
     }
 
-    /// The numbers 4 `l` … of the row of these integers.
+    /// Values 4 `l` … of the row of these integers.
     #[inline]
     pub(super) fn lane(&self, steps: &Steps, l: usize) -> Lane {
         Lane::of(&self.middle, l) + Lane::of(&self.step, l) * Lane::of_integers(steps, l)
@@ -79,20 +79,20 @@ impl Quantiser {
 #[derive(Clone, Debug)]
 pub struct QuantisedRows {
     quantiser: Quantiser,
-    /// In parts of [`PART`] rows, the last of which may hold fewer.
+    /// Parts of [`PART`] rows; the last may be shorter.
     parts: Vec<Vec<Steps>>,
 }
 
-/// Rows of a part: small enough that parts find room where larger data have been freed.
+/// Number of rows of a part, small enough that parts fit in memory freed from larger data.
 const PART: usize = 4096;
 
 impl QuantisedRows {
-    /// Room for `capacity` rows between the least and the greatest values of `range`.
+    /// Reserves memory for `capacity` rows between the least and the greatest values of `range`.
     pub(super) fn with_range(range: &[PoseRow; 2], capacity: usize) -> Self {
         Self { quantiser: Quantiser::new(range), parts: Vec::with_capacity(capacity.div_ceil(PART)) }
     }
 
-    /// Bytes of so many rows.
+    /// Memory of this number of rows, bytes.
     pub(super) fn bytes(rows: u64) -> u64 {
         let part = PART as u64;
         rows.div_ceil(part).saturating_mul(part * size_of::<Steps>() as u64)
@@ -110,7 +110,7 @@ impl QuantisedRows {
         }
     }
 
-    /// What makes integers of rows in the same range.
+    /// Quantiser of rows in the same range.
     pub(super) fn quantiser(&self) -> &Quantiser {
         &self.quantiser
     }
@@ -118,12 +118,12 @@ impl QuantisedRows {
     /// A row.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn get(&self, row: usize) -> PoseRow {
         self.quantiser.row(self.steps(row))
     }
 
-    /// A row's integers; it exists.
+    /// Integers of a row, which must exist.
     #[inline]
     pub(super) fn steps(&self, row: usize) -> &Steps {
         &self.parts[row / PART][row % PART]

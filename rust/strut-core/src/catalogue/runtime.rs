@@ -1,4 +1,4 @@
-//! The runtime form of a database.
+//! Runtime form of a database.
 
 use super::gait_phase::GaitPhase;
 use super::header::Header;
@@ -8,8 +8,8 @@ use crate::pose_vector::PoseRow;
 use crate::search::Index;
 use std::ops::Deref;
 
-/// A database made ready to style with: quantised rows, the data from which targets are computed, and the search index.
-/// Point clouds are kept in the index only, canonical times as phases of gait cycles. Read-only.
+/// A database prepared for styling: quantised rows, the data from which targets are computed, and the search index.
+/// Point clouds are stored in the index only, and canonical times as phases of gait cycles. Read-only.
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     pub(super) header: Header,
@@ -26,27 +26,27 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// The same with another index of the same rows, such as one that is searched approximately.
+    /// The same catalogue with another index of the same rows, for example an approximate one.
     #[must_use]
     pub fn map_index(self, change: impl FnOnce(Index) -> Index) -> Self {
         Self { index: change(self.index), ..self }
     }
 
-    /// The rows.
+    /// Quantised rows.
     pub fn rows(&self) -> &QuantisedRows {
         &self.rows
     }
 
-    /// The poses of a clip, beginning above the origin towards +Z.
+    /// Poses of a clip, starting above the origin and heading along +Z.
     ///
     /// # Panics
-    /// If there is no such clip.
+    /// If the clip does not exist.
     pub fn poses_of_clip(&self, clip: usize) -> Vec<Pose> {
         let rows = self.clips[clip].rows().map(|row| self.rows.get(row));
         self.chart.decode_clip(rows, 1.0 / self.rate_hz)
     }
 
-    /// The search index.
+    /// Search index.
     pub fn index(&self) -> &Index {
         &self.index
     }

@@ -1,4 +1,4 @@
-//! The target of every row of a catalogue in one style.
+//! Target of every row of a catalogue in one style.
 
 use super::quantised::{Quantiser, Steps};
 use super::runtime::Catalogue;
@@ -6,16 +6,17 @@ use crate::pose_vector::{PoseRow, ROW};
 use crate::registration::MAX_COUNTERPARTS;
 use std::sync::{Arc, OnceLock};
 
-/// A counterpart that moves so many rows or more from one frame to the next does not go on: another cycle takes over.
+/// A counterpart that moves by this number of rows or more from one frame to the next is not continuous: it is in
+/// another cycle.
 const JUMP_ROWS: f32 = 4.0;
 
-/// Rows whose targets are computed together. What moves alike is near for a part of a cycle only: with 64 rows, a clip of a
-/// walk needs twice the memory.
+/// Number of rows whose targets are computed together. Similar motion is near for a part of a cycle only: with 64 rows,
+/// a clip of a walk needs twice the memory.
 const PART: usize = 16;
 
-/// The registered target of every row in one style: the mean of the poses and contacts at the row's counterparts, and how
-/// long they take for it (`docs/methods/mar.md` §4). Targets are computed when they are first read, and kept: most motions
-/// are near a small part of a database.
+/// Registered target of every row in one style: the mean of the poses and contacts at the row's counterparts, and the
+/// time that the counterparts take (`docs/methods/mar.md` §4). Targets are computed when they are first read, and kept:
+/// most motions are near a small part of a database.
 #[derive(Debug)]
 pub struct TargetTable {
     catalogue: Arc<Catalogue>,
@@ -23,29 +24,29 @@ pub struct TargetTable {
     parts: Vec<OnceLock<Vec<Target>>>,
 }
 
-/// The target of a row.
+/// Target of a row.
 #[derive(Debug)]
 struct Target {
     pose: Steps,
     step_secs: f32,
-    /// In 65,535ths.
+    /// In units of 1/65,535.
     contact: [u16; 2],
 }
 
 impl TargetTable {
-    /// The table of a style.
+    /// Creates the table of a style.
     ///
     /// # Panics
-    /// If `style` is not one of the catalogue's.
+    /// If the catalogue does not contain `style`.
     pub fn new(catalogue: Arc<Catalogue>, style: u16) -> Self {
         assert!(usize::from(style) < catalogue.styles.len(), "style {style} of {}", catalogue.styles.len());
         let parts = std::iter::repeat_with(OnceLock::new).take(catalogue.frames().div_ceil(PART)).collect();
         Self { catalogue, style, parts }
     }
 
-    /// Bytes of the table of so many rows once every target has been read.
+    /// Memory of a table of this number of rows after every target has been read, bytes.
     pub(super) fn bytes(rows: u64) -> u64 {
-        // What an allocation takes beside its content.
+        // Overhead of an allocation.
         let part = size_of::<OnceLock<Vec<Target>>>() as u64 + 16;
         let targets = rows.saturating_mul(size_of::<Target>() as u64);
         targets.saturating_add(rows.div_ceil(PART as u64).saturating_mul(part))
@@ -56,49 +57,49 @@ impl TargetTable {
         self.style
     }
 
-    /// Whether rows of a class have counterparts in this style.
+    /// Returns whether rows of a class have counterparts in this style.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     #[cfg(feature = "baselines")]
     pub(crate) fn class_has_target(&self, class: usize) -> bool {
         let mut rows = self.catalogue.classes()[class].rows.clone();
         rows.any(|row| self.catalogue.counterparts(row, self.style).next().is_some())
     }
 
-    /// Target pose of a row; the row itself where the style has no counterpart.
+    /// Target pose of a row; the row itself if it has no counterpart in the style.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn pose(&self, row: usize) -> PoseRow {
         self.quantiser().row(&self.target(row).pose)
     }
 
-    /// Seconds that the target style takes for a row's input step of one frame: the mean time that the row's counterparts
-    /// advance, or where none goes on, the quotient of their mean duration and the row's own.
+    /// Time that the target style takes for a row's input step of one frame, seconds: the mean time by which the row's
+    /// counterparts advance or, if none is continuous, the quotient of their mean duration and the row's own.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     #[inline]
     pub fn step_secs(&self, row: usize) -> f32 {
         self.target(row).step_secs
     }
 
-    /// Share of a row's counterparts whose left and right foot is planted.
+    /// Share of a row's counterparts with a planted left and right foot.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn contact(&self, row: usize) -> [f32; 2] {
         self.target(row).contact.map(|share| f32::from(share) / f32::from(u16::MAX))
     }
 
-    /// A mean of rows is within their range.
+    /// Quantiser; a mean of rows is within the range of rows.
     #[inline]
     pub(super) fn quantiser(&self) -> &Quantiser {
         self.catalogue.rows().quantiser()
     }
 
-    /// A row's target pose as integers; the row exists.
+    /// Target pose of a row as integers; the row must exist.
     #[inline]
     pub(super) fn steps(&self, row: usize) -> &Steps {
         &self.target(row).pose
@@ -142,7 +143,8 @@ impl TargetTable {
     }
 }
 
-/// Counterparts of a row in a style, each the next of the same slot of the row before while it goes on; NaN in empty slots.
+/// Counterparts of a row in a style. In each slot they continue those of the previous row if they are continuous; NaN
+/// in empty slots.
 type Slots = [f32; MAX_COUNTERPARTS];
 
 fn slots_of(of: &Catalogue, row: usize, style: u16) -> Slots {
@@ -151,8 +153,8 @@ fn slots_of(of: &Catalogue, row: usize, style: u16) -> Slots {
     slots
 }
 
-/// Rows that the counterparts of a row advance in a frame, from the rows before, at and after it: the mean of the slots
-/// that go on to either side. `None` if there are none.
+/// Number of rows by which the counterparts of a row advance per frame, from the rows before, at and after it: the mean
+/// of the slots that are continuous to either side. `None` if there are none.
 fn mean_advance([before, now, after]: [Option<Slots>; 3]) -> Option<f32> {
     let now = now?;
     let advance = |from: Option<&Slots>, to: Option<&Slots>, slot: usize| {
@@ -186,7 +188,7 @@ impl Default for Mean {
 
 impl Mean {
     /// Adds the values at a fractional row, interpolated between the rows around it.
-    #[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+    #[inline(never)] // In WebAssembly a function is optimised once it has been called often.
     fn add(&mut self, of: &Catalogue, at: f32) {
         let i = (at as usize).min(of.frames() - 1);
         let j = (i + 1).min(of.frames() - 1);
@@ -219,7 +221,7 @@ mod tests {
         assert_eq!((all[PART], computed()), (first, all.len()));
     }
 
-    /// A row of which two counterparts are known.
+    /// A row with two known counterparts.
     fn of(a: f32, b: f32) -> Slots {
         let mut slots = [f32::NAN; MAX_COUNTERPARTS];
         (slots[0], slots[1]) = (a, b);

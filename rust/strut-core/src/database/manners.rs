@@ -1,46 +1,47 @@
-//! Styles that are performed in two manners, for reports.
+//! Bimodal styles, for reports: classes whose takes form two clusters.
 //!
-//! The target of a frame is the mean of its counterparts in the takes of a style. Where some takes were performed in another
-//! manner than the rest, that mean is neither: takes 1 to 4 of the `exhausted` turns of bandai-namco-2 go about half as far
-//! from neutral as takes 5 to 8, and the output stays behind both.
+//! The target of a frame is the mean of its counterparts in the takes of a style. If the takes form two clusters, that
+//! mean matches neither: takes 1 to 4 of the `exhausted` turns of bandai-namco-2 differ about half as much from neutral
+//! as takes 5 to 8, and the output lies between them.
 
 use super::offline::Database;
 use crate::math::partition::principal_partition;
 use crate::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 
-/// Fewest clips of a manner: one may be a slip.
+/// Minimum number of clips in a cluster: a single clip may be an outlier.
 const MIN_CLIPS: usize = 2;
 
-/// Least distance of two manners, in distances of two takes of a class as they usually are.
+/// Minimum distance of two clusters, in units of the usual distance of two takes of a class.
 ///
-/// With it, `walk-turn-left` and `walk-turn-right` of bandai-namco-2 in `exhausted` are reported (2.0 and 1.8) and no other of
-/// its 28 classes of 4 clips and more. Next are 1.30 (`run` in `active`, most of whose variance lies within the groups), 1.25
-/// (`walk-turn-right` in `elderly`) and less, which is how far takes drift from the first session of the recordings to the
-/// second. 80 of 84 classes mixed of two styles, four takes each, are reported, and of classes that hold one manner 1.7 % when
-/// all but 4 clips are taken away, 0.9 % with 5, none with 6. The classes of bandai-namco-1, of xia and of the built-in motions
-/// have 3 clips at most, of which nothing is said.
+/// With it, `walk-turn-left` and `walk-turn-right` of bandai-namco-2 in `exhausted` are reported (2.0 and 1.8) and no
+/// other of its 28 classes of 4 or more clips. Next are 1.30 (`run` in `active`, most of whose variance lies within the
+/// clusters), 1.25 (`walk-turn-right` in `elderly`) and less, which is the difference between the two recording
+/// sessions. 80 of 84 classes mixed from two styles with four takes each are reported. Of unimodal classes 1.7 % are
+/// reported if only 4 of their clips are kept, 0.9 % with 5, none with 6. The classes of bandai-namco-1, of xia and of
+/// the built-in motions have 3 clips at most and are not tested.
 ///
-/// A class is part of its own yardstick: where it alone has several clips, two even halves are at most 1.3 apart.
+/// A class contributes to the usual distance: if it is the only one with several clips, two equal halves are at most
+/// 1.3 apart.
 const MIN_SEPARATION: f64 = 1.4;
 
-/// Least share of the variance of a class that lies between its manners: more than within them.
+/// Minimum share of the variance of a class that lies between its clusters: more than within them.
 const MIN_EXPLAINED: f64 = 0.5;
 
-/// A style that is performed in two manners in an action.
+/// A bimodal style: its takes of an action form two clusters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoManners {
     /// Name of the action.
     pub action: String,
     /// Name of the style.
     pub style: String,
-    /// How far the manners are apart, in distances of two takes of a class as they usually are in the database; 1.4 at least.
+    /// Distance of the clusters, in units of the usual distance of two takes of a class in the database; at least 1.4.
     pub separation: f32,
-    /// Names of the clips of each manner, at least 2, in the database's order; the first clip of the class is in the first.
+    /// Names of the clips of each cluster, at least 2, in the database's order. The first cluster contains the first
+    /// clip of the class.
     pub clips: [Vec<String>; 2],
 }
 
-/// The styles of a database that are performed in two manners, in the order of its classes. Of classes with fewer than 4 clips
-/// nothing is said.
+/// Bimodal styles of a database, in the order of its classes. Classes with fewer than 4 clips are not tested.
 pub fn two_manners(db: &Database) -> Vec<TwoManners> {
     let takes = statistics_of_takes(db);
     let spread = TakeSpread::of(&takes);
@@ -57,13 +58,13 @@ pub fn two_manners(db: &Database) -> Vec<TwoManners> {
     found.collect()
 }
 
-/// The statistics of the clips of every class, in the database's order.
+/// Statistics of the clips of every class, in the database's order.
 pub(crate) fn statistics_of_takes(db: &Database) -> Vec<Vec<MotionStatistics>> {
     let statistics = |clip: usize| motion_statistics(&db.point_cloud[db.clips[clip].rows()]);
     db.classes().iter().map(|class| class.clips.clone().map(statistics).collect()).collect()
 }
 
-/// Separation and takes, by index, of the two manners in which takes are performed, if they are.
+/// Distance and takes (as indices) of the two clusters that takes form, if they do.
 fn manners(takes: &[MotionStatistics], spread: &TakeSpread) -> Option<(f64, [Vec<usize>; 2])> {
     let standardised: Vec<MotionStatistics> = takes.iter().map(|take| spread.standardised(take)).collect();
     let found = principal_partition(&standardised, MIN_CLIPS)?;
@@ -78,14 +79,14 @@ mod tests {
     use crate::motion_statistics::STATISTICS;
     use proptest::prelude::*;
 
-    /// Takes of a class about a place, each off it by up to 1 cm in every statistic.
+    /// Takes of a class around a value, each differing from it by up to 1 cm in every statistic.
     fn takes(n: usize, place: f64, seed: u64) -> Vec<MotionStatistics> {
         let mut random = SplitMix64::new(seed);
         let mut off = || random.below(2001) as f64 / 1000.0 - 1.0;
         (0..n).map(|_| std::array::from_fn(|_| place + 0.01 * off())).collect()
     }
 
-    /// Five classes of one manner each, and the takes of one more.
+    /// Result for a class in a database with five unimodal classes.
     fn manners_of(class: &[MotionStatistics]) -> Option<(f64, [Vec<usize>; 2])> {
         let mut classes: Vec<_> = (0..5).map(|i| takes(6, i as f64, i)).collect();
         classes.push(class.to_vec());

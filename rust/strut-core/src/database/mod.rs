@@ -1,7 +1,7 @@
 //! The offline database: registered (action × style) motion, to be built, stored and edited.
 //!
-//! Rows (frames) are sorted by class, an (action, style) pair, and within it by clip, so that a class
-//! is a contiguous range of rows. The layout follows the `.strutdb` file (DESIGN §5).
+//! Rows (frames) are sorted by class, an (action, style) pair, and within it by clip, so that a class is a contiguous
+//! range of rows. The layout is that of the `.strutdb` file (`docs/reference/files.md`).
 
 pub mod build;
 mod manners;

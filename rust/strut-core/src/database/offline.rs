@@ -1,12 +1,12 @@
-//! The offline form of a database.
+//! Offline form of a database.
 
 use super::parts::{Class, DatabaseParts};
 use super::statistics::{RowSquares, RowSums};
 use super::validation::{DatabaseError, validate_tensors, validated_classes};
 use crate::pose_vector::PoseRow;
 
-/// A database as it is built, stored and edited: validated data. For use it becomes a
-/// [`Catalogue`](crate::catalogue::Catalogue).
+/// A database in the form that is built, stored and edited: validated data. It is converted to a
+/// [`Catalogue`](crate::catalogue::Catalogue) for use.
 #[derive(Clone, Debug)]
 pub struct Database {
     parts: DatabaseParts,
@@ -16,7 +16,7 @@ pub struct Database {
 }
 
 impl Database {
-    /// A database of these parts; every shape, index and value is checked.
+    /// Creates a database from its parts. Every shape, index and value is checked.
     ///
     /// # Errors
     /// See [`DatabaseError`].
@@ -41,7 +41,7 @@ impl Database {
         &self.classes
     }
 
-    /// Index of the class that a row belongs to.
+    /// Index of the class of a row.
     ///
     /// # Panics
     /// If `row` is not below [`Database::frames`].
@@ -50,7 +50,7 @@ impl Database {
         self.classes.partition_point(|c| c.rows.end <= row)
     }
 
-    /// Index of the clip that a row belongs to.
+    /// Index of the clip of a row.
     ///
     /// # Panics
     /// If `row` is not below [`Database::frames`].
@@ -79,15 +79,15 @@ impl Database {
         self.actions.iter().position(|s| s == name).map(|i| i as u16)
     }
 
-    /// Counterparts of a row in a style: fractional row indices, at most M, none if the style is missing
-    /// for the row's action.
+    /// Counterparts of a row in a style: at most M fractional row indices, none if the style is missing for the row's
+    /// action.
     pub fn counterparts(&self, row: usize, style: u16) -> impl Iterator<Item = f32> + '_ {
         let m = self.parts.counterparts_per_style;
         let first = (row * self.parts.styles.len() + usize::from(style)) * m;
         self.parts.counterpart[first..first + m].iter().copied().take_while(|&c| c >= 0.0)
     }
 
-    /// The data, and the classes of their rows.
+    /// Returns the data, and the classes of their rows.
     pub(crate) fn into_parts(self) -> (DatabaseParts, Vec<Class>) {
         (self.parts, self.classes)
     }

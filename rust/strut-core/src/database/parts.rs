@@ -1,11 +1,11 @@
-//! The data of a database: clips, classes and tensors.
+//! Data of a database: clips, classes and tensors.
 
 use crate::humanoid::{JOINTS, Proportions};
 use crate::math::Vec3;
 use crate::pose_vector::{PoseChart, PoseRow};
 use std::ops::Range;
 
-/// The heading-free joint positions of a row, metres.
+/// Joint positions of a row, metres, with the heading removed and the hips above the origin.
 pub type PointCloud = [Vec3; JOINTS];
 
 /// One clip of a [`Database`].
@@ -23,14 +23,14 @@ pub struct Clip {
     pub first_frame: usize,
     /// Number of rows, at least 1.
     pub frames: usize,
-    /// Where the clip comes from.
+    /// Origin of the clip.
     pub source: String,
-    /// Its licence, empty if unknown.
+    /// Licence, empty if unknown.
     pub licence: String,
 }
 
 impl Clip {
-    /// The clip's rows.
+    /// Rows of the clip.
     pub fn rows(&self) -> Range<usize> {
         self.first_frame..self.first_frame + self.frames
     }
@@ -49,7 +49,7 @@ pub struct Class {
     pub clips: Range<usize>,
 }
 
-/// The data of a database; N rows, S styles, M counterparts.
+/// Data of a database; N rows, S styles, M counterparts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DatabaseParts {
     /// Frames per second of every clip.
@@ -64,11 +64,11 @@ pub struct DatabaseParts {
     pub styles: Vec<String>,
     /// Index of the neutral style.
     pub neutral: u16,
-    /// Clips sorted by (action, style); their rows follow each other without a gap.
+    /// Clips sorted by (action, style); their rows are contiguous.
     pub clips: Vec<Clip>,
     /// N rows of degrees of freedom.
     pub pose: Vec<PoseRow>,
-    /// N heading-free joint positions, metres.
+    /// N sets of heading-free joint positions, metres.
     pub point_cloud: Vec<PointCloud>,
     /// N times on the canonical timeline of the action (the neutral reference cycle), in canonical frames.
     pub canonical_time: Vec<f32>,
@@ -78,8 +78,8 @@ pub struct DatabaseParts {
     pub contact: Vec<[u8; 2]>,
     /// M, at most [`MAX_COUNTERPARTS`](crate::registration::MAX_COUNTERPARTS).
     pub counterparts_per_style: usize,
-    /// N × S × M registered rows as fractional row indices; −1 where there is none. A frame has either
-    /// no counterpart in a style or at least one, listed first. In single precision as in the file: a resolution of
-    /// 1/128 frame at 80,000 rows, 1/8 at a million.
+    /// N × S × M registered rows as fractional row indices; −1 for none. A frame has either no counterpart in a style
+    /// or at least one, listed first. Single precision, as in the file: the resolution is 1/128 frame at 80,000 rows,
+    /// 1/8 at a million.
     pub counterpart: Vec<f32>,
 }

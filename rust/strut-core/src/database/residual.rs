@@ -4,12 +4,12 @@ use super::offline::Database;
 use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 
-/// Every so many frames are measured: neighbouring frames are nearly equal.
+/// Interval of the frames that are measured: neighbouring frames are nearly equal.
 const STRIDE: usize = 4;
 
-/// For every clip the mean distance of its joints from those of its counterparts in all styles, metres, after
-/// the mean offset from its class to the style is removed: the part that neither timing nor a constant pose explains. 0
-/// for a clip without counterparts.
+/// Mean distance of each clip's joints from those of its counterparts in all styles, metres, after the mean offset from
+/// its class to the style is removed. It is the part that neither timing nor a constant pose explains. 0 for a clip
+/// without counterparts.
 pub fn residuals(db: &Database) -> Vec<f32> {
     let mut sums = vec![(0.0_f64, 0_usize); db.clips.len()];
     for class in db.classes() {
@@ -36,7 +36,7 @@ pub fn residuals(db: &Database) -> Vec<f32> {
     sums.into_iter().map(|(sum, count)| (sum / count.max(1) as f64) as f32).collect()
 }
 
-/// A row's joints less the mean of its counterparts' in a style; `None` without counterparts.
+/// Joints of a row minus the mean of its counterparts' joints in a style; `None` without counterparts.
 fn difference(db: &Database, row: usize, style: u16) -> Option<[Vec3; JOINTS]> {
     let (mut sum, mut count) = ([Vec3::ZERO; JOINTS], 0.0);
     for at in db.counterparts(row, style) {

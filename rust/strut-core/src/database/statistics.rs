@@ -1,4 +1,4 @@
-//! Means and deviations of rows that are taken in order, in parts of any length.
+//! Means and deviations of rows that are added in order, in parts of any length.
 
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 
@@ -40,7 +40,7 @@ impl RowSums {
     }
 }
 
-/// Mean of a number of rows.
+/// Mean of a set of rows.
 #[derive(Clone, Debug)]
 pub(crate) struct RowMean {
     n: f64,
@@ -72,7 +72,7 @@ impl RowSquares {
     }
 }
 
-/// Sums over the steps from one row of a clip to the next.
+/// Sums of the steps from one row of a clip to the next.
 #[derive(Clone, Debug)]
 pub(crate) struct StepSums {
     count: f64,
@@ -102,12 +102,12 @@ impl StepSums {
     }
 }
 
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+#[inline(never)] // In WebAssembly a function is optimised once it has been called often.
 fn add(row: &PoseRow, sums: &mut [f64; ROW]) {
     sums.iter_mut().zip(row).for_each(|(sum, &v)| *sum += f64::from(v));
 }
 
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+#[inline(never)] // In WebAssembly a function is optimised once it has been called often.
 fn add_squared_differences(row: &PoseRow, mean: &[f64; ROW], sums: &mut [f64; ROW]) {
     for ((sum, mean), &v) in sums.iter_mut().zip(mean).zip(row) {
         let difference = f64::from(v) - mean;
@@ -115,7 +115,7 @@ fn add_squared_differences(row: &PoseRow, mean: &[f64; ROW], sums: &mut [f64; RO
     }
 }
 
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+#[inline(never)] // In WebAssembly a function is optimised once it has been called often.
 fn add_step([from, to]: [&PoseRow; 2], sums: &mut [f64; ROW], squares: &mut [f64; ROW]) {
     for (d, (sum, square)) in sums.iter_mut().zip(squares).enumerate() {
         let step = f64::from(to[d]) - f64::from(from[d]);
@@ -124,7 +124,7 @@ fn add_step([from, to]: [&PoseRow; 2], sums: &mut [f64; ROW], squares: &mut [f64
     }
 }
 
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+#[inline(never)] // In WebAssembly a function is optimised once it has been called often.
 fn widen([least, greatest]: &mut [PoseRow; 2], row: &PoseRow) {
     for ((least, greatest), &v) in least.iter_mut().zip(greatest).zip(row) {
         // `f32::min` would be a function call in WebAssembly.

@@ -8,14 +8,14 @@ use thiserror::Error;
 
 /// Greatest number of frames of a database.
 pub const MAX_FRAMES: usize = 4_000_000;
-/// Shortest and longest duration of a canonical frame, seconds. Target durations are quotients of durations: with
-/// these bounds none overflows.
+/// Shortest and longest duration of a canonical frame, seconds. Target durations are quotients of durations; with these
+/// bounds none overflows.
 const TIME_STEP_RANGE: [f32; 2] = [1e-5, 10.0];
 
-/// Why data are not a valid database.
+/// Reason why data are not a valid database.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DatabaseError {
-    /// A tensor has another number of rows than the clips say.
+    /// The number of rows of a tensor does not match the clips.
     #[error("'{tensor}' has {found} entries; the clips need {expected}")]
     Shape {
         /// Name of the tensor.
@@ -25,24 +25,24 @@ pub enum DatabaseError {
         /// Entries expected.
         expected: usize,
     },
-    /// Too many or too few of something, or an index outside its table.
+    /// A count or an index is out of range.
     #[error("{0}")]
     Invalid(String),
-    /// A tensor holds NaN or infinity, or a value outside its range.
+    /// A tensor contains a value that is NaN, infinite or out of range.
     #[error("'{tensor}' holds {value} at frame {frame}; {expected} was expected")]
     Value {
         /// Name of the tensor.
         tensor: &'static str,
         /// Row of the value.
         frame: usize,
-        /// The value.
+        /// The invalid value.
         value: f32,
-        /// What was expected.
+        /// Valid range.
         expected: &'static str,
     },
 }
 
-/// The classes of valid clips.
+/// Checks clips and returns their classes.
 pub(crate) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, DatabaseError> {
     let invalid = |s: String| Err(DatabaseError::Invalid(s));
     if !(parts.rate_hz.is_finite() && parts.rate_hz >= 1.0 && parts.rate_hz <= 1000.0) {
@@ -106,7 +106,7 @@ pub(super) fn validate_tensors(parts: &DatabaseParts) -> Result<(), DatabaseErro
     validate_point_clouds(0, &parts.point_cloud)
 }
 
-/// The same of all but poses and point clouds; gives the number of rows.
+/// Checks all tensors except poses and point clouds. Returns the number of rows.
 pub(crate) fn validate_short_tensors(parts: &DatabaseParts) -> Result<usize, DatabaseError> {
     let n = parts.clips.last().map_or(0, |c| c.first_frame + c.frames);
     has_length("canonical_time", parts.canonical_time.len(), n)?;
@@ -166,11 +166,11 @@ fn bad<T>(tensor: &'static str, frame: usize, value: f32, expected: &'static str
     Err(DatabaseError::Value { tensor, frame, value, expected })
 }
 
-/// The first value that is no number or whose size is not below `limit`.
-#[inline(never)] // In WebAssembly a function becomes fast once it has been called often.
+/// First value that is NaN or whose absolute value is not below `limit`.
+#[inline(never)] // In WebAssembly a function is optimised once it has been called often.
 fn first_beyond(values: &[f32], limit: f32) -> Option<f32> {
     let within = |v: f32| v.abs() < limit;
-    // Nearly all values are good: without an early exit the loop is vectorised.
+    // Nearly all values are valid: without an early exit the loop is vectorised.
     if values.iter().fold(true, |good, &v| good & within(v)) {
         return None;
     }

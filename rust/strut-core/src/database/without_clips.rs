@@ -1,4 +1,4 @@
-//! A database without some of its clips, which are held out for evaluation or measurement.
+//! Removes clips from a database, to hold them out for evaluation or measurement.
 
 use super::offline::Database;
 use super::parts::{Clip, DatabaseParts};
@@ -6,7 +6,7 @@ use super::validation::DatabaseError;
 use crate::humanoid::HumanoidMotion;
 
 impl Database {
-    /// The database without the clips of these indices; counterparts in them are lost.
+    /// The database without the clips of these indices. Counterparts in them are lost.
     ///
     /// # Errors
     /// If no clip is left.
@@ -37,7 +37,7 @@ impl Database {
             let new = kept.partition_point(|c| c.rows().end <= at as usize);
             kept.get(new).filter(|c| c.rows().contains(&(at as usize)))?;
             let (from, to) = (kept[new].first_frame, parts.clips[new].first_frame);
-            // A row number between two clips would be interpolated across clips.
+            // A row index between two clips would be interpolated across clips.
             Some((to as f32 + (at - from as f32)).min((to + kept[new].frames - 1) as f32))
         };
         for row in kept.iter().flat_map(|c| c.rows()) {
@@ -50,10 +50,10 @@ impl Database {
         Self::new(parts)
     }
 
-    /// A clip as motion, beginning above the origin towards +Z.
+    /// Motion of a clip, starting above the origin and heading along +Z.
     ///
     /// # Panics
-    /// If there is no such clip.
+    /// If the clip does not exist.
     pub fn motion_of_clip(&self, clip: usize) -> HumanoidMotion {
         let rows = self.pose[self.clips[clip].rows()].iter().copied();
         let poses = self.chart.decode_clip(rows, 1.0 / self.rate_hz);

@@ -1,7 +1,7 @@
 //! Leave-one-out cross-validation over takes (`docs/methods/mar.md` §12).
 //!
-//! Fold k removes take k of every style and action from the database. Take k of the source style is styled,
-//! and compared with take k of the target style: training and test data never share a take.
+//! Fold k removes take k of every style and action from the database. Take k of the source style is styled and compared
+//! with take k of the target style: training and test data never share a take.
 
 use super::quality::{Quality, Styled, quality};
 use super::truth::{Aligned, Alignment, Errors, align, root_free};
@@ -16,12 +16,12 @@ use crate::transfer::StyledFrame;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Settings of the cross-validation.
+/// Options of the cross-validation.
 #[derive(Clone, Copy, Debug)]
 pub struct LeaveOneOut<'a> {
     /// All clips.
     pub clips: &'a [SourceClip],
-    /// Style of the inputs; the databases' neutral style.
+    /// Style of the inputs, which is the neutral style of the databases.
     pub source: &'a str,
     /// Actions to predict; empty for all.
     pub actions: &'a [String],
@@ -29,13 +29,14 @@ pub struct LeaveOneOut<'a> {
     pub database_actions: &'a [String],
     /// Styles to predict; empty for all but the source.
     pub targets: &'a [String],
-    /// Greatest number of takes of each (action, style) but the source style's in a database, chosen by chance; 0 for all.
+    /// Maximum number of takes in a database of each (action, style) other than the source style's, chosen at random; 0
+    /// for all.
     pub target_takes: usize,
-    /// How the databases are built; the neutral style is the source.
+    /// Options of the databases; the neutral style is the source.
     pub build: &'a BuildOptions,
 }
 
-/// A performance held out, and its ground truth.
+/// A performance that is held out, and its ground truth.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// Name of the action.
@@ -46,39 +47,39 @@ pub struct Trial {
     pub take: u32,
     /// The source take at the database's rate.
     pub input: HumanoidMotion,
-    /// Frames that are compared: whole gait cycles, or all of a clip without any.
+    /// Frames that are compared: whole gait cycles, or all of a clip without cycles.
     pub segments: Vec<Range<usize>>,
     /// The target style's take at the database's rate.
     pub target_take: HumanoidMotion,
-    /// The target style's take, frame by frame beside the input.
+    /// The target style's take, aligned with the input frame by frame.
     pub truth: Aligned,
-    /// Errors of the unchanged input: the ceiling.
+    /// Errors of the unchanged input: the upper bound.
     pub unchanged: Errors,
-    /// Errors of the target style's other takes: the floor.
+    /// Errors of the target style's other takes: the lower bound.
     pub floor: Option<Floor>,
 }
 
-/// Errors of other real takes of the target style against the one held out.
+/// Errors of other real takes of the target style relative to the one that is held out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Floor {
-    /// Errors of the best one.
+    /// Errors of the best take.
     pub best_take: Errors,
-    /// Errors of the mean of the first three (of all, if there are fewer).
+    /// Errors of the mean of the first three takes (of all, if there are fewer).
     pub mean_of_takes: Errors,
 }
 
-/// Result of a method in a trial.
+/// Results of a method in a trial.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measurement {
-    /// Prediction against the truth, before feet are planted.
+    /// Errors of the prediction, before feet are planted.
     pub errors: Errors,
-    /// Finished output against the truth.
+    /// Errors of the finished output.
     pub finished_errors: Errors,
     /// Measures that need no ground truth.
     pub quality: Quality,
 }
 
-/// Takes averaged for the second floor.
+/// Number of takes that are averaged for the second lower bound.
 const TAKES_OF_MEAN: usize = 3;
 
 impl<'a> LeaveOneOut<'a> {
@@ -94,7 +95,7 @@ impl<'a> LeaveOneOut<'a> {
         }
     }
 
-    /// The takes that the source style has of the actions to predict, in order.
+    /// Takes of the source style for the actions to predict, in order.
     pub fn takes(&self) -> Vec<u32> {
         let source = self.clips.iter().filter(|c| c.style == self.source && self.predicted(&c.action));
         source.map(|c| c.take).collect::<BTreeSet<_>>().into_iter().collect()
@@ -107,19 +108,20 @@ impl<'a> LeaveOneOut<'a> {
         predicted.map(|c| c.style.as_str()).filter(wanted).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The database that holds no clip of a take. Each `draw` is another choice of the takes that are kept.
+    /// Database that contains no clip of a take. Each `draw` is another random choice of the takes that are kept.
     ///
-    /// Performances change with their number, so that the first takes of a style are like each other and like the folds next
-    /// to them: the takes are chosen by chance. The same draw of more takes holds those of the draw of fewer.
+    /// Performances change with their number, so that the first takes of a style are similar to each other and to the
+    /// neighbouring folds. Therefore the takes are chosen at random. The choice of more takes contains that of fewer
+    /// takes with the same `draw`.
     ///
     /// # Errors
-    /// If nothing is left to build a database from.
+    /// If no clips are left for a database.
     pub fn database_without(&self, take: u32, draw: u32) -> Result<Database, BuildError> {
         let options = BuildOptions { neutral: Some(self.source.to_owned()), ..self.build.clone() };
         Build::new(self.kept(take, draw), &options)?.finish(&Sequential).map(|(db, _)| db)
     }
 
-    /// The clips of [`LeaveOneOut::database_without`], by take.
+    /// Clips of [`LeaveOneOut::database_without`], by take.
     fn kept(&self, take: u32, draw: u32) -> Vec<&SourceClip> {
         let mut clips: Vec<&SourceClip> =
             self.clips.iter().filter(|c| c.take != take && self.in_database(&c.action)).collect();
@@ -139,7 +141,7 @@ impl<'a> LeaveOneOut<'a> {
         clips
     }
 
-    /// The trials in the fold of a take: one an action and target style. A take that cannot be registered gives none.
+    /// Trials in the fold of a take: one for each action and target style. A take that cannot be registered has none.
     pub fn trials(&self, take: u32) -> Vec<Trial> {
         let actions: BTreeSet<&str> =
             self.clips.iter().map(|c| c.action.as_str()).filter(|a| self.predicted(a)).collect();
@@ -193,9 +195,9 @@ impl Trial {
         }
     }
 
-    /// Styled frames, one an input frame, as a performance beside the input.
+    /// Styled frames, one for each input frame, as a performance that is aligned with the input.
     pub fn aligned(&self, frames: &[StyledFrame]) -> Aligned {
-        // The heading passes from input to output unchanged.
+        // The heading of the output is that of the input.
         let headings = build::prepare::headings(&self.input);
         let points = |(f, h): (&StyledFrame, f32)| root_free(&point_cloud(&self.input.proportions, &f.pose, h));
         Aligned {
@@ -226,7 +228,7 @@ mod tests {
         (1..=8).flat_map(|take| [clip("neutral", take), clip("old", take)]).collect()
     }
 
-    /// Numbers of the old takes that are kept.
+    /// Numbers of the "old" takes that are kept.
     fn old_takes(clips: &[SourceClip], target_takes: usize, draw: u32) -> Vec<u32> {
         let build = BuildOptions::default();
         let (actions, targets) = (["walk".to_owned()], []);

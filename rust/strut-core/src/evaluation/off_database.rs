@@ -1,7 +1,7 @@
-//! Motion unlike the database's: the protocol of `docs/methods/mar.md` §12, second table.
+//! Motion that is unlike the database: the protocol of `docs/methods/mar.md` §12, second table.
 //!
-//! Without a ground truth, three numbers together measure the quality of the result: how much rougher it is than the
-//! input, how much of the input's own content is left, and how far it moved towards the style.
+//! Without a ground truth, three numbers together measure the quality of the result: its roughness relative to the
+//! input, the remaining content of the input, and the distance of the output from the input.
 
 use crate::database::build::prepare::headings;
 use crate::humanoid::HumanoidMotion;
@@ -12,19 +12,19 @@ use crate::pose_vector::point_cloud;
 /// Length of the moving average that [`content_correlation`] subtracts, seconds.
 pub const HIGH_PASS_SECS: f32 = 0.5;
 
-/// Measures of the result for a clip unlike the database's.
+/// Measures of the result for a clip that is unlike the database.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OffDatabase {
-    /// [`mean_acceleration`] of the output over the input's: 1 is as smooth as the input.
+    /// Ratio of [`mean_acceleration`] of the output to the input's: 1 is as smooth as the input.
     pub acceleration_ratio: f32,
-    /// [`content_correlation`] of output and input: 1 is all of the input's own content.
+    /// [`content_correlation`] of output and input: 1 means that the input's content is kept completely.
     pub correlation: f32,
-    /// [`pose_error`] between output and input, metres: 0 is no style at all.
+    /// [`pose_error`] between output and input, metres: 0 means no style.
     pub distance: f32,
 }
 
-/// The three numbers of two clips whose frames correspond: frame i of the output is frame i of the input styled, before
-/// feet are planted, whatever its output time.
+/// Measures of two clips whose frames correspond: frame i of the output is the styled frame i of the input, before feet
+/// are planted and independent of its output time.
 pub fn compare(input: &HumanoidMotion, output: &HumanoidMotion) -> OffDatabase {
     let (before, after) = (heading_free_points(input), heading_free_points(output));
     let window = (HIGH_PASS_SECS * input.rate_hz) as usize | 1;
@@ -41,8 +41,7 @@ pub fn heading_free_points(motion: &HumanoidMotion) -> Vec<Points> {
     motion.poses.iter().zip(headings).map(|(p, heading)| point_cloud(&motion.proportions, p, heading)).collect()
 }
 
-/// Mean magnitude over joints and frames of the second difference, metres a squared frame; 0 for fewer than
-/// 3 frames.
+/// Mean magnitude of the second difference over joints and frames, metres per squared frame; 0 for fewer than 3 frames.
 pub fn mean_acceleration(points: &[Points]) -> f32 {
     let accelerations = points
         .windows(3)
@@ -51,12 +50,12 @@ pub fn mean_acceleration(points: &[Points]) -> f32 {
     (sum / count.max(1) as f64) as f32
 }
 
-/// How much of the faster content of `input` is in `output`: both are high-passed (every joint relative to
-/// the hips, less its centred moving average over `window` frames, an odd number; shorter at the ends),
-/// and the correlation coefficient is taken over all joints, axes and frames together.
+/// Share of the fast content of `input` that is in `output`. Both are high-pass filtered (every joint relative to the
+/// hips, minus its centred moving average over `window` frames, an odd number; shorter at the ends), and the
+/// correlation coefficient is computed over all joints, axes and frames together.
 ///
-/// The mean of a high-passed track is negligible, so that the coefficient is Σab / √(Σa² Σb²); 0 if either
-/// does not move.
+/// The mean of a high-pass filtered track is negligible, so that the coefficient is Σab / √(Σa² Σb²); 0 if either does
+/// not move.
 pub fn content_correlation(input: &[Points], output: &[Points], window: usize) -> f32 {
     let (a, b) = (high_passed(input, window), high_passed(output, window));
     let (mut ab, mut aa, mut bb) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -69,7 +68,7 @@ pub fn content_correlation(input: &[Points], output: &[Points], window: usize) -
     if scale > 0.0 { (ab / scale) as f32 } else { 0.0 }
 }
 
-/// Joints relative to the hips, less their centred moving average.
+/// Joints relative to the hips, minus their centred moving average.
 fn high_passed(points: &[Points], window: usize) -> Vec<Points> {
     let relative: Vec<Points> = points.iter().map(|p| p.map(|joint| joint - p[0])).collect();
     let reach = window / 2;
@@ -104,7 +103,7 @@ mod tests {
         assert!((same.correlation - 1.0).abs() < 1e-6);
     }
 
-    /// One joint that swings in the rhythm of `frames`, about `rest`.
+    /// A joint that oscillates with a period of `frames` frames about `rest`.
     fn swinging(frames: f32, phase: f32, rest: f32) -> Vec<Points> {
         let track = |i: usize| {
             let mut points = [Vec3::ZERO; crate::humanoid::JOINTS];

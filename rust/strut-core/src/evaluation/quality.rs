@@ -8,48 +8,48 @@ use crate::transfer::{
     BodyPart, ClipJob, NoClock, PARTS, StyledFrame, StyledMotion, Stylizer, beyond_anatomy, ground_clearance,
 };
 
-/// How a clip is styled.
+/// Mode of styling a clip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Mode {
-    /// As a whole: contacts and footplant see what comes after.
+    /// As a whole: contacts and footplant use future frames.
     #[default]
     Offline,
-    /// Frame by frame, as a live input.
+    /// Frame by frame, like a live input.
     Online,
 }
 
-/// A styled clip, before and after its feet were planted.
+/// A styled clip, before and after its feet are planted.
 #[derive(Clone, Debug)]
 pub struct Styled {
-    /// What the mixture predicts, one frame an input frame.
+    /// Predictions of the mixture, one frame for each input frame.
     pub predicted: Vec<StyledFrame>,
     /// The finished clip.
     pub finished: StyledMotion,
-    /// The finished clip at an even rate, as it is written or shown.
+    /// Finished clip at a constant frame rate, as it is written or displayed.
     pub output: HumanoidMotion,
 }
 
-/// Numbers of one styled clip.
+/// Measures of one styled clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
-    /// Mean acceleration of the joints, prediction over input, frame by frame.
+    /// Mean acceleration of the joints: ratio of prediction to input, frame by frame.
     pub acceleration_ratio: f64,
-    /// Mean jerk of the joints in the world, finished output at an even rate over input.
+    /// Mean jerk of the joints in the world: ratio of finished output at a constant frame rate to input.
     pub jerk_ratio: f64,
     /// Correlation of the fast content of prediction and input: [`super::off_database::content_correlation`].
     pub content_correlation: f64,
-    /// Mean joint distance of prediction and input, heading and place removed, metres.
+    /// Mean joint distance between prediction and input, without heading and position, metres.
     pub distance: f64,
-    /// Skate of the input, m/s, while its own contact labels show a foot planted.
+    /// Skate of the input while its own contact labels indicate a planted foot, m/s.
     pub skate_in: f64,
-    /// Skate of the finished output at an even rate, m/s, while its own labels show a foot planted.
+    /// Skate of the finished output at a constant frame rate while its own labels indicate a planted foot, m/s.
     pub skate_out: f64,
     /// Greatest depth of a sole of the finished output below the ground, metres; 0 if none is below.
     pub sole_depth: f64,
-    /// Mean angle between prediction and input of the joints of each [`BodyPart`] but the hips, radians.
+    /// Mean angle between prediction and input of the joints of each [`BodyPart`] except the hips, radians.
     pub turned: [f64; PARTS],
-    /// How far any joint of the finished output is beyond what anatomy allows, at most, less what the input itself
-    /// is, radians.
+    /// Greatest angle by which a joint of the finished output exceeds the anatomical limits, minus that of the input
+    /// itself, radians.
     pub beyond_anatomy: f64,
 }
 
@@ -77,7 +77,7 @@ pub fn style(stylizer: &Stylizer, input: &HumanoidMotion, mode: Mode) -> Styled 
     }
 }
 
-/// Measures a styled clip beside its input.
+/// Measures a styled clip in comparison with its input.
 pub fn quality(input: &HumanoidMotion, styled: &Styled) -> Quality {
     let motion = |frames: &[StyledFrame]| HumanoidMotion { poses: frames.iter().map(|f| f.pose).collect(), ..*input };
     let predicted = compare(input, &motion(&styled.predicted));

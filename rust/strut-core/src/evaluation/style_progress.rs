@@ -1,8 +1,8 @@
-//! Style progress: how much of the way from an input to a style a motion covers.
+//! Style progress: the share of the path from an input to a style that a motion covers.
 //!
-//! Input, output and real takes of the style are points in the space of motion statistics. The progress of a motion is its
-//! projection on the line from the input (0) to the mean of the takes (1): real takes scatter about 1, an unchanged input is 0,
-//! and more than 1 is exaggerated. What differs across the line does not count.
+//! Input, output and real takes of the style are points in the space of motion statistics. The progress of a motion is
+//! its projection on the line from the input (0) to the mean of the takes (1): real takes scatter about 1, an unchanged
+//! input is 0, and more than 1 is exaggerated. Differences perpendicular to the line do not count.
 
 use super::off_database::heading_free_points;
 use crate::database::{Database, statistics_of_takes};
@@ -10,7 +10,7 @@ use crate::humanoid::HumanoidMotion;
 use crate::math::partition::mean_of;
 use crate::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 
-/// The real takes of a database, to measure progress by.
+/// Real takes of a database, relative to which progress is measured.
 #[derive(Clone, Debug)]
 pub struct StyleProgress {
     spread: TakeSpread,
@@ -19,7 +19,7 @@ pub struct StyleProgress {
 }
 
 impl StyleProgress {
-    /// By the takes of this database; every statistic is divided by their spread within classes.
+    /// Uses the takes of this database; every statistic is divided by their spread within classes.
     pub fn new(db: &Database) -> Self {
         let takes = statistics_of_takes(db);
         let spread = TakeSpread::of(&takes);
@@ -32,8 +32,9 @@ impl StyleProgress {
         Self { spread, classes }
     }
 
-    /// How much of the way from `input` to the takes of a style `motion` covers; any number, 1 at the mean of the takes.
-    /// `None` if there are no takes, no class has several, or the input is there already. Both motions are on the database's body.
+    /// Progress of `motion` on the line from `input` to the mean of the takes of a style; any number, 1 at the mean.
+    /// `None` if there are no takes, no class has several, or the input is at the mean already. Both motions are on the
+    /// database's body.
     pub fn of(&self, action: &str, style: &str, input: &HumanoidMotion, motion: &HumanoidMotion) -> Option<f64> {
         let (.., takes) = self.classes.iter().find(|(a, s, _)| a == action && s == style)?;
         let point = |m: &HumanoidMotion| self.spread.standardised(&motion_statistics(&heading_free_points(m)));
@@ -41,7 +42,7 @@ impl StyleProgress {
     }
 }
 
-/// The projection of `at` on the line from `from` (0) to `to` (1); `None` if these are the same.
+/// Projection of `at` on the line from `from` (0) to `to` (1); `None` if these are equal.
 fn progress(from: &MotionStatistics, to: &MotionStatistics, at: &MotionStatistics) -> Option<f64> {
     let (mut along, mut way) = (0.0, 0.0);
     for ((from, to), at) in from.iter().zip(to).zip(at) {

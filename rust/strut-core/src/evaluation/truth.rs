@@ -1,4 +1,4 @@
-//! Ground truth of a performance: the target style's own take, registered to it.
+//! Ground truth of a performance: the target style's take, registered to it.
 
 use super::off_database::heading_free_points;
 use crate::database::build::prepare::{encode, headings};
@@ -10,38 +10,38 @@ use crate::pose_vector::PoseChart;
 use crate::registration::{Example, Job, Options};
 use std::ops::Range;
 
-/// Greatest slope of a warp in frames per frame (its limit, and a little for smoothing); a larger step is a change to
+/// Greatest slope of a warp in frames per frame (its limit, with a margin for smoothing). A larger step is a change to
 /// another cycle.
 const GREATEST_PACE: f64 = 4.0;
 
-/// Another performance of the same action, frame by frame beside a source.
+/// Another performance of the same action, aligned with a source frame by frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Aligned {
-    /// Joint positions at every frame of the source, root and heading removed, metres.
+    /// Joint positions at every frame of the source, without root and heading, metres.
     pub points: Vec<Points>,
-    /// The performance's own time at every frame of the source, seconds; it runs on within a segment only.
+    /// The performance's own time at every frame of the source, seconds; it is continuous within a segment only.
     pub time_secs: Vec<f64>,
 }
 
-/// Other performances beside a source.
+/// Other performances, aligned with a source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Alignment {
-    /// Stretches of the source over which to compare: whole gait cycles, or all of a clip that has none.
+    /// Ranges of the source that are compared: whole gait cycles, or all of a clip without cycles.
     pub segments: Vec<Range<usize>>,
-    /// The others in their order; `None` where one cannot be registered.
+    /// The other performances in order; `None` if one cannot be registered.
     pub others: Vec<Option<Aligned>>,
 }
 
-/// Errors of a prediction against an [`Aligned`] truth, means over the frames of the segments.
+/// Errors of a prediction relative to an [`Aligned`] truth, means over the frames of the segments.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
-    /// Mean joint distance, root and heading removed, metres.
+    /// Mean joint distance, without root and heading, metres.
     pub pose: f64,
     /// Mean difference of the time since the segment's first frame, seconds.
     pub timing: f64,
-    /// Mean distance of the joints' velocities, root and heading removed, per second of input; m/s.
+    /// Mean distance of the joints' velocities, without root and heading, per second of input; m/s.
     pub velocity: f64,
-    /// Frames compared.
+    /// Number of frames compared.
     pub frames: usize,
 }
 
@@ -55,14 +55,14 @@ pub(super) fn root_free(points: &Points) -> Points {
     points.map(|p| p - points[0])
 }
 
-/// Registers every other performance to the source, each on its own: the cycle (or clip) of least cost is its
-/// counterpart. All motions are at one rate and on one body.
+/// Registers each other performance to the source separately: the cycle (or clip) of least cost is its counterpart. All
+/// motions have one frame rate and one body.
 ///
 /// `None` if the source cannot be registered.
 pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alignment> {
     let chart = PoseChart::from_poses(source.poses.iter().zip(headings(source)));
     let motions: Vec<&HumanoidMotion> = std::iter::once(source).chain(others.iter().copied()).collect();
-    // Each performance counts as a style of its own, so that each gets counterparts of its own.
+    // Each performance is treated as a separate style, so that each gets its own counterparts.
     let examples: Vec<Example> =
         motions.iter().enumerate().map(|(i, m)| encode(m, &headings(m), i as u16, &chart)).collect();
     let options = Options { counterparts: 1, ..Options::default() };
@@ -86,8 +86,7 @@ pub fn align(source: &HumanoidMotion, others: &[&HumanoidMotion]) -> Option<Alig
     Some(Alignment { segments, others })
 }
 
-/// The time that passes along counterparts, seconds. At a change to a counterpart in another cycle the last pace is
-/// kept.
+/// Time along counterparts, seconds. Where the counterpart changes to another cycle, the last pace is kept.
 fn running_time(frames: &[f32], rate_hz: f32) -> Vec<f64> {
     let (mut time, mut pace) = (0.0, 1.0);
     let mut elapsed = vec![0.0; frames.len().min(1)];
@@ -107,13 +106,13 @@ fn between(points: &[Points], at: f32) -> Points {
 }
 
 impl Aligned {
-    /// The unchanged source, as a prediction.
+    /// The unchanged source as a prediction.
     pub fn unchanged(source: &HumanoidMotion) -> Self {
         let rate = f64::from(source.rate_hz);
         Self { points: points_of(source), time_secs: (0..source.poses.len()).map(|i| i as f64 / rate).collect() }
     }
 
-    /// The frame-by-frame mean of some performances; `None` without any.
+    /// Frame-by-frame mean of some performances; `None` without any.
     pub fn mean(of: &[&Self]) -> Option<Self> {
         let first = of.first()?;
         let share = 1.0 / of.len() as f32;
@@ -126,7 +125,7 @@ impl Aligned {
         Some(Self { points, time_secs })
     }
 
-    /// How far this is from the truth over the segments of the source. Both have one entry a source frame.
+    /// Errors relative to the truth over the segments of the source. Both have one entry for each source frame.
     pub fn errors(&self, truth: &Self, segments: &[Range<usize>], rate_hz: f32) -> Errors {
         let (mut pose, mut timing, mut velocity, mut frames) = (0.0, 0.0, 0.0, 0_usize);
         for segment in segments {
@@ -147,7 +146,7 @@ impl Aligned {
     }
 }
 
-/// Mean distance of corresponding joints but the hips, which are the root that was removed.
+/// Mean distance of corresponding joints except the hips, which are the removed root.
 fn distance(a: &Points, b: &Points) -> f64 {
     a.iter().zip(b).map(|(p, q)| f64::from((*p - *q).length())).sum::<f64>() / (JOINTS - 1) as f64
 }

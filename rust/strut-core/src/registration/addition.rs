@@ -1,4 +1,4 @@
-//! Registers one more clip with clips that are registered already.
+//! Registers an additional clip with clips that are already registered.
 
 use super::gait::{self, SegmentKind};
 use super::job::Job;
@@ -7,23 +7,23 @@ use super::outcome::{Counterparts, Refusal};
 use super::pairing::{self, Part};
 use crate::parallel::ParallelMap;
 
-/// How a clip in a style of its own corresponds to the others of its action.
+/// Correspondence of a clip in a new style with the others of its action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Addition {
-    /// Its counterparts: frames × styles, its own the last.
+    /// Its counterparts: frames × styles; its own style is the last.
     pub counterparts: Vec<Counterparts>,
     /// For every other example, the counterparts of its frames in the clip's style.
     pub of_others: Vec<Vec<Counterparts>>,
-    /// Mean cost of its warps to the others (squared feature distance a frame).
+    /// Mean cost of its warps to the others (squared feature distance per frame).
     pub cost: f32,
 }
 
 impl Job<'_> {
-    /// Registers the last example, the only one of the last style, with the others, whose own correspondence is kept. The
+    /// Registers the last example, the only one of the last style, with the others, whose correspondence is kept. The
     /// result is that of [`Job::run`], in the time of one clip. Scripts are ignored.
     ///
     /// # Errors
-    /// If the clip does not fit the others. Where they walk or run it needs a whole gait cycle.
+    /// If the clip does not fit the others. If they walk or run, it must contain a whole gait cycle.
     pub fn run_last(&self, executor: &impl ParallelMap) -> Result<Addition, Refusal> {
         let (last, style) = (self.examples.len() - 1, self.styles - 1);
         let mut refusals = self.wrong_turns();

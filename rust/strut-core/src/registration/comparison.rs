@@ -1,4 +1,4 @@
-//! Stretches of an action's clips compared as registration compares them, for display.
+//! Compares ranges of frames of an action's clips as registration does, for display.
 
 use super::example::Example;
 use super::features::{DIMS, Feature, squared_distance};
@@ -11,7 +11,7 @@ use super::warp::Ends;
 use crate::parallel::Sequential;
 use std::ops::{Range, RangeInclusive};
 
-/// The features and gait cycles of an action's clips.
+/// Features and gait cycles of an action's clips.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     features: Vec<Vec<Feature>>,
@@ -19,23 +19,23 @@ pub struct Comparison {
     rate_hz: f32,
 }
 
-/// A stretch of a clip: its number among the examples, and its frames.
+/// A range of frames of a clip: the index of the example, and its frames.
 pub type Stretch = (usize, RangeInclusive<usize>);
 
-/// Two stretches, a and b.
+/// Comparison of two ranges, a and b.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     /// cᵢⱼ: squared feature distance of every frame of a and every frame of b, row after row of a.
     pub costs: Vec<f32>,
-    /// τ: for every frame of a the fractional frame of b, counted from its stretch's first; `None` if the slope limit
+    /// τ: for every frame of a the fractional frame of b, relative to the start of its range; `None` if the slope limit
     /// allows no warp.
     pub warp: Option<Vec<f32>>,
-    /// For IMW, of every frame of a the scales α of all features, then their offsets β.
+    /// For IMW, the scales α of all features for every frame of a, then their offsets β.
     pub affine: Vec<[[f32; DIMS]; 2]>,
 }
 
 impl Comparison {
-    /// Of all clips of an action, sorted by style. Takes a second for some minutes of motion.
+    /// Computes the features of all clips of an action, sorted by style. Takes a second for some minutes of motion.
     pub fn new(examples: &[Example], styles: usize, neutral: u16, rate_hz: f32) -> Self {
         let options = Options::default();
         let job = Job { examples, styles, neutral, rate_hz, options: &options };
@@ -45,13 +45,13 @@ impl Comparison {
         Self { features, segments: cuts.into_iter().map(|(segments, _)| segments).collect(), rate_hz }
     }
 
-    /// The gait cycles of a clip, or what it is compared as; none if there is no such clip.
+    /// Gait cycles of a clip, or the range that is compared if it has none; empty if the clip does not exist.
     pub fn cycles(&self, clip: usize) -> impl Iterator<Item = Range<usize>> + '_ {
         let whole = |s: &&Segment| matches!(s.kind, SegmentKind::Cycle | SegmentKind::Clip);
         self.segments.get(clip).into_iter().flatten().filter(whole).map(|s| s.frames.clone())
     }
 
-    /// Compares two stretches; `None` if one is empty or not there.
+    /// Compares two ranges; `None` if one is empty or does not exist.
     pub fn compare(&self, a: &Stretch, b: &Stretch, by: WarpMethod) -> Option<Compared> {
         let frames = |(clip, frames): &Stretch| self.features.get(*clip)?.get(frames.clone()).filter(|f| !f.is_empty());
         let (a, b) = (frames(a)?, frames(b)?);

@@ -1,26 +1,26 @@
 //! Dynamic time warping with limited slope (`docs/methods/mar.md` §4; Sakoe and Chiba 1978).
 //!
 //! Steps (1, 1), (1, s) and (s, 1) with s ≤ 3; the cost of a step is that of all cells that it crosses. The warp is the
-//! piecewise linear function through the steps' ends. Frames at the ends may be skipped, free of cost
+//! piecewise linear function through the ends of the steps. Frames at the ends may be skipped without cost
 //! ([`Ends::open_begin`], [`Ends::open_end`]) or at a cost ([`Ends::skip`]).
 
 use super::warp::{Ends, Warp};
 
 /// Greatest slope: one frame of a sequence corresponds to at most this many of the other.
 pub(super) const MAX_SLOPE: usize = 3;
-/// A quarter of the shorter sequence may be skipped at either end.
+/// At most this part (a quarter) of the shorter sequence may be skipped at either end.
 const SKIPPED_PART: usize = 4;
 
-/// A cell that no warp passes through.
+/// Cost of a cell that no warp reaches.
 const UNREACHED: f32 = f32::INFINITY;
-/// The step by which a cell was reached.
+/// Steps by which a cell is reached.
 const START: u8 = 0;
 const DIAGONAL: u8 = 1;
 /// `ALONG_A + s`: s frames of a for one of b. `ALONG_B + s`: one frame of a for s of b.
 const ALONG_A: u8 = 2;
 const ALONG_B: u8 = 8;
 
-/// Dynamic time warping; reuses its tables.
+/// Dynamic time warping; the tables are reused.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dtw {
     local: Vec<f32>,
@@ -29,10 +29,10 @@ pub(super) struct Dtw {
 }
 
 impl Dtw {
-    /// The warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of matching frame
-    /// i of a with frame j of b; not smoothed. `None` if the slope limit allows none.
+    /// Computes the warp of least cost from `n` frames of a to `m` frames of b, where `distance(i, j)` is the cost of
+    /// matching frame i of a with frame j of b; not smoothed. `None` if the slope limit allows no warp.
     ///
-    /// The warp's cost is the path's, skipped frames included, divided by `n`.
+    /// The warp's cost is that of its path, including skipped frames, divided by `n`.
     pub(super) fn warp(
         &mut self,
         n: usize,
@@ -43,8 +43,8 @@ impl Dtw {
         if n == 0 || m == 0 {
             return None;
         }
-        // Frames of a are skipped by falling on frames beyond b's ends, each at the cost of a skip; frames of b by
-        // starting after them, or ending before.
+        // Frames of a are skipped by matching them with virtual frames beyond b's ends, each at the cost of a skip.
+        // Frames of b are skipped by starting after them or ending before them.
         let (skip, beyond) = ends.skip.map_or((0.0, 0), |cost| (cost, n.min(m) / SKIPPED_PART));
         let skipped = |passed: usize, open: usize| skip * passed.saturating_sub(open.saturating_add(beyond)) as f32;
         let real = beyond..beyond + m;
@@ -59,7 +59,7 @@ impl Dtw {
         self.step.resize(n * m, START);
         for i in 0..n {
             let nodes = reachable(i, n, m, last_begin, first_end);
-            // Steps also cross cells on which no step may end.
+            // Steps also cross cells in which no step may end.
             for j in nodes.start.saturating_sub(MAX_SLOPE - 1)..(nodes.end + MAX_SLOPE - 1).min(m) {
                 self.local[i * m + j] = if real.contains(&j) { distance(i, j - beyond) } else { skip };
             }
@@ -77,7 +77,7 @@ impl Dtw {
         })
     }
 
-    /// Finds the best step into cell (i, j), or starts there at a cost. Ties go to the diagonal, then to short steps.
+    /// Finds the best step into cell (i, j), or starts there at a cost. Equal costs prefer the diagonal, then short steps.
     fn relax(&mut self, i: usize, j: usize, m: usize, start: f32) {
         let here = i * m + j;
         let local = self.local[here];
@@ -104,7 +104,7 @@ impl Dtw {
         self.step[here] = step;
     }
 
-    /// The frame of b at every frame of a along the best path to (n − 1, end).
+    /// Frame of b for every frame of a along the best path to (n − 1, end).
     fn trace(&self, n: usize, m: usize, end: usize) -> Vec<f32> {
         let mut at = vec![0.0; n];
         let (mut i, mut j) = (n - 1, end);
@@ -126,8 +126,8 @@ impl Dtw {
     }
 }
 
-/// The frames of b that the slope limit lets frame i of a reach, in a warp that begins no later than at `last_begin`
-/// and ends no sooner than at `first_end`.
+/// Frames of b that frame i of a can reach within the slope limit, in a warp that starts at `last_begin` at the latest
+/// and ends at `first_end` at the earliest.
 fn reachable(i: usize, n: usize, m: usize, last_begin: usize, first_end: usize) -> std::ops::Range<usize> {
     let left = n - 1 - i;
     let low = i.div_ceil(MAX_SLOPE).max(first_end.saturating_sub(left * MAX_SLOPE));
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn a_planted_warp_is_recovered_to_a_frame() {
         let (n, m) = (60_usize, 75_usize);
-        // Where frame i of a is in b: slope between 0.6 and 2.
+        // Frame of b that corresponds to frame i of a: slope between 0.6 and 2.
         let planted = |i: f32| {
             let t = i / (n - 1) as f32;
             (t + 0.09 * sin(t * std::f32::consts::TAU)) * (m - 1) as f32
@@ -232,7 +232,7 @@ mod tests {
             }
         }
 
-        /// Twelve joints that swing in their own ways, seen through any smooth warp of slope 0.5 to 2.
+        /// Twelve joints that swing differently, under a smooth warp of slope 0.5 to 2.
         #[test]
         fn any_planted_smooth_warp_of_many_joints_is_recovered(
             bend in -0.07f32..0.07, second in -0.015f32..0.015, stretch in 0.8f32..1.25, seed in 0.0f32..6.0,

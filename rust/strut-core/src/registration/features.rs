@@ -1,9 +1,9 @@
-//! The features that registration compares: style-normalised features of every frame (`docs/methods/mar.md` §4).
+//! Features that registration compares: style-normalised features of every frame (`docs/methods/mar.md` §4).
 //!
-//! Joint positions and velocities in the heading frame, speed and turning, each z-scored within its style,
-//! so that a bent back or a raised arm, which last a whole clip, do not dominate the timing; then events: foot
-//! contacts and, of clips that are registered as a whole, where hands, feet, head and hips are fastest. A
-//! projection on the principal axes over the action's clips makes distances cheap.
+//! Joint positions and velocities in the heading frame, speed and turn rate, each z-scored within its style, so that
+//! postures of a whole clip, such as a bent back or a raised arm, do not dominate the timing. Then events: foot
+//! contacts and, in clips that are registered as a whole, the moments at which hands, feet, head and hips are fastest.
+//! A projection on the principal axes over the action's clips makes distances cheap to compute.
 
 use super::example::Example;
 use super::rest::EFFECTORS;
@@ -15,32 +15,31 @@ use crate::pose_vector::{HEADING_RATE, VELOCITY_X, VELOCITY_Z};
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// In most actions the legs show the phase best.
+/// In most actions the legs indicate the phase best.
 const LEG_WEIGHT: f32 = 3.0;
 const VELOCITY_WEIGHT: f32 = 0.5;
-/// Speed and turning differ between styles for reasons other than timing.
+/// Speed and turn rate differ between styles for reasons other than timing.
 const TRAVEL_WEIGHT: f32 = 0.2;
 const CONTACT_WEIGHT: f32 = 1.5;
-/// Contact bits are smoothed, so that a label that flips a frame early costs little.
+/// Contact bits are smoothed, so that a label that changes a frame early costs little.
 const CONTACT_SIGMA_SECS: f32 = 0.035;
-/// Speed is smoothed as contacts are. Its maxima are events where they reach this share of the effector's greatest
-/// speed, or of this speed in m/s: then it hardly moves. They exceed the speed two widths before and after by this
-/// factor: steady motion has no fastest moment.
+/// Speed is smoothed like contacts. Its maxima are events if they exceed this share of the effector's greatest speed,
+/// which counts as at least the floor, m/s, and if they exceed the speed two widths before and after by the factor of
+/// prominence: steady motion has no fastest moment.
 const EVENT_SHARE: f32 = 0.5;
 const EVENT_SPEED_FLOOR: f32 = 0.2;
 const EVENT_PROMINENCE: f32 = 1.05;
-/// An event is a Gaussian of this width, and of this height where the effector is fastest. Events and skips reduce the
+/// An event is a Gaussian of this width, with this height where the effector is fastest. Events and skips reduce the
 /// timing error: 222 → 176 ms for bowing, 55 → 50 ms for jumping, punching and kicking.
 const EVENT_SIGMA_SECS: f32 = 0.1;
 const EVENT_WEIGHT: f32 = 3.0;
-/// Floors of the deviations, so that z-scores do not amplify the noise of joints that hardly move: metres, m/s, m/s,
-/// rad/s.
+/// Floors of the deviations, so that z-scores do not amplify the noise of joints that hardly move: metres, m/s, m/s, rad/s.
 const POSITION_FLOOR: f32 = 0.01;
 const VELOCITY_FLOOR: f32 = 0.1;
 const SPEED_FLOOR: f32 = 0.1;
 const TURNING_FLOOR: f32 = 0.3;
-/// In waving or bowing the body stands and its sway carries no information: higher floors for whole clips, metres and
-/// m/s, and legs weighted like arms. Leave-one-out error of waving: 2.81 → 2.16 cm.
+/// In waving or bowing the body stands, and its sway contains no information: higher floors for whole clips, metres and
+/// m/s, and the legs have the weight of the arms. Leave-one-out error of waving: 2.81 → 2.16 cm.
 const WHOLE_CLIP_POSITION_FLOOR: f32 = 0.05;
 const WHOLE_CLIP_VELOCITY_FLOOR: f32 = 0.5;
 
@@ -51,11 +50,11 @@ const CONTACTS: usize = TURNING + 1;
 const EVENTS: usize = CONTACTS + 2;
 const RAW: usize = EVENTS + EFFECTORS.len();
 
-/// Dimensions of the projected features: more than 97 % of the variance of walking.
+/// Dimensions of the projected features; they contain more than 97 % of the variance of walking.
 pub(super) const DIMS: usize = 32;
 /// Greatest number of frames from which the principal axes are computed.
 const PCA_FRAMES: usize = 6000;
-/// Subspace iterations: the captured variance settles long before the single axes do.
+/// Number of subspace iterations: the captured variance converges long before the individual axes.
 const PCA_ITERATIONS: usize = 12;
 
 /// Features of one frame.
@@ -74,7 +73,7 @@ pub(super) fn squared_distance(a: &Feature, b: &Feature) -> f32 {
     ((a + e) + (b + f)) + ((c + g) + (d + h))
 }
 
-/// The features of every frame of every example. A style's means and deviations are those of the frames of `compared`:
+/// Features of every frame of every example. A style's means and deviations are computed from the frames of `compared`:
 /// frames in which a clip stands still at its ends would shift them.
 pub(super) fn of_examples(
     examples: &[&Example],
@@ -126,7 +125,7 @@ fn raw_features(example: &Example, rate_hz: f32) -> Vec<RawFeature> {
         .collect()
 }
 
-/// Enters the events of a clip from its velocities, in metres per second.
+/// Adds the events of a clip from its velocities, in metres per second.
 fn add_events(raw: &mut [RawFeature], rate_hz: f32) {
     for (e, role) in EFFECTORS.iter().enumerate() {
         let velocity = VELOCITIES + 3 * role.index();
@@ -142,7 +141,7 @@ fn speed_maxima(speed: &[f32], rate_hz: f32) -> Vec<f32> {
     let speed = smoothed(speed, CONTACT_SIGMA_SECS * rate_hz);
     let greatest = speed.iter().copied().fold(EVENT_SPEED_FLOOR, f32::max);
     let sigma = EVENT_SIGMA_SECS * rate_hz;
-    // Smoothing lowers an isolated peak by this factor.
+    // Smoothing reduces an isolated peak by this factor.
     let height = sigma * TAU.sqrt();
     let mut peaks = vec![0.0; speed.len()];
     let around = (2.0 * sigma) as usize;
@@ -156,7 +155,7 @@ fn speed_maxima(speed: &[f32], rate_hz: f32) -> Vec<f32> {
     smoothed(&peaks, sigma)
 }
 
-/// Replaces every feature but the events by its weighted z-score within the style.
+/// Replaces every feature except the events by its weighted z-score within the style.
 fn normalise(examples: &[&Example], compared: &[Range<usize>], raw: &mut [Vec<RawFeature>], style: u16, cyclic: bool) {
     let of_style: Vec<usize> = (0..examples.len()).filter(|&i| examples[i].style == style).collect();
     let count = of_style.iter().map(|&i| compared[i].len()).sum::<usize>();
@@ -193,8 +192,8 @@ fn floor_and_weight(d: usize, cyclic: bool) -> (f32, f32) {
     }
 }
 
-/// Orthonormal axes that span (nearly) the subspace of greatest variance about zero, by subspace iteration.
-/// Any orthonormal axes give valid distances, so convergence of the single axes does not matter.
+/// Orthonormal axes that approximately span the subspace of greatest variance about zero, by subspace iteration. Any
+/// orthonormal axes give valid distances, so the individual axes need not converge.
 fn principal_axes(raw: &[Vec<RawFeature>]) -> Vec<RawFeature> {
     let frames = raw.iter().map(Vec::len).sum::<usize>();
     let sample = || raw.iter().flatten().step_by(frames.div_ceil(PCA_FRAMES).max(1));
@@ -226,7 +225,7 @@ fn principal_axes(raw: &[Vec<RawFeature>]) -> Vec<RawFeature> {
     axes
 }
 
-/// Modified Gram–Schmidt, twice for accuracy; axes that vanish become zero.
+/// Modified Gram–Schmidt orthonormalisation, done twice for accuracy; axes that vanish become zero.
 fn orthonormalise(axes: &mut [RawFeature]) {
     for i in 0..axes.len() {
         let (before, rest) = axes.split_at_mut(i);

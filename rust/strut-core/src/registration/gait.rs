@@ -1,24 +1,24 @@
-//! Cuts clips at left heel strikes (`docs/methods/mar.md` §4).
+//! Divides clips at left heel strikes (`docs/methods/mar.md` §4).
 
 use super::example::Example;
 use super::outcome::{CycleFault, FaultyCycle};
 use crate::pose_vector::{VELOCITY_X, VELOCITY_Z};
 use std::ops::Range;
 
-/// An action is locomotion if at least half of its clips are, and one of them for a whole cycle. A clip is if it
-/// travels, and its feet mostly strike alternately, not together as after a jump.
+/// An action is locomotion if at least this share of its clips are, and one clip contains a whole cycle. A clip is
+/// locomotion if it travels and most of its heel strikes alternate between the feet, which they do not after a jump.
 const LOCOMOTION_SHARE: f32 = 0.5;
 const MIN_STEP_SECS: f32 = 0.12;
 const MIN_ALTERNATION: f32 = 0.7;
 const MIN_SPEED: f32 = 0.25;
-/// A cycle's duration may differ from the usual one by this factor.
+/// Greatest factor by which a cycle's duration may differ from the usual one.
 const DURATION_TOLERANCE: f32 = 1.6;
-/// A clip with this many cycles has a usual duration of its own.
+/// A clip with this many cycles has its own usual duration.
 const MIN_OWN_CYCLES: usize = 5;
 /// Plausible durations of a gait cycle, seconds.
 const PLAUSIBLE_SECS: Range<f32> = 0.3..3.0;
 
-/// A piece of a clip that is registered on its own.
+/// A part of a clip that is registered separately.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Segment {
     /// Frames that belong to it.
@@ -30,20 +30,20 @@ pub(super) struct Segment {
 /// Kind of a [`Segment`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SegmentKind {
-    /// The whole clip but for standing at its ends.
+    /// The whole clip without standing at its ends.
     Clip,
     /// From the clip's start to the first strike.
     LeadIn,
     /// From one left heel strike to the next.
     Cycle,
-    /// Between two left heel strikes, but no gait cycle.
+    /// Between two left heel strikes, but not a gait cycle.
     Faulty,
     /// From the last strike to the clip's end.
     LeadOut,
 }
 
 impl Segment {
-    /// The last frame that is compared, in an example of `total`: for a cycle the strike that ends it.
+    /// Last frame that is compared, in an example of `total` frames: for a cycle the strike that ends it.
     pub(super) fn last(&self, total: usize) -> usize {
         match self.kind {
             SegmentKind::Clip => self.frames.end - 1,
@@ -52,8 +52,8 @@ impl Segment {
     }
 }
 
-/// The frames of an example of `total` that segment `k` covers, including frames at the clip's ends that belong to no
-/// segment.
+/// Frames of an example of `total` frames that segment `k` covers, including frames at the clip's ends that belong to
+/// no segment.
 pub(super) fn covered(segments: &[Segment], k: usize, total: usize) -> Range<usize> {
     let first = if k == 0 { 0 } else { segments[k].frames.start };
     first..if k + 1 == segments.len() { total } else { segments[k].frames.end }
@@ -64,7 +64,7 @@ pub(super) fn strikes(contact: &[[bool; 2]], side: usize) -> Vec<usize> {
     (1..contact.len()).filter(|&f| contact[f][side] && !contact[f - 1][side]).collect()
 }
 
-/// Whether the clips of an action walk or run.
+/// Returns whether the clips of an action walk or run.
 pub(super) fn is_locomotion(examples: &[Example], rate_hz: f32) -> bool {
     let walking = examples.iter().filter(|e| walks(e, rate_hz)).count();
     let share = walking as f32 / examples.len().max(1) as f32;
@@ -82,21 +82,21 @@ fn walks(example: &Example, rate_hz: f32) -> bool {
         && speed.sum::<f32>() >= MIN_SPEED * example.frames() as f32
 }
 
-/// Lengths between two left heel strikes with one right one between them.
+/// Lengths of the intervals between two left heel strikes that contain one right heel strike.
 fn plain_cycles(example: &Example) -> Vec<usize> {
     let right = strikes(&example.contact, 1);
     let left = strikes(&example.contact, 0);
     left.windows(2).filter(|w| between(&right, w[0], w[1]) == 1).map(|w| w[1] - w[0]).collect()
 }
 
-/// The segments of every example, which cover it without a gap, and the faults of its faulty cycles.
-/// An example without a left heel strike has no segments.
+/// Segments of every example, which cover it without gaps, and the faults of its faulty cycles. An example without a
+/// left heel strike has no segments.
 pub(super) fn cut(examples: &[Example], styles: usize, rate_hz: f32) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
     let usual: Vec<Option<f32>> = (0..styles).map(|s| usual_frames(examples, s as u16, rate_hz)).collect();
     examples.iter().map(|e| cut_one(e, usual[usize::from(e.style)], rate_hz)).collect()
 }
 
-/// The usual length of a style's cycles in frames: their median.
+/// Usual length of a style's cycles in frames: their median.
 fn usual_frames(examples: &[Example], style: u16, rate_hz: f32) -> Option<f32> {
     median(examples.iter().filter(|e| e.style == style).flat_map(plain_cycles), rate_hz)
 }
@@ -111,7 +111,7 @@ fn cut_one(example: &Example, usual: Option<f32>, rate_hz: f32) -> (Vec<Segment>
     let left = strikes(&example.contact, 0);
     let right = strikes(&example.contact, 1);
     let (mut segments, mut faulty) = (Vec::new(), Vec::new());
-    // A clip may have a pace of its own.
+    // A clip may have its own pace.
     let own = plain_cycles(example);
     let usual = if own.len() >= MIN_OWN_CYCLES { median(own.into_iter(), rate_hz).or(usual) } else { usual };
     let (Some(&first), Some(&last)) = (left.first(), left.last()) else { return (segments, faulty) };
@@ -146,7 +146,7 @@ mod tests {
     use crate::math::Vec3;
     use crate::pose_vector::ROW;
 
-    /// Contacts from strike frames; a foot stays down for ten frames.
+    /// Contacts from strike frames; each contact lasts ten frames.
     fn example(frames: usize, left: &[usize], right: &[usize]) -> Example {
         let down = |strikes: &[usize], f: usize| strikes.iter().any(|&s| (s..s + 10).contains(&f));
         let mut row = [0.0; ROW];

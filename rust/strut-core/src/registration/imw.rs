@@ -1,10 +1,9 @@
-//! Iterative motion warping (Hsu, Pulli, Popović 2005, §3): alternates a time warp with a change of every
-//! degree of freedom's scale and offset that varies slowly over time, so that the time warp need not
-//! explain differences of style.
+//! Iterative motion warping (Hsu, Pulli, Popović 2005, §3): alternates between a time warp and a slowly varying change
+//! of every degree of freedom's scale and offset, so that the time warp need not explain differences of style.
 //!
-//! E(α, β, w) = ‖α·a + β − b∘w‖² + λ‖Dα‖² + λ‖Dβ‖² + μ‖α − 1‖² + μ‖β‖², with D the difference of
-//! successive frames. For fixed w it is a banded least-squares problem for every degree of freedom (here:
-//! the principal features); for fixed α and β, [`Dtw`] solves w.
+//! E(α, β, w) = ‖α·a + β − b∘w‖² + λ‖Dα‖² + λ‖Dβ‖² + μ‖α − 1‖² + μ‖β‖², with D the difference of successive frames. For
+//! fixed w it is a banded least-squares problem for every degree of freedom (here: for every principal feature); for
+//! fixed α and β, [`Dtw`] finds w.
 
 use super::dtw::Dtw;
 use super::features::{DIMS, Feature, squared_distance};
@@ -12,7 +11,7 @@ use super::warp::{Ends, Warp};
 
 /// Scale and offset are smooth over about this time, seconds.
 const SMOOTHNESS_SECS: f32 = 0.25;
-/// Weight of the terms that pull the scale to 1 and the offset to 0: without them a stretch without motion is ill-posed.
+/// Weight of the terms that pull the scale to 1 and the offset to 0. Without them frames without motion are ill-posed.
 const PULL: f32 = 0.1;
 /// Greatest number of iterations; most segments converge after three or four.
 const ITERATIONS: usize = 6;
@@ -30,8 +29,8 @@ impl Imw {
         Self { smoothness: frames * frames, moved: Vec::new() }
     }
 
-    /// The warp of a to b; `None` if the slope limit allows none. Its cost is the remaining squared
-    /// distance per frame after the change of scale and offset.
+    /// Warp from a to b; `None` if the slope limit allows no warp. Its cost is the remaining squared distance per frame
+    /// after the change of scale and offset.
     pub(super) fn warp(&mut self, dtw: &mut Dtw, a: &[Feature], b: &[Feature], ends: Ends) -> Option<Warp> {
         self.moved.clear();
         self.moved.extend_from_slice(a);
@@ -49,7 +48,7 @@ impl Imw {
         best
     }
 
-    /// Sets `moved` to α·a + β for the scales and offsets that fit b under a warp best.
+    /// Sets `moved` to α·a + β with the scales and offsets that best fit b under a warp.
     fn fit(&mut self, a: &[Feature], b: &[Feature], warp: &Warp) {
         let affine = self.affine(a, b, warp);
         for (moved, (x, [scale, offset])) in self.moved.iter_mut().zip(a.iter().zip(affine)) {
@@ -57,7 +56,7 @@ impl Imw {
         }
     }
 
-    /// For every frame of a the scales α and the offsets β that fit b under a warp best.
+    /// Scales α and offsets β for every frame of a that best fit b under a warp.
     pub(super) fn affine(&self, a: &[Feature], b: &[Feature], warp: &Warp) -> Vec<[Feature; 2]> {
         let mut affine = vec![[[0.0; DIMS]; 2]; a.len()];
         let mut x = vec![0.0; a.len()];
@@ -82,13 +81,13 @@ impl Imw {
     }
 }
 
-/// The [scale, offset] of every frame that minimise
-/// Σ (αᵢxᵢ + βᵢ − yᵢ)² + λ Σ ((αᵢ₊₁ − αᵢ)² + (βᵢ₊₁ − βᵢ)²) + μ Σ ((αᵢ − 1)² + βᵢ²), for μ > 0.
+/// Computes the [scale, offset] of every frame that minimise Σ (αᵢxᵢ + βᵢ − yᵢ)² + λ Σ ((αᵢ₊₁ − αᵢ)² + (βᵢ₊₁ − βᵢ)²) +
+/// μ Σ ((αᵢ − 1)² + βᵢ²), for μ > 0.
 ///
 /// The normal equations are block tridiagonal with 2 × 2 blocks; the off-diagonal blocks are −λ·1.
 pub(super) fn smooth_affine_fit(x: &[f32], y: &[f32], lambda: f32, mu: f32) -> Vec<[f32; 2]> {
     let n = x.len();
-    // Forward elimination: after it, block i holds D⁻¹ and the reduced right-hand side.
+    // Forward elimination: afterwards block i contains D⁻¹ and the reduced right-hand side.
     let mut inverse: Vec<[f32; 3]> = Vec::with_capacity(n);
     let mut rhs: Vec<[f32; 2]> = Vec::with_capacity(n);
     for i in 0..n {
@@ -188,9 +187,9 @@ mod tests {
     }
 
     proptest! {
-        /// A scale and an offset that swell and fade over the motion, on top of a smooth warp: iterative motion
-        /// warping finds the warp, on average to a frame and a half; where they are weak DTW does as well, and it costs
-        /// no more than a quarter of a frame.
+        /// A scale and an offset that increase and decrease over the motion, in addition to a smooth warp. Iterative
+        /// motion warping finds the warp to a frame and a half on average. If scale and offset are weak, DTW is as
+        /// good, and the loss is at most a quarter of a frame.
         #[test]
         fn any_planted_warp_under_smooth_scale_and_offset_is_recovered(
             bend in -0.07f32..0.07, gain in 1.3f32..1.8, offset in 0.8f32..1.6, seed in 0.0f32..6.0,

@@ -1,4 +1,4 @@
-//! The registration of one action: its input, and quantities computed from it.
+//! Registration of one action: its input, and quantities computed from it.
 
 use super::example::Example;
 use super::features::{self, Feature};
@@ -11,20 +11,20 @@ use super::{pairing, rest};
 use crate::parallel::ParallelMap;
 use std::ops::Range;
 
-/// A clip turns the other way if it turns by more than the first angle, radians, against the action's usual turn. There
-/// is a usual turn if this share of the clips turns by more than the second angle in the same direction.
+/// A clip turns in the wrong direction if it turns by more than the first angle, radians, against the action's usual
+/// turn. There is a usual turn if this share of the clips turns by more than the second angle in the same direction.
 const OPPOSITE_TURN: f32 = 0.6;
 const USUAL_TURN: f32 = 0.9;
 const USUAL_TURN_SHARE: f32 = 0.7;
 
-/// The registration of one action.
+/// Registration of one action.
 #[derive(Clone, Copy, Debug)]
 pub struct Job<'a> {
     /// All clips of the action, sorted by style.
     pub examples: &'a [Example],
-    /// Number of styles in the database; every example's style is below.
+    /// Number of styles in the database; the style of every example is below it.
     pub styles: usize,
-    /// The neutral style, whose cycles set the canonical timeline.
+    /// Neutral style, whose cycles define the canonical timeline.
     pub neutral: u16,
     /// Frames per second of all examples.
     pub rate_hz: f32,
@@ -33,7 +33,7 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// Clips that turn against the direction in which most clips of the action turn.
+    /// Refusals of clips that turn against the direction in which most clips of the action turn.
     pub(super) fn wrong_turns(&self) -> Vec<Option<Refusal>> {
         let turns: Vec<f32> = self.examples.iter().map(|e| e.turn(self.rate_hz)).collect();
         let mut sorted = turns.clone();
@@ -50,14 +50,14 @@ impl Job<'_> {
             .collect()
     }
 
-    /// The moving part of every clip as one segment.
+    /// Moving part of every clip as one segment.
     pub(super) fn uncut(&self) -> Vec<(Vec<Segment>, Vec<FaultyCycle>)> {
         let whole =
             |e: &Example| vec![Segment { frames: rest::moving(&e.point_cloud, self.rate_hz), kind: SegmentKind::Clip }];
         self.examples.iter().map(|e| (whole(e), Vec::new())).collect()
     }
 
-    /// The data of an example that pairing needs.
+    /// Data of an example for pairing.
     pub(super) fn part<'b>(
         &'b self,
         example: usize,
@@ -68,7 +68,7 @@ impl Job<'_> {
         pairing::Part { example, style: *style, features, point_cloud, segments }
     }
 
-    /// Features of the examples not refused, empty for the others.
+    /// Features of the accepted examples, empty for the others.
     pub(super) fn features(
         &self,
         refusals: &[Option<Refusal>],
@@ -89,7 +89,7 @@ impl Job<'_> {
         refusals.iter().map(|r| next(r).unwrap_or_default()).collect()
     }
 
-    /// The most typical cycle (or clip) of the neutral style, or of all if the neutral style has none.
+    /// Most typical cycle (or clip) of the neutral style, or of all styles if the neutral style has none.
     pub(super) fn reference(
         &self,
         refusals: &[Option<Refusal>],
@@ -109,7 +109,7 @@ impl Job<'_> {
             .or_else(|| Reference::choose(&candidates(None), features, cyclic))
     }
 
-    /// Canonical time of the examples not refused; refuses those that have none.
+    /// Canonical times of the accepted examples; rejects examples that have none.
     pub(super) fn canonical_times(
         &self,
         refusals: &mut [Option<Refusal>],

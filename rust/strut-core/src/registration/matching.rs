@@ -7,30 +7,30 @@ use super::options::{Options, WarpMethod};
 use super::warp::{Ends, Warp};
 use crate::math::sort_by_number;
 
-/// Warps are smoothed over this time, which removes steps of single frames but keeps the timing of footsteps.
+/// Warps are smoothed over this time, seconds. This removes steps of single frames but keeps the timing of footsteps.
 const SMOOTHING_SECS: f32 = 0.03;
-/// Time around a heel strike within which counterparts change from those of one cycle to those of the next.
+/// Time around a heel strike within which counterparts change from one cycle to the next, seconds.
 const CHANGE_SECS: f32 = 0.1;
-/// Longer sequences are warped on every second, third … frame: the tables grow with the product of lengths.
+/// Longer sequences are warped with a stride: the tables grow with the product of the lengths.
 const MAX_TABLE_SIDE: usize = 1024;
-/// Instants at which segments are compared in linear time.
+/// Number of instants at which segments are compared in linear time.
 const LINEAR_SAMPLES: usize = 12;
 
-/// Whole clips are warped from start to end, but one may be cut shorter than the other: a frame without counterpart costs
-/// more than the usual distance of frames with one (about 20).
+/// Whole clips are warped from start to end, but one may have been cut shorter than the other: a frame without
+/// counterpart costs more than the usual distance of frames with one (about 20).
 pub(super) const WHOLE_CLIP: Ends = Ends { open_begin: 0, open_end: 0, skip: Some(30.0) };
 
-/// A stretch of an example's features that a segment may be warped to, or that is to be warped.
+/// A range of an example's features to which a segment may be warped, or which is to be warped.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
-    /// Number of the example that it is from.
+    /// Index of the example.
     pub(super) example: usize,
-    /// The features of the whole example.
+    /// Features of the whole example.
     pub(super) all: &'a [Feature],
-    /// The piece's frames, the last included.
+    /// First and last frame of the piece, inclusive.
     pub(super) first: usize,
     pub(super) last: usize,
-    /// Which ends may stay open.
+    /// Ends that may be open.
     pub(super) ends: Ends,
 }
 
@@ -40,16 +40,16 @@ impl<'a> Piece<'a> {
     }
 }
 
-/// A segment warped to a frame of another example at every frame.
+/// A warp of every frame of a segment to another example.
 #[derive(Clone, Debug)]
 pub(super) struct Match {
-    /// Number of the example.
+    /// Index of the example.
     pub(super) example: usize,
-    /// Frames of the example; its cost is a squared feature distance per frame.
+    /// Frames of the example; the cost is a squared feature distance per frame.
     pub(super) warp: Warp,
 }
 
-/// Warps by the method of the options; reuses its tables.
+/// Warps by the method of the options; the tables are reused.
 pub(super) struct Warper {
     method: WarpMethod,
     sigma_frames: f32,
@@ -69,13 +69,12 @@ impl Warper {
         }
     }
 
-    /// Frames around a border between segments within which the change from one to the other may lie.
+    /// Number of frames around a border between segments within which the change between their matches may occur.
     pub(super) fn reach(&self) -> usize {
         self.reach
     }
 
-    /// The smoothed warp of a segment to other frames; `None` if the slope limit allows none. Linear time leaves
-    /// no frames out.
+    /// Smoothed warp of a segment to other frames; `None` if the slope limit allows no warp. Linear time skips no frames.
     pub(super) fn warp(&mut self, a: &[Feature], b: &[Feature], ends: Ends) -> Option<Warp> {
         let stride = a.len().max(b.len()).div_ceil(MAX_TABLE_SIDE);
         if stride <= 1 {
@@ -83,7 +82,7 @@ impl Warper {
         }
         let (thin_a, thin_b) = (thinned(a, stride), thinned(b, stride));
         let thin = self.warp_all(&thin_a, &thin_b, ends)?;
-        // Linear between the frames kept; the last frames of a and b are always kept.
+        // Linear between the kept frames; the last frames of a and b are always kept.
         let scale_b = (b.len() - 1) as f32 / (thin_b.len() - 1).max(1) as f32;
         let scale_a = (thin_a.len() - 1) as f32 / (a.len() - 1).max(1) as f32;
         let at = (0..a.len()).map(|i| {
@@ -106,8 +105,8 @@ impl Warper {
         }
     }
 
-    /// The matches of least cost among the pieces, best first, at most `count`. The pieces are first ranked
-    /// in linear time, and the best `candidates` warped.
+    /// Matches of least cost among the pieces, best first, at most `count`. The pieces are first ranked in linear time,
+    /// and the best `candidates` are warped.
     pub(super) fn best(&mut self, a: &Piece, pieces: &[Piece], candidates: usize, count: usize) -> Vec<Match> {
         let features = a.features();
         let mut ranked: Vec<(f32, &Piece)> = pieces
@@ -130,7 +129,7 @@ impl Warper {
             })
             .collect();
         sort_by_number(&mut matches, |m| m.warp.cost);
-        // One of each clip before a second of any: the mean of different clips is better.
+        // One match of each clip comes before a second of any clip: the mean of different clips is better.
         let mut ranked: Vec<(usize, Match)> = Vec::with_capacity(matches.len());
         for m in matches {
             ranked.push((ranked.iter().filter(|(_, o)| o.example == m.example).count(), m));
@@ -145,15 +144,15 @@ pub(super) fn linear_distance(a: &[Feature], b: &[Feature]) -> f32 {
     linear_cost(a, b, 0.0, (b.len() - 1) as f32)
 }
 
-/// Every `stride`-th feature, evenly spread so that the first and the last are kept.
+/// Every `stride`-th feature, evenly distributed so that the first and the last are kept.
 fn thinned(features: &[Feature], stride: usize) -> Vec<Feature> {
     let count = features.len().div_ceil(stride).max(2).min(features.len());
     let last = features.len() - 1;
     (0..count).map(|k| features[k * last / (count - 1).max(1)]).collect()
 }
 
-/// Where the first and the last of `n` frames fall on `m` frames in linear time: on their ends, an open end
-/// at the same pace. With both ends open, in the middle.
+/// Positions of the first and the last of `n` frames on `m` frames in linear time: on their ends; with an open end at
+/// the same pace; with both ends open in the middle.
 fn linear_span(n: usize, m: usize, ends: Ends) -> Option<(f32, f32)> {
     let last = m.checked_sub(1)? as f32;
     let length = (n.checked_sub(1)? as f32).min(last);

@@ -1,29 +1,29 @@
-//! Settings of registration.
+//! Options of registration.
 
 /// Greatest number of counterparts of a frame in a style.
 pub const MAX_COUNTERPARTS: usize = 8;
 
-/// How segments are warped onto each other.
+/// Method of warping segments to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum WarpMethod {
-    /// Dynamic time warping of style-normalised features: the best measured (`docs/methods/mar.md` §4).
+    /// Dynamic time warping of style-normalised features: the best in measurements (`docs/methods/mar.md` §4).
     #[default]
     Dtw,
-    /// Iterative motion warping (Hsu et al. 2005), the paper's choice.
+    /// Iterative motion warping (Hsu et al. 2005), the paper's method.
     Imw,
     /// Linear time between the segment's ends: the baseline.
     Linear,
 }
 
-/// Settings of registration. The defaults were measured (`docs/methods/mar.md` §4).
+/// Options of registration. The defaults were chosen by measurements (`docs/methods/mar.md` §4).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// How segments are warped.
+    /// Method of warping segments.
     pub warp: WarpMethod,
-    /// Counterparts of a frame in each style, 1 to 8; the target is their average. Best 1: 1.84 cm of
-    /// error, best 3: 1.77, best 8: 1.75.
+    /// Number of counterparts of a frame in each style, 1 to 8; the target is their average. The best one gives an
+    /// error of 1.84 cm, the best 3 give 1.77, the best 8 give 1.75.
     pub counterparts: usize,
-    /// Segments of each style that are warped, chosen by their distance in linear time; those of least cost
+    /// Number of segments of each style that are warped, chosen by their distance in linear time. Those of least cost
     /// become counterparts.
     pub candidates: usize,
 }
@@ -35,7 +35,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// [`Options::counterparts`] within its range.
+    /// [`Options::counterparts`], clamped to its range.
     pub fn counterparts(&self) -> usize {
         self.counterparts.clamp(1, MAX_COUNTERPARTS)
     }

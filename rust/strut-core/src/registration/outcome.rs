@@ -4,12 +4,12 @@ use super::options::MAX_COUNTERPARTS;
 use std::ops::Range;
 use thiserror::Error;
 
-/// A frame of another example, possibly between two frames.
+/// A frame of another example, possibly fractional.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Counterpart {
-    /// Number of the example.
+    /// Index of the example.
     pub example: u32,
-    /// Frame in it, 0 to its last.
+    /// Fractional frame of the example.
     pub frame: f32,
 }
 
@@ -21,19 +21,19 @@ pub type Counterparts = [Option<Counterpart>; MAX_COUNTERPARTS];
 pub struct Registered {
     /// Time on the action's canonical timeline of every frame, in canonical frames.
     pub canonical_time: Vec<f32>,
-    /// Seconds of the clip per canonical frame at every frame; positive.
+    /// Seconds of the clip per canonical frame, at every frame; positive.
     pub time_step: Vec<f32>,
     /// Counterparts: frames × styles.
     pub counterparts: Vec<Counterparts>,
     /// Whole gait cycles.
     pub cycles: Vec<Range<usize>>,
-    /// Stretches between heel strikes that are no gait cycle.
+    /// Ranges between heel strikes that are not a gait cycle.
     pub faulty_cycles: Vec<FaultyCycle>,
-    /// Mean cost of the counterparts' warps (squared feature distance a frame); `None` for known correspondence.
+    /// Mean cost of the counterparts' warps (squared feature distance per frame); `None` for known correspondence.
     pub cost: Option<f32>,
 }
 
-/// A stretch between two left heel strikes that is no gait cycle.
+/// A range between two left heel strikes that is not a gait cycle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaultyCycle {
     /// Its frames.
@@ -42,35 +42,35 @@ pub struct FaultyCycle {
     pub fault: CycleFault,
 }
 
-/// Why a stretch between two left heel strikes is no gait cycle.
+/// Reason why a range between two left heel strikes is not a gait cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum CycleFault {
-    /// Not exactly one right heel strike.
+    /// The number of right heel strikes is not one.
     #[error("{0} right heel strikes; 1 was expected")]
     RightStrikes(usize),
-    /// A duration far from the usual one.
+    /// The duration is far from the usual one.
     #[error("it lasts {found_secs:.2} s; about {usual_secs:.2} s is usual")]
     Duration {
         /// Its duration, seconds.
         found_secs: f32,
-        /// Median over the clip's cycles, or the style's if the clip has few; seconds.
+        /// Median over the clip's cycles, or over the style's if the clip has few; seconds.
         usual_secs: f32,
     },
 }
 
-/// Why an example does not fit the others of its action.
+/// Reason why an example does not fit the others of its action.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refusal {
-    /// The action walks or runs, and this clip has no left heel strike to cut it at.
+    /// The action walks or runs, and this clip has no left heel strike at which it can be divided.
     #[error("no left heel strike was found in it, though the action walks or runs")]
     NoHeelStrikes,
-    /// A clip that is to be a style of a walk or a run has no whole cycle of steps.
+    /// A clip for a new style of a walk or a run has no whole gait cycle.
     #[error("no left, right and left step in a row were found in it; a walk of three seconds or more was expected")]
     NoGait,
-    /// A walk or a run that is to be a style of an action that is neither.
+    /// A walk or a run cannot be a new style of an action that is neither.
     #[error("it walks or runs, which the action does not")]
     Gait,
-    /// It turns against the action's usual direction; radians, positive to the left.
+    /// The clip turns against the action's usual direction; radians, positive to the left.
     #[error("it turns the other way: {:.0}°, where {:.0}° is usual for the action", turn.to_degrees(), usual.to_degrees())]
     TurnsTheOtherWay {
         /// Turn of the clip.
@@ -78,19 +78,19 @@ pub enum Refusal {
         /// Median turn of the action's clips.
         usual: f32,
     },
-    /// No time warp within the slope limit leads to the action's reference.
+    /// No time warp within the slope limit maps the clip to the action's reference.
     #[error("no time warp leads to the action's reference clip: it is more than three times longer or shorter")]
     NoWarp,
 }
 
-/// How an action's correspondence was found.
+/// Method that found an action's correspondence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
-    /// Gait cycle by gait cycle.
+    /// By gait cycles.
     Cycles,
-    /// Each clip as a whole.
+    /// By whole clips.
     WholeClips,
-    /// Known from scripts.
+    /// From scripts.
     Scripts,
 }
 
@@ -108,12 +108,12 @@ impl Method {
 /// Results for the examples of an action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// How the correspondence was found.
+    /// Method that found the correspondence.
     pub method: Method,
-    /// The example that the canonical timeline comes from; `None` if all were refused.
+    /// Example that defines the canonical timeline; `None` if all were rejected.
     pub reference: Option<usize>,
     /// Length of the canonical timeline in frames.
     pub canonical_frames: f32,
-    /// One entry an example.
+    /// One entry for each example.
     pub clips: Vec<Result<Registered, Refusal>>,
 }

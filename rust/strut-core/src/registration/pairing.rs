@@ -10,15 +10,15 @@ use crate::humanoid::JOINTS;
 use crate::math::{Vec3, sort_by_number};
 use std::ops::Range;
 
-/// A lead-in or lead-out may be stretched by this much on its way to the open end.
+/// Factor by which the frames of a lead-in or lead-out may be stretched towards the open end.
 const OPEN_REACH: usize = 2;
 
-/// Features and segments of one example that takes part.
+/// Features and segments of an accepted example.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<'a> {
-    /// Number of the example.
+    /// Index of the example.
     pub(super) example: usize,
-    /// Number of its style.
+    /// Index of its style.
     pub(super) style: u16,
     /// Features of its frames.
     pub(super) features: &'a [Feature],
@@ -28,15 +28,15 @@ pub(super) struct Part<'a> {
     pub(super) segments: &'a [Segment],
 }
 
-/// Counterparts of one example: frames × the styles asked for.
+/// Counterparts of one example: frames × requested styles.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Paired {
     pub(super) counterparts: Vec<Counterparts>,
-    /// Mean cost of the matches; `None` without any.
+    /// Mean cost of the matches; `None` without matches.
     pub(super) cost: Option<f32>,
 }
 
-/// Finds the counterparts of an example in some styles among all examples of its action, itself included.
+/// Finds the counterparts of an example in some styles, in all examples of its action including itself.
 pub(super) fn pair(part: &Part, all: &[Part], styles: Range<usize>, options: &Options, warper: &mut Warper) -> Paired {
     let mut counterparts: Vec<Counterparts> = vec![[None; MAX_COUNTERPARTS]; part.features.len() * styles.len()];
     let (mut cost_sum, mut cost_count) = (0.0, 0);
@@ -58,7 +58,7 @@ pub(super) fn pair(part: &Part, all: &[Part], styles: Range<usize>, options: &Op
     Paired { counterparts, cost: (cost_count > 0).then(|| cost_sum / cost_count as f32) }
 }
 
-/// The best matches of a segment in one style: at least one, if the style has any example.
+/// Best matches of a segment in one style: at least one if the style has an example.
 fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Options, warper: &mut Warper) -> Vec<Match> {
     let last = segment.last(part.features.len());
     let a =
@@ -81,7 +81,7 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
         matches = best(&anywhere);
     }
     if matches.is_empty() {
-        // Longer than any piece in the style by more than the slope limit: only linear time is left.
+        // Longer than any piece in the style by more than the slope limit: linear time is the only possibility.
         matches.extend(others.iter().max_by_key(|o| o.features.len()).map(|o| Match {
             example: o.example,
             warp: Warp::linear(frames, 0.0, (o.features.len() - 1) as f32, 0.0),
@@ -90,7 +90,7 @@ fn matches_of(segment: &Segment, part: &Part, others: &[&Part], options: &Option
     matches
 }
 
-/// The pieces of another example that a segment of `n` frames may be matched with.
+/// Pieces of another example with which a segment of `n` frames may be matched.
 fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a>> {
     let end = other.features.len() - 1;
     let piece = |first: usize, last: usize, ends: Ends| Piece {
@@ -132,9 +132,9 @@ fn pieces_for<'a>(segment: &Segment, n: usize, other: &Part<'a>) -> Vec<Piece<'a
     }
 }
 
-/// Where the matches of a segment change to those of the next: for every border and slot the frames after the border (or
-/// before, if negative). All have equal weight in the mean, so that matches cannot be cross-faded; a match is replaced at
-/// the frame where both are most alike. The matches of the later segment are brought into the order of their slots.
+/// Frames at which the matches of a segment change to those of the next: for every border and slot the frames after the
+/// border (negative: before it). All matches have equal weight in the mean, so that they cannot be cross-faded; a match
+/// is replaced at the frame where both are most similar. The matches of the later segment are sorted by their slots.
 fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usize) -> Vec<Vec<isize>> {
     let reach = reach as isize;
     let points = |m: &Match, segment: &Segment, frame: isize| -> Option<&[Vec3; JOINTS]> {
@@ -170,7 +170,7 @@ fn changes(part: &Part, matches: &mut [Vec<Match>], others: &[&Part], reach: usi
                 (taken[slot], slot_of[number], change[slot]) = (true, Some(slot), d);
             }
         }
-        // A segment that has more matches than the one before fills up the slots.
+        // If a segment has more matches than the one before, they fill the free slots.
         let mut free = (0..taken.len()).filter(|&slot| !taken[slot]);
         let mut ordered: Vec<(usize, Match)> = slot_of
             .into_iter()

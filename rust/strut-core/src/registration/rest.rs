@@ -1,22 +1,22 @@
-//! The moving part of a clip that is registered as a whole, without standing still before and after.
+//! Moving part of a clip that is registered as a whole, without standing still before and after.
 
 use crate::humanoid::{JOINTS, Role};
 use crate::math::Vec3;
 use std::ops::Range;
 
-/// The effectors whose motion is detected: hips, head, hands and feet.
+/// Effectors whose motion is detected: hips, head, hands and feet.
 pub(super) const EFFECTORS: [Role; 6] =
     [Role::Hips, Role::Head, Role::LeftHand, Role::RightHand, Role::LeftFoot, Role::RightFoot];
-/// A clip stands until its fastest effector reaches this share of the speed that it has in a fast moment.
+/// A clip stands still until its fastest effector reaches this share of its speed in a fast moment.
 const ONSET_SHARE: f32 = 0.1;
-/// A fast moment: this share of the frames is slower.
+/// Percentile of the speeds that defines a fast moment.
 const FAST_PERCENTILE: f32 = 0.95;
-/// Time at rest that is kept on either side, so that the onset is included.
+/// Time at rest that is kept on either side so that the onset is included, seconds.
 const KEPT_SECS: f32 = 0.1;
 /// If fewer frames move than this, the whole clip is registered.
 const MIN_FRAMES: usize = 8;
 
-/// The frames from the first to the last motion of a clip, all of it if there is hardly any.
+/// Frames from the first to the last motion of a clip; all frames if there is hardly any motion.
 pub(super) fn moving(cloud: &[[Vec3; JOINTS]], rate_hz: f32) -> Range<usize> {
     let speed: Vec<f32> = cloud
         .windows(2)

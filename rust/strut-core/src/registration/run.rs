@@ -1,4 +1,4 @@
-//! The registration of an action in steps.
+//! Registration of an action in steps.
 
 use super::example::Example;
 use super::features::Feature;
@@ -14,9 +14,9 @@ use crate::incremental::IncrementalJob;
 use crate::parallel::ParallelMap;
 use std::convert::Infallible;
 
-/// Examples per batch; a step of the job is one batch.
+/// Examples per batch. A step of the job processes one batch.
 const BATCH: usize = 8;
-/// The registration of an action: an [`IncrementalJob`] that owns its examples and gives them back.
+/// Registration of an action: an [`IncrementalJob`] that owns its examples and returns them.
 #[derive(Clone, Debug)]
 pub struct Registration {
     examples: Vec<Example>,
@@ -28,8 +28,8 @@ pub struct Registration {
 }
 
 impl Registration {
-    /// Segments the examples, computes their features and canonical times: a small part of a registration's time. For the parameters see
-    /// [`Job`].
+    /// Divides the examples into segments, and computes their features and canonical times: a small part of a
+    /// registration's time. See [`Job`] for the parameters.
     pub fn new(
         examples: Vec<Example>,
         styles: usize,
@@ -77,27 +77,28 @@ impl IncrementalJob for Registration {
 #[derive(Clone, Debug, Default)]
 struct RegistrationState {
     locomotion: bool,
-    /// Why an example is refused.
+    /// Reasons why examples are rejected.
     refusals: Vec<Option<Refusal>>,
     cuts: Vec<(Vec<Segment>, Vec<FaultyCycle>)>,
     features: Vec<Vec<Feature>>,
     reference: Option<Reference>,
     times: Vec<Option<CanonicalTime>>,
-    /// Of the examples that take part, as far as they are done.
+    /// Counterparts of the accepted examples that are done.
     paired: Vec<Paired>,
     /// The outcome, if it is known from scripts.
     outcome: Option<Outcome>,
 }
 
 impl Job<'_> {
-    /// Registers the action from beginning to end.
+    /// Registers the action completely.
     pub fn run(&self, executor: &impl ParallelMap) -> Outcome {
         let mut state = self.begin(executor);
         while self.step(&mut state, executor) {}
         self.finish(state)
     }
 
-    /// Segments the examples, computes their features and canonical times: a small part of a registration's time.
+    /// Divides the examples into segments, and computes their features and canonical times: a small part of a
+    /// registration's time.
     fn begin(&self, executor: &impl ParallelMap) -> RegistrationState {
         if self.examples.iter().all(|e| e.script.is_some()) {
             return RegistrationState { outcome: Some(script::register(self)), ..RegistrationState::default() };
@@ -116,7 +117,7 @@ impl Job<'_> {
         RegistrationState { locomotion, refusals, cuts, features, reference, times, paired: Vec::new(), outcome: None }
     }
 
-    /// Finds the counterparts of a few more examples; whether there were any left.
+    /// Finds the counterparts of a few more examples. Returns whether there were any left.
     fn step(&self, state: &mut RegistrationState, executor: &impl ParallelMap) -> bool {
         let parts = self.parts(state);
         let from = state.paired.len().min(parts.len());
@@ -130,7 +131,7 @@ impl Job<'_> {
         any
     }
 
-    /// The outcome, once [`Job::step`] has nothing left to do.
+    /// Outcome, after [`Job::step`] has nothing left to do.
     fn finish(&self, state: RegistrationState) -> Outcome {
         if let Some(outcome) = state.outcome {
             return outcome;
@@ -166,13 +167,13 @@ impl Job<'_> {
         }
     }
 
-    /// The examples that take part.
+    /// Parts of the accepted examples.
     fn parts<'b>(&'b self, state: &'b RegistrationState) -> Vec<pairing::Part<'b>> {
         let RegistrationState { refusals, features, cuts, .. } = state;
         (0..refusals.len()).filter(|&i| refusals[i].is_none()).map(|i| self.part(i, &features[i], &cuts[i].0)).collect()
     }
 
-    /// The canonical times that the counterparts agree on; `None` for examples that take no part.
+    /// Mean canonical times according to the counterparts; `None` for rejected examples.
     fn agreed_times(&self, state: &RegistrationState) -> Vec<Option<CanonicalTime>> {
         let RegistrationState { refusals, reference, times, paired, .. } = state;
         let mut paired = paired.iter();

@@ -4,8 +4,8 @@ use super::example::Example;
 use super::job::Job;
 use super::outcome::{Counterpart, Counterparts, Method, Outcome, Registered};
 
-/// Registers examples that all have a script: the counterparts of a frame are the frames at the same
-/// script time of the same script, and canonical time is script time.
+/// Registers examples that all have a script. The counterparts of a frame are the frames at the same script time of the
+/// same script, and canonical time is script time.
 pub(super) fn register(job: &Job) -> Outcome {
     let neutral = job.examples.iter().position(|e| e.style == job.neutral).or((!job.examples.is_empty()).then_some(0));
     let length = |e: &Example| e.script.as_ref().map_or(0.0, |(_, t)| (t[t.len() - 1] - t[0]) * job.rate_hz);
@@ -50,7 +50,7 @@ fn registered(job: &Job, example: &Example) -> Registered {
     }
 }
 
-/// The fractional frame at which increasing `times` reach `time`, clamped to the clip.
+/// Fractional frame at which increasing `times` reach `time`, clamped to the clip.
 fn frame_at(times: &[f32], time: f32) -> f32 {
     let next = times.partition_point(|&t| t < time);
     match next {

@@ -1,4 +1,4 @@
-//! Warps planted on a moving body are recovered by dynamic time warping and by iterative motion warping.
+//! Tests that dynamic time warping and iterative motion warping recover known warps of a moving body.
 
 use super::matching::Warper;
 use super::warp::{Ends, Warp};
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// Poses on the spot and which feet stand.
+/// An example in place, from poses and foot contacts.
 fn example(style: u16, frames: impl Iterator<Item = (Pose, [bool; 2])>) -> Example {
     let proportions = Proportions::default();
     let (poses, contact): (Vec<Pose>, Vec<[bool; 2]>) = frames.unzip();
@@ -25,7 +25,7 @@ fn example(style: u16, frames: impl Iterator<Item = (Pose, [bool; 2])>) -> Examp
     }
 }
 
-/// The warp of one example to another of another style, both one segment.
+/// Warp of one example to another of another style; each is one segment.
 fn warp_of(a: &Example, b: &Example, warp: WarpMethod) -> Warp {
     let whole = [0..a.frames(), 0..b.frames()];
     let features = features::of_examples(&[a, b], &whole, 2, RATE_HZ, true, &Sequential);
@@ -33,7 +33,7 @@ fn warp_of(a: &Example, b: &Example, warp: WarpMethod) -> Warp {
     Warper::new(&options, RATE_HZ).warp(&features[0], &features[1], Ends::default()).unwrap()
 }
 
-/// A time warp of `n` frames to `m` with both ends kept: slopes from 0.45 to 1.8.
+/// A time warp of `n` frames to `m` with fixed ends: slopes from 0.45 to 1.8.
 #[derive(Clone, Copy, Debug)]
 struct Planted {
     n: usize,
@@ -42,13 +42,13 @@ struct Planted {
 }
 
 impl Planted {
-    /// The part of the motion done at frame `i` of a, 0 to 1.
+    /// Part of the motion that is done at frame `i` of a, 0 to 1.
     fn part(&self, i: usize) -> f32 {
         let t = i as f32 / (self.n - 1) as f32;
         t + self.bend * sin(TAU * t)
     }
 
-    /// Mean and greatest distance of a warp from this one, frames of b.
+    /// Mean and greatest difference of a warp from this one, frames of b.
     fn error(&self, warp: &Warp) -> (f32, f32) {
         let apart = |(i, at): (usize, &f32)| (at - self.part(i) * (self.m - 1) as f32).abs();
         let apart: Vec<f32> = warp.at.iter().enumerate().map(apart).collect();
@@ -56,7 +56,7 @@ impl Planted {
     }
 }
 
-/// A cycle and a half of walking, in a and in b; `style` changes the gait over the motion's parts 0 to 1 in b.
+/// A cycle and a half of walking, in a and in b. `style` is the gait in b at the part 0 to 1 of the motion.
 fn walks(planted: &Planted, style: impl Fn(f32) -> Gait) -> (Example, Example) {
     let frame = |gait: &Gait, part: f32| {
         let step = walk(gait, 1, 0.1 + 1.5 * part);
@@ -80,7 +80,7 @@ proptest! {
         }
     }
 
-    /// Joint angles grow and shrink, and the trunk leans, over the motion.
+    /// Joint angles increase and decrease, and the trunk leans, over the motion.
     #[test]
     fn a_warp_planted_under_a_changing_style_is_recovered_by_both(
         bend in -0.07f32..0.07, stretch in 0.8f32..1.25, gain in -0.4f32..0.6, lean in -0.2f32..0.5,
@@ -100,7 +100,7 @@ proptest! {
     }
 }
 
-/// A lunge with a blow of an arm at half time, after drawing back; `size` is a style.
+/// A lunge with a strike of an arm at half time, after drawing back; `size` depends on the style.
 fn blow(size: f32, part: f32) -> (Pose, [bool; 2]) {
     let bump = |at: f32, width: f32| exp(-0.5 * ((part - at) / width) * ((part - at) / width));
     let angle = size * (1.5 * bump(0.55, 0.09) - 0.6 * bump(0.3, 0.07));
@@ -108,7 +108,7 @@ fn blow(size: f32, part: f32) -> (Pose, [bool; 2]) {
     (walk(&lunge, 1, 0.2).poses[0], [true, true])
 }
 
-/// One clip shows all of an action, the other begins late and ends early: its blow falls on the blow.
+/// One clip contains the whole action, the other starts late and ends early: its strike corresponds to the strike.
 #[test]
 fn a_blow_falls_on_the_blow_of_a_clip_that_shows_more() {
     let (all, cut) = (0.0..1.0, 0.25..0.66);
@@ -123,7 +123,7 @@ fn a_blow_falls_on_the_blow_of_a_clip_that_shows_more() {
         let outcome = job.run(&Sequential);
         assert_eq!(outcome.method, Method::WholeClips);
         let counterparts = &outcome.clips[1].as_ref().unwrap().counterparts;
-        // From drawing back to the far end of the blow.
+        // From drawing back to the end of the strike.
         for frame in 25..90 {
             let planted = (cut.start + (cut.end - cut.start) * frame as f32 / 119.0) * 159.0;
             let at = counterparts[2 * frame][0].unwrap().frame;

@@ -1,4 +1,4 @@
-//! The canonical timeline of an action: the time of its neutral reference cycle or clip (`docs/methods/mar.md` §4).
+//! Canonical timeline of an action: the time of its neutral reference cycle or clip (`docs/methods/mar.md` §4).
 
 use super::features::Feature;
 use super::gait::{Segment, SegmentKind, covered};
@@ -8,37 +8,38 @@ use super::warp::{Ends, Warp};
 use crate::math::gaussian::smoothed;
 use std::ops::Range;
 
-/// Durations are smoothed over this time: changes of pace within a step are kept, jitter of the warp, which would bias
-/// mean durations upwards, is removed (timing error 13.9 ms at 0.03 s, 13.5 at 0.05).
+/// Durations are smoothed over this time, seconds: changes of pace within a step are kept, and jitter of the warp,
+/// which would bias mean durations upwards, is removed (timing error 13.9 ms at 0.03 s, 13.5 at 0.05).
 const PACE_SMOOTHING_SECS: f32 = 0.05;
 /// Slowest and fastest pace: canonical frames per frame of a clip.
 const PACE_RANGE: (f32, f32) = (0.1, 10.0);
 /// Greatest number of segments with which each candidate for the reference is compared.
 const COMPARED: usize = 48;
 
-/// The reference segment of an action.
+/// Reference segment of an action.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Reference {
-    /// Number of its example.
+    /// Index of its example.
     pub(super) example: usize,
     /// Its frames.
     pub(super) frames: Range<usize>,
-    /// Whether it is a gait cycle, whose time wraps around.
+    /// Whether it is a gait cycle, in which time is periodic.
     pub(super) cyclic: bool,
 }
 
 impl Reference {
-    /// Length of the canonical timeline in frames; of a cycle its period.
+    /// Length of the canonical timeline in frames; for a cycle its period.
     pub(super) fn canonical_frames(&self) -> f32 {
         if self.cyclic { self.frames.len() as f32 } else { self.frames.len().saturating_sub(1) as f32 }
     }
 
-    /// The last frame that is compared, in an example of `total`: of a cycle the strike that ends it.
+    /// Last frame that is compared, in an example of `total` frames: for a cycle the strike that ends it.
     fn last(&self, total: usize) -> usize {
         if self.cyclic { self.frames.end.min(total - 1) } else { self.frames.end - 1 }
     }
 
-    /// The segment most like all others among candidates (example, frames) of about the median length.
+    /// Chooses the segment that is most similar to all others, among candidates (example, frames) of about the median
+    /// length.
     pub(super) fn choose(
         candidates: &[(usize, Range<usize>)],
         features: &[Vec<Feature>],
@@ -67,7 +68,7 @@ impl Reference {
 pub(super) struct CanonicalTime {
     /// Strictly increasing: the times of successive cycles are concatenated.
     unwrapped: Vec<f32>,
-    /// The same; of cycles modulo the period.
+    /// The same times, for cycles modulo the period.
     pub(super) time: Vec<f32>,
     pub(super) time_step: Vec<f32>,
 }
@@ -80,7 +81,7 @@ impl CanonicalTime {
     }
 }
 
-/// Times an example by its segments. `None` if a segment cannot be warped to the reference.
+/// Computes the times of an example from its segments; `None` if a segment cannot be warped to the reference.
 pub(super) fn canonical_time(
     segments: &[Segment],
     features: &[Feature],
@@ -92,7 +93,7 @@ pub(super) fn canonical_time(
     let length = reference.canonical_frames();
     let of_example = &all_features[reference.example];
     let reference_features = &of_example[reference.frames.start..=reference.last(of_example.len())];
-    // For every segment the canonical times of its frames, cycles counted on.
+    // Canonical times of every segment's frames; the cycles are numbered consecutively.
     let mut warps: Vec<Warp> = Vec::with_capacity(segments.len());
     let mut cycles = 0.0;
     for segment in segments {
@@ -123,7 +124,7 @@ pub(super) fn canonical_time(
             cycles += 1.0;
         }
     }
-    // On a border both segments' times have equal weight; away from it the weights change linearly.
+    // At a border the times of both segments have equal weight; away from it the weights change linearly.
     let reach = warper.reach().max(1) as f32;
     let at = |k: usize, frame: usize| warps[k].extrapolated(frame as isize - segments[k].frames.start as isize);
     let mut unwrapped: Vec<f32> = Vec::with_capacity(features.len());
@@ -145,9 +146,9 @@ pub(super) fn canonical_time(
     Some(CanonicalTime::new(unwrapped, reference, rate_hz))
 }
 
-/// Canonical time that a clip's counterparts in the neutral style agree on: each has its own warp to the
-/// reference, so that their mean is less uncertain than one, and consistent with the counterparts.
-/// `counterparts` are the clip's in the neutral style, frame by frame.
+/// Mean canonical time of a clip according to its counterparts in the neutral style. Each counterpart has its own warp
+/// to the reference, so that their mean is less uncertain than a single warp, and it is consistent with the
+/// counterparts. `counterparts` are those of the clip in the neutral style, frame by frame.
 pub(super) fn agreed<'a>(
     own: &CanonicalTime,
     counterparts: impl Iterator<Item = &'a Counterparts>,
@@ -177,7 +178,7 @@ pub(super) fn agreed<'a>(
     CanonicalTime::new(unwrapped, reference, rate_hz)
 }
 
-/// Whole repetitions of a cycle's features and the frame after the last, at least `frames` in all. A cycle's
+/// Repetitions of a cycle's features and the frame after the last repetition, at least `frames` in total. A cycle's
 /// features end with the next cycle's first frame.
 fn tiled(cycle: &[Feature], frames: usize) -> Vec<Feature> {
     let period = cycle.len().saturating_sub(1).max(1);

@@ -1,25 +1,26 @@
-//! A warp: which frame of one sequence every frame of another corresponds to.
+//! A warp: the frame of one sequence that corresponds to each frame of another.
 
 use crate::math::gaussian::smoothed_with_fixed_ends;
 
-/// How the ends of a segment may differ from the ends of the frames that it is warped to.
+/// Allowed differences between the ends of a segment and those of the frames to which it is warped.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Ends {
-    /// The first frame may fall on any of the first frames, as many after the very first.
+    /// The first frame may correspond to any of the first frames, up to this number after the very first.
     pub open_begin: usize,
-    /// The last frame may fall on any of the last frames, as many before the very last.
+    /// The last frame may correspond to any of the last frames, up to this number before the very last.
     pub open_end: usize,
-    /// Cost of skipping a frame at either end of either sequence, up to a quarter of the shorter, in place of a distance;
-    /// `None` forbids it. Skipped frames of the segment are warped beyond the other's ends: below 0, after the last.
+    /// Cost of skipping a frame at either end of either sequence, up to a quarter of the shorter, in place of a
+    /// distance; `None` forbids it. Skipped frames of the segment are warped beyond the other's ends: below 0 or after
+    /// the last frame.
     pub skip: Option<f32>,
 }
 
 impl Ends {
-    /// Anywhere.
+    /// Any number of frames.
     pub(super) const OPEN: usize = usize::MAX;
 }
 
-/// For every frame of a the fractional frame of b: strictly increasing.
+/// Fractional frame of b for every frame of a, strictly increasing.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Warp {
     /// Frames of b.
@@ -35,12 +36,12 @@ impl Warp {
         Self { at: (0..n).map(|i| first + (last - first) * (i as f32 / steps)).collect(), cost }
     }
 
-    /// The warp smoothed over time; ends and order stay.
+    /// The warp smoothed over time; ends and order are kept.
     pub(super) fn smoothed(self, sigma_frames: f32) -> Self {
         Self { at: smoothed_with_fixed_ends(&self.at, sigma_frames), cost: self.cost }
     }
 
-    /// The frame of b at a frame of a; outside a by linear extrapolation with the warp's mean slope.
+    /// Frame of b at a frame of a; outside a by linear extrapolation with the warp's mean slope.
     pub(super) fn extrapolated(&self, frame: isize) -> f32 {
         let last = self.at.len() as isize - 1;
         let inside = frame.clamp(0, last);

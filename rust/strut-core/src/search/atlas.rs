@@ -1,8 +1,7 @@
-//! Every distance between some windows and those of a database, as a picture.
+//! Distances between a set of windows and all windows of a database, as an image.
 //!
-//! A picture has a column for each window that is compared, and a line for each stretch of the database's windows, which
-//! are in the order of their classes and clips. A pixel is the least D between its column's window and the windows of its
-//! line.
+//! An image has a column for each compared window, and a line for each range of the database's windows, which are
+//! ordered by class and clip. A pixel is the least D between its column's window and the windows of its line.
 
 use super::index::{Index, Query};
 use super::metric::{LENGTH, Metric, QueryWindow, WINDOW};
@@ -15,24 +14,24 @@ use crate::math::float_funcs::double;
 use crate::pose_vector::Placement;
 use std::ops::Range;
 
-/// The hips among the joints that are compared.
+/// Index of the hips among the compared joints.
 const HIPS: usize = 8;
-/// The line of windows that are on none.
+/// Line index of windows that are on no line.
 const NO_LINE: u32 = u32::MAX;
 
-/// What of the database a picture shows.
+/// Part of the database that an image shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AtlasView {
     /// Joints that are compared.
     pub part: BodyPart,
-    /// Number of the first window, by class and clip, and of the one after the last.
+    /// Index of the first window, by class and clip, and of the one after the last.
     pub windows: [usize; 2],
-    /// Lines, at least one and at most as many as windows: the windows are shared out evenly.
+    /// Number of lines, at least one and at most the number of windows, which are distributed evenly.
     pub height: usize,
 }
 
 impl AtlasView {
-    /// The windows of a line.
+    /// Windows of a line.
     fn windows_of(&self, line: usize) -> Range<usize> {
         let [first, last] = self.windows;
         let begin = |line: usize| first + (line * (last - first)).div_ceil(self.height);
@@ -40,42 +39,42 @@ impl AtlasView {
     }
 }
 
-/// The nearest window of a line.
+/// Nearest window of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestOfLine {
-    /// Its number, by class and clip.
+    /// Index of the window, by class and clip.
     pub window: usize,
-    /// The row at which it ends.
+    /// Row at which the window ends.
     pub row: usize,
     /// D, m².
     pub distance: f32,
 }
 
-/// Windows to be compared with all of an index, whose windows are [`WINDOW`] frames long.
+/// Windows that are compared with all windows of an index, whose window length is [`WINDOW`].
 #[derive(Clone, Debug)]
 pub struct Atlas {
-    /// One of each column, none of them empty.
+    /// Window of each column; none is empty.
     columns: Vec<QueryWindow>,
     /// Rows at which the windows end, by class and clip.
     ends: Vec<u32>,
-    /// Number of the first window of each class, and of all windows.
+    /// Index of the first window of each class, followed by the number of all windows.
     firsts: Vec<usize>,
     view: AtlasView,
     /// Line of the window that ends at each row.
     lines: Vec<u32>,
-    /// Windows by the joints of the view; made when they are needed.
+    /// Windows by the joints of the view; created when they are needed.
     packed: Option<(BodyPart, PackedWindows)>,
-    /// The column that was drawn last by the index's own metric, and its nearest window of each line, by the row at which it
-    /// ends: what follows that is likely to be near in another column.
+    /// Last column that was drawn by the index's own metric, and its nearest window of each line, by the row at which it
+    /// ends. The windows that follow these are likely to be near to another column.
     last: (usize, Vec<u32>),
     scratch: Scratch,
 }
 
 impl Atlas {
-    /// A picture of one line, with these windows as columns; empty windows are left out.
+    /// An image of one line, with these windows as columns; empty windows are omitted.
     ///
     /// # Panics
-    /// If the windows of the index have another length than [`WINDOW`].
+    /// If the window length of the index is not [`WINDOW`].
     pub fn new(index: &Index, columns: Vec<QueryWindow>) -> Self {
         assert_eq!(index.window_length(), WINDOW);
         let (mut ends, mut firsts) = (Vec::new(), vec![0]);
@@ -102,12 +101,12 @@ impl Atlas {
         self.columns.get(column)
     }
 
-    /// Number of the first window of each class, and of all windows.
+    /// Index of the first window of each class, followed by the number of all windows.
     pub fn firsts(&self) -> &[usize] {
         &self.firsts
     }
 
-    /// Takes another view, with its limits put where there are windows.
+    /// Sets another view, whose limits are clamped to the existing windows.
     pub fn set_view(&mut self, view: AtlasView) {
         let all = self.ends.len();
         let first = view.windows[0].min(all.saturating_sub(1));
@@ -135,7 +134,7 @@ impl Atlas {
         }
     }
 
-    /// Line of each window of [`packed`](Self::packed), what fills classes up included; the largest number for none.
+    /// Line of each window of [`packed`](Self::packed), including padding of the classes; the greatest number for none.
     pub fn packed_lines(&self) -> Vec<u32> {
         let mut lines = Vec::new();
         for class in self.firsts.windows(2) {
@@ -145,21 +144,21 @@ impl Atlas {
         lines
     }
 
-    /// The index's windows by the joints of the view.
+    /// Windows of the index by the joints of the view.
     pub fn packed(&mut self, index: &Index) -> &PackedWindows {
         packed_by(&mut self.packed, index, self.view.part)
     }
 
-    /// The columns by the joints of the view.
+    /// Columns by the joints of the view.
     pub fn packed_columns(&mut self, index: &Index) -> Vec<PackedQuery> {
         let packed = packed_by(&mut self.packed, index, self.view.part);
         self.columns.iter().filter_map(|window| packed.query(window)).collect()
     }
 
-    /// Least D of each line in a column, m²; infinite where it has no window.
+    /// Least D of each line in a column, m²; infinite for a line without windows.
     ///
     /// # Panics
-    /// If there is no such column, or not one number a line.
+    /// If the column does not exist, or the length of `out` is not the number of lines.
     pub fn draw(&mut self, index: &Index, column: usize, out: &mut [f32]) {
         assert_eq!(out.len(), self.view.height);
         out.fill(f32::INFINITY);
@@ -176,7 +175,7 @@ impl Atlas {
             nearest.clear();
             nearest.extend((0..view.height).map(|line| ends[view.windows_of(line).start]));
         }
-        // A window of each line to begin with: what follows the nearest of the last column, or any.
+        // Initial window of each line: the successor of the nearest window of the last column, or any.
         for (line, (row, least)) in (0..).zip(nearest.iter_mut().zip(&mut *out)) {
             let next = (*row as usize + column).saturating_sub(*last);
             if lines.get(next) == Some(&line) {
@@ -201,7 +200,7 @@ impl Atlas {
             for window in &packed.windows[class.windows()] {
                 if let Some(least) = out.get_mut(self.lines[window.end as usize] as usize) {
                     let distance = packed.distance(&query, window);
-                    // As in `distance`: `f32::min` would be a function call.
+                    // `f32::min` would be a function call, as in `distance`.
                     if distance < *least {
                         *least = distance;
                     }
@@ -210,7 +209,7 @@ impl Atlas {
         }
     }
 
-    /// The nearest window of a line in a column; none if there is no such line or column.
+    /// Nearest window of a line in a column; `None` if the line or column does not exist.
     pub fn nearest(&mut self, index: &Index, column: usize, line: usize) -> Option<NearestOfLine> {
         let query = self.columns.get(column).filter(|_| line < self.view.height)?;
         let windows = self.view.windows_of(line);
@@ -228,7 +227,7 @@ impl Atlas {
     }
 }
 
-/// Windows by these joints: the ones that there are, or others in their place.
+/// Windows by these joints: the existing ones, or new ones that replace them.
 fn packed_by<'a>(
     packed: &'a mut Option<(BodyPart, PackedWindows)>,
     index: &Index,
@@ -238,15 +237,15 @@ fn packed_by<'a>(
     &packed.insert(same.unwrap_or_else(|| (part, PackedWindows::new(index, part)))).1
 }
 
-/// Where a window is among packed ones; `firsts` are the numbers of the classes' first windows.
+/// Index of a window among the packed ones; `firsts` are the indices of the classes' first windows.
 fn packed_number(packed: &PackedWindows, firsts: &[usize], window: usize) -> usize {
     let class = firsts.partition_point(|first| *first <= window) - 1;
     packed.classes[class].first + window - firsts[class]
 }
 
-/// Where a database's pose is to stand so that its window is as near to another as turns and shifts over the ground bring it,
-/// relative to the newest hips of that one. `row` is where the window ends, and `pose` the pose of that row, above the origin
-/// and heading along +Z; `body` its body.
+/// Placement of a database pose that minimises the distance of its window to another by a rotation about the vertical
+/// and a shift on the ground, relative to the newest hips of that window. `row` is the row at which the database window
+/// ends, `pose` the pose of that row above the origin, heading along +Z, and `body` its proportions.
 ///
 /// # Panics
 /// If no window ends there.
@@ -258,7 +257,7 @@ pub fn nearest_placement(
     body: &Proportions,
 ) -> Placement {
     let weights = Index::joint_weights();
-    // On the ground, as x + i z; of the whole body, whatever part is compared.
+    // Positions on the ground as x + i z, of the whole body, whichever part is compared.
     let centred = |frames: &[RawPoints]| {
         let all: Vec<(f64, [f64; 2])> =
             frames.iter().flat_map(|frame| weights.iter().zip(frame).map(|(w, p)| (*w, [p[1], p[2]]))).collect();
@@ -266,7 +265,7 @@ pub fn nearest_placement(
         let centre = [0, 1].map(|axis| all.iter().map(|(w, p)| w * p[axis]).sum::<f64>() / total);
         (centre, all.into_iter().map(move |(w, p)| (w, [p[0] - centre[0], p[1] - centre[1]])).collect::<Vec<_>>())
     };
-    // The angle by which the second are turned to be nearest to the first.
+    // Angle by which the second points are turned to be nearest to the first.
     let turn = |to: &[(f64, [f64; 2])], from: &[(f64, [f64; 2])]| {
         let (mut re, mut im) = (0.0, 0.0);
         for ((w, a), (_, b)) in to.iter().zip(from) {
@@ -289,12 +288,12 @@ pub fn nearest_placement(
     Placement {
         x: (to[0] + cos * hips[0] - sin * hips[1]) as f32,
         z: (to[1] + sin * hips[0] + cos * hips[1]) as f32,
-        // A heading turns x + i z the other way.
+        // A heading turns x + i z in the opposite direction.
         heading: -(turned + heading) as f32,
     }
 }
 
-/// The metric that the index compares these joints by, if it does.
+/// Metric by which the index compares these joints, if it has one.
 fn metric_of(part: BodyPart) -> Option<Metric> {
     match part {
         BodyPart::Whole => Some(Metric::FullBody),
@@ -306,18 +305,18 @@ fn metric_of(part: BodyPart) -> Option<Metric> {
 /// Working memory of a column.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
-    /// What of a line rules windows out.
+    /// Squared distance for each line above which windows are excluded.
     limits: Vec<f32>,
-    /// Leaves that may hold nearer windows, each with a lower bound of their D.
+    /// Leaves that may contain nearer windows, each with a lower bound of their D.
     leaves: Vec<(f32, usize)>,
 }
 
-/// Leaves between two looks at which line is farthest.
+/// Number of leaves between two updates of the farthest line.
 const LEAVES: usize = 16;
 
 impl Index {
-    /// Lowers the numbers of lines to the D of a class's windows, which are on the lines `of_class`: `lines` has them by the rows
-    /// at which windows end. `nearest` gets the rows of the nearest.
+    /// Lowers the values of lines in `out` to the D of a class's windows, which are on the lines `of_class`. `lines`
+    /// maps the rows at which windows end to lines. `nearest` receives the rows of the nearest windows.
     #[allow(clippy::too_many_arguments)] // Parts of one atlas.
     fn least_of_lines(
         &self,
@@ -346,7 +345,7 @@ impl Index {
                     windows &= windows - 1;
                     let row = self.rows[leaf][i];
                     let line = lines.get(row as usize).map_or(usize::MAX, |line| *line as usize);
-                    // What is not a number rules nothing out.
+                    // NaN excludes nothing.
                     if limits.get(line).is_none_or(|limit| distances.0[i / 4][i % 4] > *limit) {
                         continue;
                     }

@@ -1,42 +1,43 @@
-//! Sixteen windows, quantised: lower bounds of their distances to a query in a few hundred instructions.
+//! Sixteen quantised windows: lower bounds of their distances to a query in a few hundred instructions.
 //!
-//! Coordinates in the [subspace](super::subspace) are 16-bit integers. No vector is longer than [`MAX_LENGTH`] by more
-//! than rounding, so that by the inequality of Cauchy and Schwarz no inner product leaves 32 bits.
+//! Coordinates in the [subspace](super::subspace) are 16-bit integers. No vector is longer than [`MAX_LENGTH`], except
+//! for rounding, so that by the Cauchy–Schwarz inequality no inner product exceeds 32 bits.
 
 use super::lanes::{FloatLane, Floats, Integers, Pairs};
 use super::subspace::{COORDINATES, GROUND_DIMENSIONS, Projection, REAL};
 
-/// Windows of a block.
+/// Number of windows of a block.
 pub(super) const BLOCK: usize = 16;
 /// Blocks are computed four windows at a time.
 pub(super) const QUADS: usize = BLOCK / 4;
 const REAL_PAIRS: usize = REAL / 2;
 const PAIRS: usize = COORDINATES / 2;
 
-/// Integers to a metre.
+/// Integers per metre.
 pub(super) const PER_METRE: f32 = 32_760.0;
-/// Greatest length of a vector in metres, twice what a person reaches.
+/// Greatest length of a vector in metres, twice a person's reach.
 const MAX_LENGTH: f32 = 1.0;
-/// Bound on the error of a vector by rounding to integers, √40 · 0.51, with that of comparing lengths of this size.
+/// Bound on the error of a vector by rounding to integers, √40 · 0.51, including the error of comparing lengths of this
+/// size.
 pub(super) const QUANTISATION: f32 = 4.0;
-/// Bound on the rounding error of [`Block::squared_distances`]: integers below 2³⁰ become floats (32 each), and sums, a root
-/// and differences are made of them; 1 120 in all.
+/// Bound on the rounding error of [`Block::squared_distances`]: integers below 2³⁰ are converted to floats (32 each),
+/// and combined by sums, a root and differences; 1 120 in all.
 pub(super) const ERROR: f32 = 2048.0;
 
 /// A window as integers.
 pub(super) type Point = [i16; COORDINATES];
 
-/// The integers of a vector; one that is too long is shortened.
+/// Quantises a vector; one that is too long is shortened.
 ///
-/// That is the projection onto a ball, which takes no two vectors further apart: bounds remain bounds.
+/// Shortening is the projection onto a ball, which does not increase the distance of any two vectors: bounds stay valid.
 pub(super) fn quantise(of: &Projection) -> Point {
     let scale = if of.length <= MAX_LENGTH { PER_METRE } else { PER_METRE * MAX_LENGTH / of.length };
-    // Rounded to the nearest by truncating a positive number, for which every machine has an instruction.
+    // Rounded to nearest by truncating a positive number, for which every machine has an instruction.
     of.coordinates.map(|c| ((c * scale + 65_536.5) as i32 - 65_536) as i16)
 }
 
-/// Whether a point may be that of a window whose projection has this squared length, which is off by at most `error`;
-/// metres². No point is longer than [`quantise`] makes them.
+/// Returns whether a point may belong to a window whose projection has this squared length with an error of at most
+/// `error`, metres². [`quantise`] limits the length of points.
 pub(super) fn has_squared_length(point: &Point, expected: f32, error: f32) -> bool {
     let found: i64 = point.iter().map(|&v| i64::from(v) * i64::from(v)).sum();
     let found = found as f64 / f64::from(PER_METRE * PER_METRE);
@@ -63,7 +64,7 @@ pub(super) fn complex_product(a: &Point, b: &Point) -> [i32; 2] {
     [re, im]
 }
 
-/// A query in the layout of a block: every pair four times.
+/// A query in the layout of a block: every pair is repeated four times.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probe {
     straight: [Pairs; PAIRS],
@@ -88,7 +89,7 @@ impl Probe {
 pub(super) struct SquaredDistances(pub(super) [FloatLane; QUADS]);
 
 impl SquaredDistances {
-    /// Bit i is set unless number i is greater than limit i. It is set where the limit is not a number.
+    /// Bit i is set unless number i is greater than limit i. It is also set if the limit is NaN.
     #[inline]
     pub(super) fn within(&self, limits: &[FloatLane; QUADS]) -> u32 {
         let pairs = self.0.iter().zip(limits).rev();
@@ -104,7 +105,7 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// A block of at most sixteen points; the others are zero.
+    /// Creates a block of at most sixteen points; the others are zero.
     pub(super) fn new(points: &[Point]) -> Self {
         let mut block = Self { pairs: [[[0; 8]; PAIRS]; QUADS], squared_lengths: [[0.0; 4]; QUADS] };
         for (i, point) in points.iter().enumerate() {
@@ -116,7 +117,7 @@ impl Block {
         block
     }
 
-    /// The integers of window `i`.
+    /// Integers of window `i`.
     pub(super) fn point(&self, i: usize) -> Point {
         std::array::from_fn(|c| self.pairs[i / 4][c / 2][2 * (i % 4) + c % 2])
     }

@@ -1,4 +1,4 @@
-//! Every window of a class, one after the other: the definition that the search must equal.
+//! Compares all windows of a class: the definition that the search must match.
 
 use super::index::{Index, Query};
 use super::metric::{LENGTH, WINDOW};
@@ -8,7 +8,7 @@ impl Index {
     /// [`Index::nearest`] without any pruning.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If a class does not exist.
     pub fn nearest_by_brute_force(&self, query: &Query<'_>, classes: &[usize], k: usize, out: &mut Neighbours) {
         if self.windows.length == WINDOW {
             self.compare_all::<WINDOW>(query, classes, k, out);

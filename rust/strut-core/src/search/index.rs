@@ -1,4 +1,4 @@
-//! All windows of a database, ready to be searched.
+//! Search index of all windows of a database.
 
 use super::block::{BLOCK, Probe, SquaredDistances};
 #[cfg(feature = "baselines")]
@@ -13,17 +13,17 @@ use crate::math::order::sort_pairs;
 #[cfg(feature = "baselines")]
 use std::num::NonZero;
 
-/// All windows of a database, ready to be searched.
+/// Search index of all windows of a database.
 #[derive(Clone, Debug)]
 pub struct Index {
     pub(super) windows: Windows,
-    /// |y|² + |z|² of the window that ends at each row, for each metric; unused where none does.
+    /// |y|² + |z|² of the window that ends at each row, for each metric; unused if none ends there.
     pub(super) norms: [Vec<f32>; 2],
-    /// For each metric.
+    /// One for each metric.
     pub(super) leaves: [Leaves; 2],
-    /// Rows at which the windows of each leaf end; [`NO_ROW`] fills the last leaf of a class.
+    /// Rows at which the windows of each leaf end; [`NO_ROW`] pads the last leaf of a class.
     pub(super) rows: Vec<[u32; BLOCK]>,
-    /// Where each row's window stands in `rows`; [`NO_ROW`] where none ends.
+    /// Position of each row's window in `rows`; [`NO_ROW`] if none ends at the row.
     pub(super) slots: Vec<u32>,
     #[cfg(feature = "baselines")]
     pub(super) kd_trees: Option<KdTrees>,
@@ -31,17 +31,17 @@ pub struct Index {
 
 pub(super) const NO_ROW: u32 = u32::MAX;
 
-/// Working memory of a query; keep one per stream of queries.
+/// Working memory of a query; keep one for each stream of queries.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     found: Neighbours,
-    /// Which windows of each leaf have been compared, as bits.
+    /// Windows of each leaf that have been compared, as bits.
     done: Vec<u16>,
     /// Leaves to be searched, each with a lower bound of the D of its windows.
     candidates: Vec<(f32, usize)>,
 }
 
-/// A window made ready for one index; see [`Index::prepare`].
+/// A window prepared for one index; see [`Index::prepare`].
 #[derive(Clone, Copy, Debug)]
 pub struct Query<'a> {
     metric: Metric,
@@ -52,17 +52,17 @@ pub struct Query<'a> {
 }
 
 impl Index {
-    /// The windows of a database.
+    /// Builds the index of a database.
     pub fn build(db: &Database) -> Self {
         Self::with_window(db, WINDOW)
     }
 
-    /// The windows of `length` frames; the nearest of 1 to [`MAX_WINDOW`] is taken.
+    /// Builds an index of windows of `length` frames, clamped to 1 to [`MAX_WINDOW`].
     pub fn with_window(db: &Database, length: usize) -> Self {
         Self::fitted(Windows::new(db, length.clamp(1, MAX_WINDOW)))
     }
 
-    /// The same windows, searched approximately: of each class only the `candidates` that a kd-tree finds nearest in 15
+    /// The same windows with approximate search: in each class only the `candidates` nearest windows of a kd-tree in 15
     /// dimensions are compared. Only queries by [`Metric::FullBody`] differ. Unlike the exact search, this allocates.
     #[cfg(feature = "baselines")]
     #[must_use]
@@ -71,7 +71,7 @@ impl Index {
         Self { kd_trees: Some(trees), ..self }
     }
 
-    /// Frames of a window.
+    /// Number of frames of a window.
     pub fn window_length(&self) -> usize {
         self.windows.length
     }
@@ -84,18 +84,18 @@ impl Index {
     /// Number of windows of a class.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn windows_in_class(&self, class: usize) -> usize {
         self.windows.of_class(class).count()
     }
 
-    /// Positions of the feet at a row at which a window ends and at the two before it, oldest first, in the clip's frame of
-    /// reference.
+    /// Positions of the feet at a row at which a window ends and at the two rows before it, oldest first, in the clip's
+    /// frame of reference.
     pub(crate) fn last_feet(&self, row: usize) -> [Feet; 3] {
         self.windows.last_feet(row)
     }
 
-    /// Working memory large enough for any search for `k` windows.
+    /// Creates working memory for any search for `k` windows.
     pub fn scratch(&self, k: usize) -> Scratch {
         let greatest =
             self.leaves.iter().flat_map(|leaves| (0..self.classes()).map(|c| leaves.of_class(c).len())).max();
@@ -106,19 +106,20 @@ impl Index {
         }
     }
 
-    /// Prepares a search for a window by a metric. The window is [`Index::window_length`] frames long.
+    /// Prepares a search for a window by a metric. The window has [`Index::window_length`] frames.
     pub fn prepare<'a>(&self, window: &'a QueryWindow, metric: Metric) -> Query<'a> {
         let window = window.centred(metric);
         let (probe, error) = self.leaves[metric as usize].probe(window);
         Query { metric, window, probe, error }
     }
 
-    /// The `k` windows of several classes together that are nearest by the query's metric; fewer if there are fewer.
+    /// Finds the `k` windows in several classes together that are nearest by the query's metric; fewer if there are fewer.
     ///
-    /// `out` may hold the result for the frame before, which makes the search faster; the result does not depend on it.
+    /// `out` may contain the result for the previous frame, which makes the search faster; the result does not depend
+    /// on it.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If a class does not exist.
     pub fn nearest(&self, query: &Query<'_>, classes: &[usize], k: usize, scratch: &mut Scratch, out: &mut Neighbours) {
         if self.windows.length == WINDOW || LENGTH == WINDOW {
             self.nearest_sized::<WINDOW>(query, classes, k, scratch, out);
@@ -127,11 +128,11 @@ impl Index {
         }
     }
 
-    /// Whether the mean D of the `k` windows of a class that are nearest by the query's metric certainly exceeds `mean`;
-    /// `false` means unknown. It takes a fraction of the time of a search.
+    /// Returns whether the mean D of the `k` windows of a class that are nearest by the query's metric certainly
+    /// exceeds `mean`; `false` means unknown. It takes a fraction of the time of a search.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn mean_exceeds(&self, query: &Query<'_>, class: usize, k: usize, mean: f32) -> bool {
         let leaves = &self.leaves[query.metric as usize];
         mean.is_finite() && leaves.mean_exceeds(class, &query.probe, self.margins(query, class), k, mean)
@@ -142,7 +143,8 @@ impl Index {
         self.leaves[query.metric as usize].margins(class, query.window, query.error)
     }
 
-    /// The leaves of a class that may hold a window with a D of at most `threshold`, each with a lower bound of its windows'.
+    /// Finds the leaves of a class that may contain a window with a D of at most `threshold`, each with a lower bound
+    /// of its windows' D.
     pub(super) fn leaves_within(&self, query: &Query<'_>, class: usize, threshold: f32, out: &mut Vec<(f32, usize)>) {
         let leaves = &self.leaves[query.metric as usize];
         leaves.candidates(class, &query.probe, self.margins(query, class), threshold, out);
@@ -154,15 +156,15 @@ impl Index {
         self.leaves[query.metric as usize].squared_distances(leaf, &query.probe)
     }
 
-    /// A rough estimate of the D of the nearest windows of a class, m², that costs little.
+    /// A rough estimate of the D of the nearest windows of a class, m², that is cheap to compute.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn rough_distance(&self, query: &Query<'_>, class: usize) -> f32 {
         self.leaves[query.metric as usize].nearest_centre(class, &query.probe)
     }
 
-    /// [`Index::nearest`] with windows of `S` frames.
+    /// Same as [`Index::nearest`], for windows of `S` frames.
     fn nearest_sized<const S: usize>(
         &self,
         query: &Query<'_>,
@@ -213,7 +215,7 @@ impl Index {
         std::mem::swap(found, out);
     }
 
-    /// Compares the windows that are likely to be nearest: those one frame after the nearest of the frame before.
+    /// Compares the windows that are likely to be nearest: the successors of the previous frame's nearest windows.
     fn look_at_successors<const S: usize>(
         &self,
         query: &Query<'_>,
@@ -225,7 +227,7 @@ impl Index {
         let leaves = &self.leaves[query.metric as usize];
         let slot = |row: u32| self.slots.get(row as usize).copied().filter(|&s| s != NO_ROW);
         for n in last {
-            // At the end of a clip, the neighbour itself.
+            // At the end of a clip the neighbour itself is used.
             let Some(slot) = slot(n.row.saturating_add(1)).or_else(|| slot(n.row)) else { continue };
             let (leaf, i) = (slot as usize / BLOCK, slot as usize % BLOCK);
             let is_asked_for = classes.iter().any(|&c| leaves.of_class(c).contains(&leaf));
@@ -238,7 +240,7 @@ impl Index {
 
     #[inline]
     fn look_at<const S: usize>(&self, query: &Query<'_>, row: u32, found: &mut Neighbours) {
-        // The last leaf of a class may not be full.
+        // The last leaf of a class may be padded.
         if row != NO_ROW {
             found.offer(Neighbour { distance: self.distance::<S>(query, row as usize), row });
         }

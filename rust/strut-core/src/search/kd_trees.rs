@@ -1,9 +1,9 @@
-//! Candidates from kd-trees: the usual approximate search, to compare the exact one with.
+//! Candidates from kd-trees: the usual approximate search, for comparison with the exact one.
 //!
 //! A kd-tree needs points with a Euclidean distance. A window's coordinates in the [subspace](super::subspace) become
-//! such a point once their phase, to which the metric is invariant, is fixed: here the first complex coordinate becomes
-//! a positive number. Windows that are near only by another phase are missed, and so are those whose differences lie
-//! outside the subspace; so several candidates are taken from the tree and ordered by their true D.
+//! such a point if their phase, to which the metric is invariant, is fixed: here the first complex coordinate becomes a
+//! positive number. Windows that are near only with another phase are missed, and so are those whose differences lie
+//! outside the subspace. Therefore several candidates are taken from the tree and ordered by their true D.
 
 use super::metric::{CentredWindow, Metric};
 use super::subspace::{Projection, REAL, Subspace};
@@ -11,9 +11,9 @@ use super::windows::Windows;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use std::num::NonZero;
 
-/// Coordinates of heights, the first ones …
+/// Number of height coordinates, the first ones …
 const HEIGHTS: usize = 8;
-/// … and of the ground plane, real and imaginary parts; the imaginary part of the first is always 0.
+/// … and of coordinates on the ground, real and imaginary parts; the imaginary part of the first is always 0.
 const GROUND: usize = 8;
 /// Dimensions of the trees.
 const DIMENSIONS: usize = HEIGHTS + GROUND - 1;
@@ -34,7 +34,7 @@ struct Class {
 }
 
 impl KdTrees {
-    /// Trees of all windows by their coordinates in a subspace, searched for this many candidates.
+    /// Builds trees of all windows by their coordinates in a subspace. A search returns this number of candidates.
     pub(super) fn new(windows: &Windows, subspace: &Subspace, candidates: NonZero<usize>) -> Self {
         let class = |class| {
             let rows: Vec<u32> = windows.of_class(class).map(|row| row as u32).collect();
@@ -64,7 +64,7 @@ impl KdTrees {
     }
 }
 
-/// The first coordinates, with the phase by which the first complex one is a positive number.
+/// First coordinates, with the phase for which the first complex one is a positive number.
 fn aligned(projection: &Projection) -> [f32; DIMENSIONS] {
     let (real, complex) = projection.coordinates.split_at(REAL);
     let (re, im) = (complex[0], complex[1]);

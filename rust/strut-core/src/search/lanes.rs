@@ -1,4 +1,4 @@
-//! Explicit lanes of arithmetic: the one place that decides the order of floating-point sums in a search.
+//! Explicit arithmetic on lanes. This module alone determines the order of floating-point sums in a search.
 //!
 //! [`Floats`] and [`Integers`] are SIMD registers in WebAssembly, where compilers do not vectorise arrays, and arrays
 //! elsewhere, where they do. The operations are the same, in the same order, with and without SIMD, and so are the bits.
@@ -16,17 +16,18 @@ pub(super) use arrays::{Floats, Integers};
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub(super) use registers::{Floats, Integers};
 
-/// The sum of the four, always in this order.
+/// Sum of the four numbers, always in this order.
 #[inline]
 pub(super) fn total(sum: Floats) -> f32 {
     let [a, b, c, d] = sum.array();
     (a + b) + (c + d)
 }
 
-/// Inner product of two windows of equally many frames by the first `USED` of their `N` lanes, with `SUMS` running sums
-/// so that additions need not wait for each other. Where the other lanes are zero, it is that of all lanes to the bit.
+/// Inner product of two windows with equal numbers of frames, over the first `USED` of their `N` lanes, with `SUMS`
+/// running sums so that additions need not wait for each other. If the other lanes are zero, the result is
+/// bit-identical to that of all lanes.
 ///
-/// Called for every window that is compared: a function call would take half of its time.
+/// Called for every window that is compared: a function call would take half of the time.
 #[allow(clippy::inline_always)]
 #[inline(always)]
 pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize>(
@@ -42,9 +43,9 @@ pub(super) fn inner_product<const N: usize, const USED: usize, const SUMS: usize
     total(sums.into_iter().fold(Floats::splat(0.0), Floats::plus))
 }
 
-/// ⟨y, y'⟩ and the real and the imaginary part of ⟨z, z'⟩ of a query, whose heights y are apart from x and z of the ground
-/// plane, and of a stored window of equally many frames, in which four heights, four x and four z alternate; by the first
-/// `USED` lanes of heights, with `SUMS` running sums each as in [`inner_product`].
+/// ⟨y, y'⟩ and the real and the imaginary part of ⟨z, z'⟩ of a query, whose heights y are separate from x and z on the
+/// ground, and of a stored window with the same number of frames, in which four heights, four x and four z alternate.
+/// The first `USED` lanes of heights are used, with `SUMS` running sums each as in [`inner_product`].
 #[allow(clippy::inline_always)] // see `inner_product`
 #[inline(always)]
 pub(super) fn products<const H: usize, const G: usize, const N: usize, const USED: usize, const SUMS: usize>(
@@ -58,7 +59,7 @@ pub(super) fn products<const H: usize, const G: usize, const N: usize, const USE
             heights[l % SUMS] = heights[l % SUMS].plus(Floats::of(&own[l]).times(Floats::of(&stored[3 * l])));
         }
     }
-    // A second pass, so that all sums find room in registers.
+    // A second pass, so that all sums fit in registers.
     let (mut real, mut imaginary) = ([Floats::splat(0.0); SUMS], [Floats::splat(0.0); SUMS]);
     for (own, stored) in ground.iter().zip(stored) {
         for l in 0..USED {
@@ -119,7 +120,7 @@ mod arrays {
             Self(self.0.map(f32::sqrt))
         }
 
-        /// Bit i is set if number i is greater; never where either is not a number.
+        /// Bit i is set if number i is greater; never if either is NaN.
         #[inline(always)]
         pub(in super::super) fn greater_than(self, other: Self) -> u32 {
             (0..4).map(|i| u32::from(self.0[i] > other.0[i]) << i).sum()
@@ -140,7 +141,7 @@ mod arrays {
             Self(from_fn(|i| self.0[i].wrapping_add(other.0[i])))
         }
 
-        /// Inner product of each pair. Compilers do not find the instruction for it.
+        /// Inner product of each pair. Compilers do not generate the instruction for it.
         #[cfg(target_arch = "x86_64")]
         #[allow(unsafe_code)]
         #[inline(always)]

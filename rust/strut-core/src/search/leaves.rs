@@ -1,10 +1,9 @@
-//! Leaves: blocks of near windows of a class, each in a ball, by one metric.
+//! Leaves: blocks of near windows of a class by one metric, each enclosed in a ball.
 //!
-//! Distances in a [subspace](Subspace) bound those of windows from below, and are those of a metric themselves. So they
-//! rule out whole leaves, whose centres stand in blocks like the windows' own, and single windows of the other leaves.
+//! Distances in a [subspace](Subspace) are lower bounds of the windows' distances, and are a metric themselves. So they
+//! exclude whole leaves, whose centres are in blocks like the windows, and single windows of the other leaves.
 //!
-//! Bounds hold for the D as computed, not only for the exact one: every rounding error is bounded, and NaN rules nothing
-//! out.
+//! Bounds hold for the computed D, not only for the exact one: every rounding error is bounded, and NaN excludes nothing.
 
 use super::block::{
     BLOCK, Block, ERROR, PER_METRE, Point, Probe, QUADS, QUANTISATION, SquaredDistances, complex_product, quantise,
@@ -16,8 +15,8 @@ use crate::math::order::positive;
 use std::ops::Range;
 
 /// Bound on the rounding error of a computed D = |q|² + |p|² − 2 (h + t): a share of (length of the query) × (length of
-/// the other before it is centred). h is a sum that rounds 2 s + 8 times for windows of s frames, and so is each part of
-/// t: 2 ((2 s + 8) (1 + √2) + 5) · 2⁻²⁴.
+/// the stored window before it is centred). h is a sum that rounds 2 s + 8 times for windows of s frames, and so is
+/// each part of t: 2 ((2 s + 8) (1 + √2) + 5) · 2⁻²⁴.
 fn product_rounding(frames: usize) -> f32 {
     (5 * (2 * frames + 8) + 10) as f32 / 16_777_216.0
 }
@@ -25,18 +24,18 @@ fn product_rounding(frames: usize) -> f32 {
 /// A share of |q|² + |p|²: norms and the last sums round 8 times, and the result twice when it is compared.
 const NORM_ROUNDING: f32 = 16.0 / 16_777_216.0;
 
-/// Multiples of a mean at which windows are counted to find out whether that of the nearest exceeds it.
+/// Multiples of a mean at which windows are counted, to test whether the mean of the nearest exceeds it.
 const LEVELS: [f32; 6] = [0.4, 0.7, 1.0, 1.3, 1.7, 2.2];
 
-/// All leaves of a database by one metric; in the order of its windows.
+/// All leaves of a database by one metric, in the order of its windows.
 #[derive(Clone, Debug)]
 pub(super) struct Leaves {
     subspace: Subspace,
-    /// One for every leaf.
+    /// One for each leaf.
     blocks: Vec<Block>,
     /// Greatest distance of a leaf's windows from its centre, in integers.
     radii: Vec<f32>,
-    /// Sixteen leaves' centres each.
+    /// Centres of the leaves, sixteen in each block.
     centres: Vec<Block>,
     /// Centres of the leaves of the class that is being added.
     middles: Vec<Point>,
@@ -80,13 +79,13 @@ impl Margins {
         (threshold + self.rounding).sqrt() * PER_METRE + self.slack
     }
 
-    /// The squared distances beyond which [`Block::squared_distances`] rules windows out that have no computed D of at most
+    /// Squared distances above which [`Block::squared_distances`] excludes windows, because their computed D exceeds
     /// `threshold`.
     pub(super) fn squared_limits(self, threshold: f32) -> [FloatLane; QUADS] {
         [[self.squared_limit(threshold); 4]; QUADS]
     }
 
-    /// One of them.
+    /// One of these limits.
     pub(super) fn squared_limit(self, threshold: f32) -> f32 {
         let limit = self.limit(threshold);
         limit * limit + ERROR
@@ -97,7 +96,7 @@ impl Margins {
         self.rounding
     }
 
-    /// A lower bound of the computed D of windows at this distance in integers or farther away.
+    /// A lower bound of the computed D of windows at this distance (in integers) or farther.
     fn lower_bound(self, distance: f32) -> f32 {
         let metres = positive(distance - self.slack) / PER_METRE;
         metres * metres - self.rounding
@@ -105,7 +104,7 @@ impl Margins {
 }
 
 impl Leaves {
-    /// No leaves, with room for this many of so many classes.
+    /// Creates an empty structure with capacity for this number of leaves and classes.
     pub(super) fn new(subspace: Subspace, leaves: usize, classes: usize) -> Self {
         Self {
             subspace,
@@ -117,7 +116,7 @@ impl Leaves {
         }
     }
 
-    /// Bytes of so many leaves in so many classes.
+    /// Memory of this number of leaves in this number of classes, bytes.
     pub(super) fn bytes(leaves: u64, classes: u64) -> u64 {
         let blocks = leaves.saturating_add(leaves / BLOCK as u64).saturating_add(classes);
         blocks.saturating_mul(size_of::<Block>() as u64).saturating_add(leaves.saturating_mul(4))
@@ -127,12 +126,13 @@ impl Leaves {
         &self.subspace
     }
 
-    /// The integers of a window.
+    /// Quantised coordinates of a window.
     pub(super) fn point(&self, window: &CentredWindow) -> Point {
         quantise(&self.subspace.project(window))
     }
 
-    /// Adds leaves to the next class: the integers of its windows, as many at a time as fill leaves but for the last.
+    /// Adds leaves to the next class from the quantised coordinates of its windows. Every call but the last must fill
+    /// whole leaves.
     pub(super) fn add_leaves(&mut self, points: &[Point]) {
         for members in points.chunks(BLOCK) {
             let (centre, block) = (centre(members), Block::new(members));
@@ -144,7 +144,7 @@ impl Leaves {
         }
     }
 
-    /// Ends a class of so many windows, all of which have been added.
+    /// Ends a class of this number of windows, all of which have been added.
     pub(super) fn end_class(&mut self, windows: usize, bounds: Bounds) {
         let (leaves, centres) = (self.blocks.len() - self.middles.len(), self.centres.len());
         self.centres.extend(self.middles.chunks(BLOCK).map(Block::new));
@@ -154,7 +154,7 @@ impl Leaves {
         self.classes.push(Class { leaves, windows, centres, error, bounds });
     }
 
-    /// The integers of a window of a leaf.
+    /// Quantised coordinates of a window of a leaf.
     pub(super) fn point_in(&self, leaf: usize, i: usize) -> Point {
         self.blocks[leaf].point(i)
     }
@@ -170,7 +170,7 @@ impl Leaves {
         (Probe::new(&quantise(&projection)), projection.error)
     }
 
-    /// The margins for a window whose point has this error bound.
+    /// Margins for a window whose point has this error bound.
     pub(super) fn margins(&self, class: usize, window: &CentredWindow, error: f32) -> Margins {
         let class = &self.classes[class];
         Margins {
@@ -180,8 +180,8 @@ impl Leaves {
         }
     }
 
-    /// The leaves of a class that may hold a window with a computed D of at most `threshold`, each with a lower bound of
-    /// the D of its windows.
+    /// Finds the leaves of a class that may contain a window with a computed D of at most `threshold`, each with a
+    /// lower bound of the D of its windows.
     pub(super) fn candidates(
         &self,
         class: usize,
@@ -200,8 +200,8 @@ impl Leaves {
         }
     }
 
-    /// The leaves of a class, sixteen at a time: the index of the first, the squared distances of their centres and, as bits,
-    /// which of them may hold a window at a distance of at most `limit` in integers.
+    /// Leaves of a class, sixteen at a time: the index of the first, the squared distances of their centres and, as
+    /// bits, whether each may contain a window at a distance of at most `limit` in integers.
     fn leaves_within(
         &self,
         class: usize,
@@ -220,7 +220,7 @@ impl Leaves {
         })
     }
 
-    /// Squared distance from the nearest centre of a class's leaves, m²; infinite without leaves.
+    /// Squared distance to the nearest centre of a class's leaves, m²; infinite without leaves.
     pub(super) fn nearest_centre(&self, class: usize, probe: &Probe) -> f32 {
         let Class { leaves, centres, .. } = &self.classes[class];
         let blocks = self.centres[centres.clone()].iter();
@@ -228,10 +228,10 @@ impl Leaves {
         distances.fold(f32::INFINITY, f32::min) / (PER_METRE * PER_METRE)
     }
 
-    /// Whether the mean of the `k` smallest computed D of a class certainly exceeds `mean`.
+    /// Returns whether the mean of the `k` smallest computed D of a class certainly exceeds `mean`.
     ///
-    /// If n of a class's windows have a D of at most t, k − n of its k nearest have a greater one. Summed over levels of
-    /// t, each with its distance from the one below, that is a lower bound of the sum of their D.
+    /// If n of a class's windows have a D of at most t, k − n of its k nearest have a greater one. Summed over levels
+    /// of t, each multiplied by its distance from the level below, this is a lower bound of the sum of their D.
     pub(super) fn mean_exceeds(&self, class: usize, probe: &Probe, margins: Margins, k: usize, mean: f32) -> bool {
         let nearest = k.min(self.classes[class].windows) as f32;
         let squares = LEVELS.map(|level| margins.squared_limits(level * mean));
@@ -266,14 +266,14 @@ impl Leaves {
         self.blocks[leaf].squared_distances(probe)
     }
 
-    /// Which windows of a leaf may have a computed D of at most the threshold of these limits, as bits.
+    /// Windows of a leaf that may have a computed D of at most the threshold of these limits, as bits.
     #[inline]
     pub(super) fn windows_within(&self, leaf: usize, probe: &Probe, limits: &[FloatLane; QUADS]) -> u32 {
         self.blocks[leaf].squared_distances(probe).within(limits)
     }
 }
 
-/// The mean of points, once all have the phase of the first.
+/// Mean of points, after all are given the phase of the first.
 fn centre(members: &[Point]) -> Point {
     let mut sums = [0.0_f32; COORDINATES];
     for point in members {

@@ -1,8 +1,8 @@
 //! The window metric: Eq. 1 of Xia et al. 2015 in the closed form of `docs/methods/search.md` §1.
 //!
-//! A window is a point cloud: the joints of s successive frames ([`WINDOW`]) in one common frame of
-//! reference, so that travel within the window counts. Two windows are compared after the best motion
-//! of one over the ground plane, a turn θ about the vertical and a shift (x₀, z₀):
+//! A window is a point cloud: the joints of s successive frames ([`WINDOW`]) in a common frame of reference, so that
+//! travel within the window counts. Two windows are compared after the best rigid motion of one over the ground plane:
+//! a turn θ about the vertical and a shift (x₀, z₀).
 //!
 //! D(p, q) = min over θ, x₀, z₀ of Σ wᵢ |pᵢ − T(θ, x₀, z₀) qᵢ|²
 //!
@@ -20,36 +20,35 @@ use crate::math::Vec3;
 use crate::math::order::positive;
 use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
 
-/// Frames of a window unless asked otherwise (s; at 60 Hz they span 67 ms). The figures are flat
-/// from 1 to 15.
+/// Default number of frames of a window (s; at 60 Hz they span 67 ms). The results hardly depend on it from 1 to 15.
 pub const WINDOW: usize = 5;
-/// Greatest number of frames of a window: only experiments use others than the default.
+/// Greatest number of frames of a window; only experiments use other values than the default.
 pub const MAX_WINDOW: usize = if cfg!(feature = "baselines") { 15 } else { WINDOW };
 
-/// Frames of a window: `S`, which the compiler knows and unrolls its loops for, or `frames` if `S` is
+/// Number of frames of a window: the compile-time constant `S`, for which loops are unrolled, or `frames` if `S` is
 /// [`ANY`].
 #[inline]
 pub(super) const fn frames_of<const S: usize>(frames: usize) -> usize {
     if S == ANY { frames } else { S }
 }
 
-/// The length as a constant where only one is possible, else [`ANY`].
+/// The length as a constant if only one is possible, otherwise [`ANY`].
 pub(super) const LENGTH: usize = if MAX_WINDOW == WINDOW { WINDOW } else { ANY };
 
-/// A length known at run time only.
+/// A length that is known only at run time.
 pub(super) const ANY: usize = 0;
 
-/// Which joints are compared.
+/// Metric of windows: the joints that are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
-    /// All joints, by size and visibility: finds poses to regress on.
+    /// All joints, weighted by size and visibility: finds poses for the regression.
     FullBody,
-    /// Legs only: finds frames whose foot contacts are those of the query.
+    /// Legs only: finds frames with the same foot contacts as the query.
     LowerBody,
 }
 
 impl Metric {
-    /// Number of points that are compared, the first ones.
+    /// Number of points that are compared, starting with the first.
     pub(super) fn points(self) -> usize {
         match self {
             Self::FullBody => POINTS,
@@ -57,7 +56,7 @@ impl Metric {
         }
     }
 
-    /// Share of those in the weights of the whole body.
+    /// Share of these points in the weights of the whole body.
     pub(super) fn share(self) -> f32 {
         match self {
             Self::FullBody => 1.0,
@@ -66,11 +65,11 @@ impl Metric {
     }
 }
 
-/// Sums over the points of one frame from which windows' norms are computed, in double precision.
+/// Sums over the points of one frame, in double precision, from which windows' norms are computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FrameSums {
     squares: f64,
-    /// Of √w · x and √w · z.
+    /// Sums of √w · x and √w · z.
     x: f64,
     z: f64,
 }
@@ -88,23 +87,23 @@ impl FrameSums {
     }
 }
 
-/// [`CentredWindow::norm`] of the window of these frames, but for rounding: stored windows share their frames' sums.
+/// [`CentredWindow::norm`] of the window of these frames, except for rounding: stored windows share their frames' sums.
 pub(super) fn window_norm(frames: &[FrameSums], metric: Metric) -> f32 {
     let scale = 1.0 / (frames.len() as f64 * f64::from(metric.share()));
     let sum = |of: fn(&FrameSums) -> f64| scale * frames.iter().map(of).sum::<f64>();
     let (x, z) = (sum(|f| f.x), sum(|f| f.z));
-    // 1 but for the weights' rounding, which matters where the centroid is far away.
+    // 1 except for the weights' rounding, which matters if the centroid is far away.
     let weights: f64 = point_roots()[..metric.points()].iter().map(|w| f64::from(*w) * f64::from(*w)).sum();
     let weights = scale * frames.len() as f64 * weights;
     (sum(|f| f.squares) - (2.0 - weights) * (x * x + z * z)).max(0.0) as f32
 }
 
-/// A window's vector in one metric: zero where a joint has no weight, centred, and scaled so that its inner product with
-/// stored points, which need not be centred, is that of the weighted window vectors.
+/// A window's vector in one metric: zero for joints without a weight, centred, and scaled so that its inner product
+/// with stored points, which need not be centred, is that of the weighted window vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct CentredWindow {
     pub(super) frames: usize,
-    /// Weight of a frame, by which the vector is too large.
+    /// Weight of a frame, the factor by which the vector is too large.
     pub(super) scale: f32,
     pub(super) height: [HeightRow; MAX_WINDOW],
     pub(super) ground: [GroundRow; MAX_WINDOW],
@@ -113,7 +112,8 @@ pub(super) struct CentredWindow {
 }
 
 impl CentredWindow {
-    /// Of the frames of a window; sums in double precision, as this happens once a query or a stored window.
+    /// Creates the vector from the frames of a window. Sums are in double precision, because this is done only once for
+    /// a query or a stored window.
     pub(super) fn new(frames: &[FramePoints], metric: Metric) -> Self {
         let (points, share) = (metric.points(), metric.share());
         let roots = point_roots().map(f64::from);
@@ -143,7 +143,7 @@ impl CentredWindow {
         window
     }
 
-    /// D by the window's metric to the stored window of these frames and norm; 0 if that is not a number.
+    /// D by the window's metric to the stored window with these frames and this norm; 0 if D is NaN.
     #[allow(clippy::inline_always)] // see `products`
     #[inline(always)]
     pub(super) fn distance<const S: usize>(&self, metric: Metric, frames: &[PointRow], norm: f32) -> f32 {
@@ -158,10 +158,10 @@ impl CentredWindow {
     }
 }
 
-/// The last s frames of a moving figure, ready to be compared with stored windows.
+/// Last s frames of a moving figure, prepared for comparison with stored windows.
 ///
-/// While fewer frames have been pushed, the missing earlier ones are extrapolated at constant velocity
-/// (one frame alone counts as standing still).
+/// While fewer frames have been pushed, the missing earlier ones are extrapolated at constant velocity (a single frame
+/// counts as standing still).
 #[derive(Clone, Debug)]
 pub struct QueryWindow {
     length: usize,
@@ -173,14 +173,14 @@ pub struct QueryWindow {
 }
 
 impl Default for QueryWindow {
-    /// Of [`WINDOW`] frames.
+    /// A window of [`WINDOW`] frames.
     fn default() -> Self {
         Self::new(WINDOW)
     }
 }
 
 impl QueryWindow {
-    /// An empty window of `length` frames; the nearest of 1 to [`MAX_WINDOW`] is taken.
+    /// An empty window of `length` frames, clamped to 1 to [`MAX_WINDOW`].
     pub fn new(length: usize) -> Self {
         Self {
             length: length.clamp(1, MAX_WINDOW),
@@ -192,17 +192,17 @@ impl QueryWindow {
         }
     }
 
-    /// Forgets all frames.
+    /// Discards all frames.
     pub fn clear(&mut self) {
         self.pushed = 0;
     }
 
-    /// Frames pushed since the window was empty.
+    /// Number of frames pushed since the window was empty.
     pub fn frames(&self) -> usize {
         self.pushed
     }
 
-    /// Adds a frame: its heading-free point cloud (metres) and its place on the ground.
+    /// Adds a frame: its heading-free point cloud (metres) and its placement on the ground.
     pub fn push(&mut self, cloud: &[Vec3; JOINTS], at: Placement) {
         let length = frames_of::<LENGTH>(self.length);
         let (clouds, places) = (&mut self.clouds[..length], &mut self.places[..length]);
@@ -217,11 +217,11 @@ impl QueryWindow {
         self.lower = CentredWindow::new(&frames[..length], Metric::LowerBody);
     }
 
-    /// The frames' points; the missing ones are extrapolated.
+    /// Points of the frames; the missing ones are extrapolated.
     pub(super) fn frame_points(&self) -> [FramePoints; MAX_WINDOW] {
         let length = frames_of::<LENGTH>(self.length);
         let (clouds, places) = (&self.clouds[..length], &self.places[..length]);
-        // Positions relative to the newest hips keep the numbers small wherever the figure walks.
+        // Positions relative to the newest hips keep the numbers small, wherever the figure is.
         let at = places[length - 1];
         let mut frames = [FramePoints::default(); MAX_WINDOW];
         for (points, (cloud, p)) in frames.iter_mut().zip(clouds.iter().zip(places)) {
@@ -235,7 +235,8 @@ impl QueryWindow {
         frames
     }
 
-    /// Adds a pose of this body, and gives its place; `heading` is the state of a stream at `rate_hz` frames per second.
+    /// Adds a pose of this body, and returns its placement; `heading` is the state of a stream at `rate_hz` frames per
+    /// second.
     pub fn follow(&mut self, pose: &Pose, body: &Proportions, rate_hz: f32, heading: &mut HeadingFilter) -> Placement {
         let world = world_from_local(body, pose);
         let heading = heading.update(&world, 1.0 / rate_hz);
@@ -295,7 +296,7 @@ mod tests {
             .collect()
     }
 
-    /// Σ w |p − T q|² for the best shift at a given turn, straight from Eq. 1.
+    /// Σ w |p − T q|² for the best shift at a given turn, directly from Eq. 1.
     fn eq1_at_turn(p: &Frames, q: &Frames, turn: f64) -> f64 {
         let (sin, cos) = double::sin_cos(turn);
         let world = |(cloud, at): &([Vec3; JOINTS], Placement), j: usize| {

@@ -1,8 +1,8 @@
-//! Exact search for the stored windows that resemble the last frames of the input.
+//! Exact search for the stored windows that are nearest to the last frames of the input.
 //!
-//! A window ends at a row and holds it and the rows before it in the same clip, [`WINDOW`] in all; the first
-//! rows of a clip end no window. Rows are kept once, in a frame of reference of their clip that is rebuilt by
-//! integrating the rows' velocities and heading rates, so that overlapping windows share them.
+//! A window ends at a row and contains it and the rows before it in the same clip, [`WINDOW`] in total; no window ends
+//! at the first rows of a clip. Rows are stored once, in a frame of reference of their clip that is computed by
+//! integrating the rows' velocities and turn rates, so that overlapping windows share them.
 
 mod atlas;
 mod block;

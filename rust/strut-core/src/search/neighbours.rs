@@ -1,6 +1,6 @@
 //! The K nearest rows found so far, ordered by (D, row).
 
-/// A stored window that resembles the query.
+/// A stored window that is similar to the query.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Neighbour {
     /// D: mean squared distance of the weighted points, m².
@@ -10,14 +10,14 @@ pub struct Neighbour {
 }
 
 impl Neighbour {
-    /// Order of search results: nearer first, then the earlier row, so that the result depends on the
-    /// data only and not on the order of visits.
+    /// Order of search results: nearer first, then the earlier row, so that the result depends on the data only, not on
+    /// the order of visits.
     fn comes_before(self, other: Self) -> bool {
         self.distance < other.distance || (self.distance == other.distance && self.row < other.row)
     }
 }
 
-/// The nearest windows, at most K, by (D, row). Keeps its memory between queries.
+/// The nearest windows, at most K, ordered by (D, row). The memory is reused between queries.
 #[derive(Clone, Debug, Default)]
 pub struct Neighbours {
     entries: Vec<Neighbour>,
@@ -25,25 +25,25 @@ pub struct Neighbours {
 }
 
 impl Neighbours {
-    /// None, with room for `k`.
+    /// An empty list with capacity for `k`.
     pub fn with_capacity(k: usize) -> Self {
         Self { entries: Vec::with_capacity(k), capacity: k }
     }
 
-    /// Empties the list and makes room for `k`.
+    /// Empties the list and reserves capacity for `k`.
     pub fn begin(&mut self, k: usize) {
         self.entries.clear();
         self.entries.reserve(k);
         self.capacity = k;
     }
 
-    /// Takes a list in place of its own: nearest first, and no room for more.
+    /// Replaces the list by these neighbours, which are sorted by distance, and sets the capacity to their number.
     pub(crate) fn assign(&mut self, nearest: &[Neighbour]) {
         self.begin(nearest.len());
         self.entries.extend_from_slice(nearest);
     }
 
-    /// Greatest D that can still enter the list.
+    /// Greatest D that can still be inserted.
     #[inline]
     pub fn threshold(&self) -> f32 {
         if self.entries.len() < self.capacity {
@@ -53,7 +53,7 @@ impl Neighbours {
         }
     }
 
-    /// Offers a window; it enters if it is among the K nearest so far. NaN never does.
+    /// Inserts a window if it is among the K nearest so far. NaN is never inserted.
     #[inline]
     pub fn offer(&mut self, candidate: Neighbour) {
         if candidate.distance <= self.threshold() {
@@ -67,7 +67,7 @@ impl Neighbours {
         } else if self.entries.last().is_none_or(|last| last.comes_before(candidate)) {
             return;
         }
-        // From behind: windows are mostly offered in about this order.
+        // From the end: windows are mostly offered in about this order.
         let mut at = self.entries.len() - 1;
         while at > 0 && candidate.comes_before(self.entries[at - 1]) {
             self.entries[at] = self.entries[at - 1];

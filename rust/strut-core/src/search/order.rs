@@ -1,12 +1,12 @@
-//! An order of windows in which near ones are adjacent.
+//! An order of windows in which near windows are adjacent.
 
 use super::block::{BLOCK, Point, complex_product, squared_length};
 use super::subspace::REAL;
 use crate::math::order::sort_pairs;
 
-/// Puts `items`, indices of points, into an order in which every sixteen are near each other.
+/// Sorts `items`, indices of points, such that every sixteen are near each other.
 ///
-/// A ball tree without its nodes: the items are split by which of two distant items is nearer, then each half
+/// A ball tree without its nodes: the items are split by which of two distant items is nearer, then each half is split
 /// recursively.
 pub(super) fn arrange(points: &[Point], items: &mut [usize]) {
     if items.len() <= BLOCK {
@@ -18,7 +18,7 @@ pub(super) fn arrange(points: &[Point], items: &mut [usize]) {
     let mut sides: Vec<(f32, usize)> = items.iter().map(|&i| (side(i), i)).collect();
     sort_pairs(&mut sides);
     items.iter_mut().zip(sides).for_each(|(item, (_, i))| *item = i);
-    // All leaves are full but the last.
+    // All leaves except the last are full.
     let (left, right) = items.split_at_mut((items.len() / 2).next_multiple_of(BLOCK));
     arrange(points, left);
     arrange(points, right);

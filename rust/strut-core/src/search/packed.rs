@@ -1,9 +1,10 @@
-//! Windows as every distance between many of them is computed from: rows of numbers that a graphics processor reads, too.
+//! Windows in the form for computing all distances between many of them: rows of numbers that a GPU can read.
 //!
-//! A row holds one frame: its joints minus their weighted centroid on the ground, and minus the mean height of each joint
-//! in the database, √(w/5) folded in. Windows share rows. What a window travels is kept apart from that: the five centroids
-//! in an orthonormal basis of four (Helmert's), so that no large numbers cancel. D = N + N′ − 2 (h + |g|) with the squared
-//! lengths N, the heights' inner product h and the ground's complex one g, over joints and travel.
+//! A row contains one frame: its joints minus their weighted centroid on the ground, and minus the mean height of each
+//! joint in the database, multiplied by √(w/5). Windows share rows. The travel of a window is stored separately: the
+//! five centroids in an orthonormal basis of four (Helmert's), so that no large numbers cancel. D = N + N′ − 2 (h +
+//! |g|) with the squared lengths N, the heights' inner product h and the complex inner product g on the ground, over
+//! joints and travel.
 
 use super::index::Index;
 use super::lanes::{Floats, total};
@@ -14,26 +15,26 @@ use crate::humanoid::Role;
 use crate::math::order::positive;
 use std::ops::Range;
 
-/// Joints of a frame.
+/// Number of joints of a frame.
 pub const PACKED_JOINTS: usize = JOINT_WEIGHTS.len();
-/// Numbers of a [`PackedRow`]: heights, then x, then z.
+/// Number of values of a [`PackedRow`]: heights, then x, then z.
 pub const PACKED_ROW: usize = 3 * PACKED_JOINTS;
-/// Classes are filled up to a multiple of so many windows, which one workgroup of a graphics processor compares.
+/// Classes are padded to a multiple of this number of windows, which one GPU workgroup compares.
 pub const PACKED_TILE: usize = 32;
-/// Squared length of what fills a class up: farther away than any window, m².
+/// Squared length of the padding: farther away than any window, m².
 pub const FAR: f32 = 3e38;
-/// Numbers of [`PackedWindow::travel`]: x, then z.
+/// Number of values of [`PackedWindow::travel`]: x, then z.
 pub const TRAVEL: usize = 2 * (WINDOW - 1);
-/// Words of [`PackedWindow::words`].
+/// Number of words of [`PackedWindow::words`].
 pub const PACKED_WINDOW: usize = 12;
 
 /// The numbers of one frame.
 pub type PackedRow = [f32; PACKED_ROW];
 
-/// Which joints are compared.
+/// Joints that are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BodyPart {
-    /// All joints, as the search compares them.
+    /// All joints, as in the search.
     #[default]
     Whole,
     /// Upper and lower legs, feet and toes.
@@ -47,10 +48,10 @@ pub enum BodyPart {
 }
 
 impl BodyPart {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Self; 5] = [Self::Whole, Self::Legs, Self::Arms, Self::Torso, Self::Head];
 
-    /// Whether it has a joint, by its number among [`JOINT_WEIGHTS`].
+    /// Returns whether the part contains a joint, given its index in [`JOINT_WEIGHTS`].
     fn has(self, joint: usize) -> bool {
         use Role as R;
         let role = JOINT_WEIGHTS[joint].0;
@@ -65,7 +66,7 @@ impl BodyPart {
         }
     }
 
-    /// Weights of joints, which sum to 1 but for rounding.
+    /// Weights of joints; they sum to 1 except for rounding.
     fn weights(self) -> [f64; PACKED_JOINTS] {
         let all = Index::joint_weights();
         if self == Self::Whole {
@@ -85,22 +86,22 @@ impl BodyPart {
     }
 }
 
-/// A window but for its rows.
+/// A window without its rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackedWindow {
-    /// The centroids in Helmert's basis, √(Σw/5) folded in.
+    /// Centroids in Helmert's basis, multiplied by √(Σw/5).
     pub travel: [f32; TRAVEL],
     /// Squared length, m².
     pub norm: f32,
-    /// Its last row.
+    /// Last row.
     pub end: u32,
 }
 
 impl PackedWindow {
-    /// Fills a class up to whole tiles.
+    /// Padding of a class to whole tiles.
     pub const PADDING: Self = Self { travel: [0.0; TRAVEL], norm: FAR, end: WINDOW as u32 - 1 };
 
-    /// The shaders' `struct Window`, which ends in padding.
+    /// Encodes the shaders' `struct Window`, which ends in padding.
     pub fn words(&self) -> [u32; PACKED_WINDOW] {
         let mut words = [0; PACKED_WINDOW];
         for (word, v) in words.iter_mut().zip(&self.travel) {
@@ -111,19 +112,19 @@ impl PackedWindow {
     }
 }
 
-/// The windows of a class among all.
+/// Windows of a class in the list of all windows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackedClass {
-    /// The first.
+    /// Index of the first window.
     pub first: usize,
-    /// Without what fills it up.
+    /// Number of windows without padding.
     pub count: usize,
     /// Greatest squared length, m².
     pub greatest: f32,
 }
 
 impl PackedClass {
-    /// Its windows, without what fills it up.
+    /// Windows of the class, without padding.
     pub fn windows(&self) -> Range<usize> {
         self.first..self.first + self.count
     }
@@ -133,28 +134,28 @@ impl PackedClass {
 #[derive(Clone, Debug)]
 pub struct PackedWindows {
     measure: Measure,
-    /// Row by row of the database.
+    /// Rows of the database, in order.
     pub rows: Vec<PackedRow>,
-    /// Class by class, each filled up to whole tiles.
+    /// Windows ordered by class, each class padded to whole tiles.
     pub windows: Vec<PackedWindow>,
-    /// Where they are.
+    /// Position of each class in `windows`.
     pub classes: Vec<PackedClass>,
 }
 
-/// A window that is compared with all, and its rows.
+/// A window that is compared with all, with its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PackedQuery {
-    /// Of its frames.
+    /// Rows of its frames.
     pub rows: [PackedRow; WINDOW],
-    /// Its last row is the last of these.
+    /// The window; its last row is the last of `rows`.
     pub window: PackedWindow,
 }
 
 impl PackedWindows {
-    /// The windows of an index, which are [`WINDOW`] frames long.
+    /// Packs the windows of an index, whose length must be [`WINDOW`] frames.
     ///
     /// # Panics
-    /// If they are not.
+    /// If the window length differs.
     pub fn new(index: &Index, part: BodyPart) -> Self {
         assert_eq!(index.window_length(), WINDOW);
         let measure = Measure::new(index, part);
@@ -171,7 +172,7 @@ impl PackedWindows {
         Self { measure, rows: frames.iter().map(|frame| frame.row).collect(), windows, classes }
     }
 
-    /// A window to be compared with all; none of one that is empty or has another length than [`WINDOW`].
+    /// Packs a window to be compared with all; `None` if it is empty or its length is not [`WINDOW`].
     pub fn query(&self, window: &QueryWindow) -> Option<PackedQuery> {
         let frames: Vec<Frame> = window.positions().map(|positions| self.measure.frame(&positions)).collect();
         let mut rows = [[0.0; PACKED_ROW]; WINDOW];
@@ -182,7 +183,7 @@ impl PackedWindows {
         Some(PackedQuery { rows, window: self.measure.window(&frames, WINDOW - 1) })
     }
 
-    /// D between a query and a window, m². As in the shaders, a root of 0 becomes 10⁻¹⁵.
+    /// D between a query and a window, m². As in the shaders, a root of 0 is replaced by 10⁻¹⁵.
     pub fn distance(&self, query: &PackedQuery, window: &PackedWindow) -> f32 {
         let (h, [re, im]) = self.products(query, window);
         // `f32::max` would be a function call in WebAssembly, for every window.
@@ -218,13 +219,13 @@ impl PackedWindows {
 /// One frame, before it is part of a window.
 struct Frame {
     row: PackedRow,
-    /// Squared length of the row before it was rounded, m².
+    /// Squared length of the row before rounding, m².
     norm: f64,
     /// Weighted centroid on the ground, metres.
     centroid: [f64; 2],
 }
 
-/// What positions are compared by.
+/// Parameters of the comparison of positions.
 #[derive(Clone, Debug)]
 struct Measure {
     weights: [f64; PACKED_JOINTS],

@@ -1,4 +1,4 @@
-//! Plans: the parts of an index that take long to compute, as a file stores them.
+//! Plans: the parts of an index that take long to compute, in the form that a file stores.
 
 use super::block::{BLOCK, Point, has_squared_length};
 use super::index::{Index, NO_ROW};
@@ -12,55 +12,56 @@ use crate::database::Database;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Windows that the directions of a subspace are fitted to, and whose points in a plan are compared in full.
+/// Approximate number of windows to which the directions of a subspace are fitted, and whose points in a plan are
+/// compared in full.
 const SAMPLES: usize = 512;
 
-/// Bytes of a row of the class that is being built: its windows' coordinates, three times, and their order.
+/// Memory for each row of the class that is being built, bytes: three copies of its window's coordinates, and its order.
 const ROW_TO_BUILD: u64 = 3 * size_of::<Point>() as u64 + 40;
-/// Bytes of the windows that directions are fitted to, and of their numbers in double precision.
+/// Memory of the windows to which directions are fitted, and of their numbers in double precision, bytes.
 const TO_FIT: u64 = (SAMPLES * (size_of::<CentredWindow>() + 16 * WINDOW * POINTS) + 400_000) as u64;
 
 const METRICS: [Metric; 2] = [Metric::FullBody, Metric::LowerBody];
 
-/// The parts of an [`Index`] that a file may hold: they take long to compute.
+/// Parts of an [`Index`] that take long to compute and that a file may contain.
 ///
-/// The order and the bases affect the speed of a search, not its result. The points decide what is pruned: a search is
-/// exact if every point is that of its window. Computing all of them would take as long as building the index;
-/// [`Index::from_plan`] computes some of them and checks the length of all. That finds damage and mistakes; a plan with
-/// deliberately wrong points of the right lengths can make a search miss windows, but do no other harm.
+/// The order and the bases affect the speed of a search, not its result. The points determine what is excluded: a
+/// search is exact if every point is that of its window. Computing all of them would take as long as building the
+/// index, so [`Index::from_plan`] computes some of them and checks the length of all. This detects damage and mistakes.
+/// A plan with deliberately wrong points of the right lengths can make a search miss windows, but cannot do other harm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// The rows at which windows end, class by class; within a class near ones together.
+    /// Rows at which windows end, ordered by class; within a class near windows are adjacent.
     pub order: Vec<u32>,
     /// For the full-body and the lower-body metric the mean and the principal directions of windows, in lanes:
     /// [`Plan::BASIS_LENGTH`] numbers each.
     pub bases: [Vec<f32>; 2],
-    /// For both metrics where the windows lie by these directions, quantised, in this order.
+    /// For both metrics the quantised coordinates of the windows along these directions, in this order.
     pub points: [Vec<[i16; Plan::COORDINATES]>; 2],
 }
 
-/// A plan whose points are read in parts: those of a file are never in memory as a whole.
+/// A plan whose points are read in parts: those of a file are never in memory completely.
 pub struct PlanSource<'a> {
     /// [`Plan::order`].
     pub order: Vec<u32>,
     /// [`Plan::bases`].
     pub bases: [Vec<f32>; 2],
-    /// Copies some of [`Plan::points`]: those of a metric from a number on. There are as many as rows in `order`.
+    /// Copies some of [`Plan::points`]: those of a metric from an index on. There are as many as rows in `order`.
     pub points: &'a PointReader<'a>,
 }
 
 type PointReader<'a> = dyn Fn(usize, usize, &mut [[i16; Plan::COORDINATES]]) + 'a;
 
-/// Points that are read at once, whole leaves of them.
+/// Number of points that are read at once, a multiple of the leaf size.
 const PORTION: usize = 64 * BLOCK;
 
-/// Why a plan is not one for a database.
+/// Reason why a plan does not match a database.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum PlanError {
     /// The rows are not those at which windows of the database end, each once and by class.
     #[error("its order is not one of the database's windows")]
     Order,
-    /// The numbers are no orthonormal directions.
+    /// The numbers are not orthonormal directions.
     #[error("its directions are not orthonormal")]
     Basis,
     /// The points are not those of the database's windows.
@@ -69,19 +70,19 @@ pub enum PlanError {
 }
 
 impl Plan {
-    /// Changes with the meaning of [`Plan::bases`] or [`Plan::points`].
+    /// Version of the format; it changes with the meaning of [`Plan::bases`] or [`Plan::points`].
     pub const VERSION: u32 = 2;
-    /// Numbers of each of [`Plan::bases`].
+    /// Number of values in each of [`Plan::bases`].
     pub const BASIS_LENGTH: usize = Subspace::float_count(WINDOW);
-    /// Numbers of each of [`Plan::points`].
+    /// Number of values in each of [`Plan::points`].
     pub const COORDINATES: usize = COORDINATES;
 
-    /// Whether both metrics have a point for each row of the order.
+    /// Returns whether both metrics have a point for each row of the order.
     pub(crate) fn has_all_points(&self) -> bool {
         self.points.iter().all(|points| points.len() == self.order.len())
     }
 
-    /// Calls `with` with this plan, which has all points, as one that is read in parts.
+    /// Calls `with` with this plan, which has all points, as a source that is read in parts.
     pub(crate) fn with_source<T>(self, with: impl FnOnce(PlanSource<'_>) -> T) -> T {
         let Self { order, bases, points } = self;
         let read = |metric: usize, first: usize, to: &mut [Point]| {
@@ -92,7 +93,7 @@ impl Plan {
 }
 
 impl Index {
-    /// The index of these windows: by a plan if there is one of theirs, else built.
+    /// Index of these windows: from a plan if it matches them, otherwise built.
     pub(crate) fn of_windows(windows: Windows, plan: Option<PlanSource<'_>>) -> Self {
         match plan.map(|plan| (Self::subspaces_of(&windows, &plan.order, &plan.bases), plan)) {
             Some((Ok(subspaces), plan)) => {
@@ -103,7 +104,7 @@ impl Index {
         }
     }
 
-    /// The index of these windows, computed.
+    /// Builds the index of these windows.
     pub(super) fn fitted(windows: Windows) -> Self {
         let length = windows.length;
         let ends: Vec<usize> = (0..windows.classes.len()).flat_map(|class| windows.of_class(class)).collect();
@@ -128,10 +129,10 @@ impl Index {
         index
     }
 
-    /// The windows of [`WINDOW`] frames by a plan: the same as [`Index::build`] makes, sooner.
+    /// Creates the index of windows of [`WINDOW`] frames from a plan: the same as [`Index::build`], but faster.
     ///
     /// # Errors
-    /// [`PlanError`] if the plan is not one for this database.
+    /// [`PlanError`] if the plan does not match this database.
     pub fn from_plan(db: &Database, plan: Plan) -> Result<Self, PlanError> {
         let windows = Windows::new(db, WINDOW);
         let subspaces = Self::subspaces_of(&windows, &plan.order, &plan.bases)?;
@@ -141,7 +142,7 @@ impl Index {
         plan.with_source(|source| Self::new(windows, subspaces).planned(&source)).map_err(|_| PlanError::Points)
     }
 
-    /// The subspaces of a plan whose order is one of these windows.
+    /// Subspaces of a plan, if its order is one of these windows.
     fn subspaces_of(windows: &Windows, order: &[u32], bases: &[Vec<f32>; 2]) -> Result<[Subspace; 2], PlanError> {
         let subspaces = METRICS.map(|metric| Subspace::from_floats(&bases[metric as usize], windows.length, metric));
         let [Some(full), Some(lower)] = subspaces else {
@@ -159,7 +160,7 @@ impl Index {
         if rest.is_empty() { Ok([full, lower]) } else { Err(PlanError::Order) }
     }
 
-    /// An index without leaves, with those of a plan; the windows if the points are not theirs.
+    /// Adds the leaves of a plan to an index without leaves. Returns the windows if the points do not match them.
     fn planned(mut self, plan: &PlanSource<'_>) -> Result<Self, Box<Windows>> {
         let mut begin = 0;
         for class in 0..self.classes() {
@@ -188,7 +189,7 @@ impl Index {
         Ok(self)
     }
 
-    /// The plan of this index, for [`Index::from_plan`].
+    /// Plan of this index, for [`Index::from_plan`].
     pub fn plan(&self) -> Plan {
         let windows =
             || self.rows.iter().enumerate().flat_map(|(leaf, rows)| (0..BLOCK).map(move |i| (leaf, i, rows[i])));
@@ -200,8 +201,8 @@ impl Index {
         }
     }
 
-    /// Bytes of the index of so many rows in so many classes, and at most while it is made: by a plan or, where the largest
-    /// class has so many rows, without one.
+    /// Memory of the index of this number of rows and classes, and at most while it is created: from a plan, or without
+    /// one if the size of the largest class is given, bytes.
     pub(crate) fn bytes(rows: u64, classes: u64, largest_to_build: Option<u64>) -> u64 {
         let windows = rows.saturating_mul(size_of::<PointRow>() as u64);
         let of_row = 2 * size_of::<f32>() + size_of::<u32>();
@@ -215,7 +216,7 @@ impl Index {
         windows.saturating_add(rest)
     }
 
-    /// An index without leaves, with room for them.
+    /// An index without leaves, with capacity for them.
     fn new(windows: Windows, subspaces: [Subspace; 2]) -> Self {
         let classes = windows.classes.len();
         let leaves = (0..classes).map(|class| windows.of_class(class).count().div_ceil(BLOCK)).sum();
@@ -230,7 +231,8 @@ impl Index {
         }
     }
 
-    /// Whether these are the points of the windows `here` of the order: of some by comparison, of all by length.
+    /// Returns whether these are the points of the windows `here` of the order: some are compared, the lengths of all
+    /// are checked.
     fn are_points_of(&self, metric: Metric, order: &[u32], here: Range<usize>, points: &[Point]) -> bool {
         let (subspace, norms) = (self.leaves[metric as usize].subspace(), &self.norms[metric as usize]);
         let (scale, stride) = (self.windows.scale(metric), stride_of(order.len()));
@@ -245,12 +247,12 @@ impl Index {
         })
     }
 
-    /// The integers of the window that ends at a row.
+    /// Quantised coordinates of the window that ends at a row.
     fn point(&self, row: u32, metric: Metric) -> Point {
         self.leaves[metric as usize].point(&self.windows.centred(row as usize, metric))
     }
 
-    /// Adds the rows of a class, whose leaves follow for each metric.
+    /// Adds the rows of a class; its leaves are then added for each metric.
     fn add_rows(&mut self, rows: &[u32]) {
         for rows in rows.chunks(BLOCK) {
             let mut leaf = [NO_ROW; BLOCK];
@@ -270,17 +272,17 @@ impl Index {
     }
 }
 
-/// About [`SAMPLES`] of these, evenly spread.
+/// About [`SAMPLES`] of these, evenly distributed.
 fn sample<T>(of: &[T]) -> impl Iterator<Item = &T> {
     of.iter().step_by(stride_of(of.len()))
 }
 
-/// Step between two of about [`SAMPLES`] of so many.
+/// Step between two samples if there are about [`SAMPLES`] samples of `count` items.
 fn stride_of(count: usize) -> usize {
     count.div_ceil(SAMPLES).max(1)
 }
 
-/// Whether `order` holds the numbers of the ascending `rows` in any order.
+/// Returns whether `order` contains the ascending `rows` in any order.
 fn is_permutation(order: &[u32], rows: &[u32]) -> bool {
     let mut seen = vec![false; rows.len()];
     order.len() == rows.len()

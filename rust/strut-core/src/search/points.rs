@@ -1,4 +1,4 @@
-//! The points of a frame: the joints that the [metric](super::metric) compares, with their weights.
+//! Points of a frame: the joints that the [metric](super::metric) compares, with their weights.
 
 use super::lanes::{FloatLane, inner_product};
 use crate::humanoid::{JOINTS, Role};
@@ -7,17 +7,17 @@ use crate::math::float_funcs::sin_cos;
 use crate::pose_vector::Placement;
 use std::sync::LazyLock;
 
-/// Joints of the metric.
+/// Number of joints of the metric.
 pub(super) const POINTS: usize = JOINT_WEIGHTS.len();
-/// Joints of the lower-body metric: the first of [`POINTS`].
+/// Number of joints of the lower-body metric: the first of [`POINTS`].
 pub(super) const LEG_POINTS: usize = 4 * LEG_LANES;
 /// 4-float lanes of a frame's heights (and of x, and of z).
 pub(super) const LANES: usize = POINTS / 4;
-/// The same of the lower-body metric.
+/// Number of these lanes in the lower-body metric.
 pub(super) const LEG_LANES: usize = 2;
 
-/// Relative weight of each joint: by size and visibility. The spine joint follows from hips and chest
-/// and is left out, which makes five whole lanes. Legs come first.
+/// Relative weight of each joint, by size and visibility. The spine joint is omitted because it follows from hips and
+/// chest; so there are five whole lanes. Legs come first.
 pub const JOINT_WEIGHTS: [(Role, f32); 20] = [
     (Role::LeftUpperLeg, 1.0),
     (Role::RightUpperLeg, 1.0),
@@ -60,19 +60,19 @@ pub(super) type GroundRow = [FloatLane; 2 * LANES];
 /// Both: four heights, four x, four z, and so on.
 pub(super) type PointRow = [FloatLane; 3 * LANES];
 
-/// The lane that holds the feet.
+/// Index of the lane that contains the feet.
 const FEET: usize = 1;
-/// The joints in it.
+/// Joints in that lane.
 pub(crate) const FEET_ROLES: [Role; 4] = [Role::LeftFoot, Role::RightFoot, Role::LeftToes, Role::RightToes];
 /// x, y and z of [`FEET_ROLES`], metres.
 pub(crate) type Feet = [FloatLane; 3];
 
-/// The points of one frame, √w folded in.
+/// Points of one frame, multiplied by √w.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct FramePoints(pub(super) PointRow);
 
 impl FramePoints {
-    /// Of a heading-free point cloud (hips above the origin) put at a placement on the ground.
+    /// Points of a heading-free point cloud (hips above the origin) at a placement on the ground.
     pub(super) fn new(cloud: &[Vec3; JOINTS], at: Placement) -> Self {
         let (sin, cos) = sin_cos(at.heading);
         let mut points = Self::default();
@@ -83,12 +83,12 @@ impl FramePoints {
         points
     }
 
-    /// Squared length of all.
+    /// Squared length of all points.
     pub(super) fn norm(&self) -> f32 {
         inner_product::<{ 3 * LANES }, { 3 * LANES }, LANES>(&[self.0], &[self.0])
     }
 
-    /// Heights alone.
+    /// Heights only.
     #[inline]
     pub(super) fn heights(&self) -> HeightRow {
         std::array::from_fn(|l| self.0[3 * l])
@@ -107,7 +107,7 @@ impl FramePoints {
         }
     }
 
-    /// The points `steps` frames before these, which move to `next` in one.
+    /// Points `steps` frames before these, extrapolated from their motion to the `next` frame.
     pub(super) fn extrapolated_back(&self, next: &Self, steps: f32) -> Self {
         let mut out = Self::default();
         for i in 0..POINTS {
@@ -118,7 +118,7 @@ impl FramePoints {
         out
     }
 
-    /// Where the feet are.
+    /// Positions of the feet.
     pub(super) fn feet(&self) -> Feet {
         let roots = &point_roots()[4 * FEET..][..4];
         [1, 0, 2].map(|c| std::array::from_fn(|i| self.0[3 * FEET + c][i] / roots[i]))

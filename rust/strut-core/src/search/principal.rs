@@ -3,11 +3,12 @@
 /// A complex number.
 pub(super) type Complex = [f64; 2];
 
-/// Iterations. Any orthonormal directions give valid bounds; more iterations would improve the last ones a little.
+/// Number of iterations. Any orthonormal directions give valid bounds; more iterations would slightly improve the last
+/// ones.
 const ITERATIONS: usize = 8;
 
-/// The `count` orthonormal directions in which vectors vary most about zero; real ones for real vectors. `count` is
-/// at most the dimension of the vectors.
+/// The `count` orthonormal directions of greatest variance of vectors about zero; real for real vectors. `count` is at
+/// most the dimension of the vectors.
 pub(super) fn principal_directions(vectors: &[Vec<Complex>], dimension: usize, count: usize) -> Vec<Vec<Complex>> {
     let covariance = covariance(vectors, dimension);
     let mut seed = 1_u32;
@@ -49,7 +50,7 @@ fn covariance(vectors: &[Vec<Complex>], dimension: usize) -> Vec<Complex> {
     sums
 }
 
-/// Modified Gram–Schmidt orthonormalisation, twice for accuracy where vectors are nearly parallel.
+/// Modified Gram–Schmidt orthonormalisation, done twice for accuracy if vectors are nearly parallel.
 fn orthonormalise(vectors: &mut [Vec<Complex>]) {
     for i in 0..vectors.len() {
         let (done, rest) = vectors.split_at_mut(i);
@@ -86,7 +87,7 @@ mod tests {
         prop::collection::vec(prop::collection::vec(prop::array::uniform2(-1.0f64..1.0), 5), 0..12)
     }
 
-    /// Share of the vectors' squared lengths that lies in directions.
+    /// Share of the vectors' squared lengths that lies in the directions.
     fn captured(vectors: &[Vec<Complex>], directions: &[Vec<Complex>]) -> f64 {
         let all = vectors.iter().flat_map(|v| directions.iter().map(|d| inner(v, d)));
         all.map(|[re, im]| re * re + im * im).sum()

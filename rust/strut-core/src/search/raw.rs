@@ -1,5 +1,5 @@
-//! What another implementation of the search is made of and compared with: positions, windows, D, and how far a computed
-//! D may be off.
+//! Data for implementing the search elsewhere and for comparing it: positions, windows, D, and bounds of the rounding
+//! error of a computed D.
 
 use super::index::{Index, Query};
 use super::metric::{LENGTH, Metric, QueryWindow, WINDOW};
@@ -14,15 +14,16 @@ impl Index {
         self.windows.rows()
     }
 
-    /// Weights by which the full-body metric compares joints, as it computes with them; they sum to 1 but for rounding.
+    /// Weights of joints in the full-body metric, with the precision that the computation uses; they sum to 1 except
+    /// for rounding.
     pub fn joint_weights() -> [f64; POINTS] {
         point_roots().map(|root| f64::from(root) * f64::from(root))
     }
 
-    /// Where the joints are at a row, in its clip's frame of reference.
+    /// Positions of the joints at a row, in its clip's frame of reference.
     ///
     /// # Panics
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn positions(&self, row: usize) -> RawPoints {
         raw(&FramePoints(self.windows.points_of_row(row)))
     }
@@ -30,12 +31,13 @@ impl Index {
     /// Rows at which the windows of a class end, ascending.
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn window_ends(&self, class: usize) -> impl Iterator<Item = usize> + '_ {
         self.windows.of_class(class)
     }
 
-    /// D between a query and the window that ends at a row, m²: the bits by which [`Index::nearest`] orders windows.
+    /// D between a query and the window that ends at a row, m²: bit-identical to the value by which [`Index::nearest`]
+    /// orders windows.
     ///
     /// # Panics
     /// If no window ends there.
@@ -50,22 +52,22 @@ impl Index {
     /// Bound on the rounding error of [`Index::distance_to`] for the windows of a class, m².
     ///
     /// # Panics
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn rounding(&self, query: &Query<'_>, class: usize) -> f32 {
         self.margins(query, class).rounding()
     }
 }
 
 impl QueryWindow {
-    /// Where the joints are in its frames, relative to the newest hips; missing frames are extrapolated. None of an empty
-    /// window.
+    /// Positions of the joints in its frames, relative to the newest hips; missing frames are extrapolated. An empty
+    /// window has none.
     pub fn positions(&self) -> impl Iterator<Item = RawPoints> {
         let frames = self.centred(Metric::FullBody).frames;
         (frames > 0).then(|| self.frame_points()).into_iter().flatten().take(frames).map(|points| raw(&points))
     }
 }
 
-/// Positions without the weights that are folded into points.
+/// Positions without the weights that are multiplied into points.
 fn raw(points: &FramePoints) -> RawPoints {
     let roots = point_roots();
     std::array::from_fn(|i| points.get(i).map(|v| f64::from(v) / f64::from(roots[i])))

@@ -1,11 +1,11 @@
-//! How much of what is nearest a search finds: an approximate one beside the exact one.
+//! Share of the nearest windows that an approximate search finds, compared with the exact search.
 
 use super::index::{Index, Scratch};
 use super::metric::{Metric, QueryWindow};
 use super::neighbours::Neighbours;
 
-/// The search of a stream of windows in every class. As in the engine, what was found for a window speeds up the exact
-/// search for the next; what is found does not depend on it.
+/// Search of a stream of windows in every class. As in the engine, the result for a window speeds up the exact search
+/// for the next; the results do not depend on it.
 #[derive(Clone, Debug, Default)]
 pub struct ClassSearch {
     scratch: Scratch,
@@ -13,7 +13,7 @@ pub struct ClassSearch {
 }
 
 impl ClassSearch {
-    /// The `k` windows of each class that are nearest by the full-body metric.
+    /// Finds the `k` windows of each class that are nearest by the full-body metric.
     pub fn find(&mut self, index: &Index, window: &QueryWindow, k: usize) -> &[Neighbours] {
         self.found.resize_with(index.classes(), Neighbours::default);
         let query = index.prepare(window, Metric::FullBody);
@@ -23,13 +23,13 @@ impl ClassSearch {
         &self.found
     }
 
-    /// Has the next search begin without what was found before, as after a seek.
+    /// Discards the last result before the next search, as after a seek.
     pub fn forget(&mut self) {
         self.found.iter_mut().for_each(|found| found.begin(0));
     }
 }
 
-/// The share of the nearest windows that a search finds.
+/// Share of the nearest windows that a search finds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Recall {
     found: usize,
@@ -37,7 +37,7 @@ pub struct Recall {
 }
 
 impl Recall {
-    /// Counts what was found for one more window, list by list, beside what is nearest.
+    /// Adds the lists found for a window and the lists of its nearest windows.
     pub fn add(&mut self, nearest: &[Neighbours], found: &[Neighbours]) {
         for (nearest, found) in nearest.iter().zip(found) {
             self.nearest += nearest.as_slice().len();
@@ -45,7 +45,7 @@ impl Recall {
         }
     }
 
-    /// 0 to 1; 1 where there was nothing to find.
+    /// Share of 0 to 1; 1 if there was nothing to find.
     pub fn share(&self) -> f64 {
         if self.nearest == 0 { 1.0 } else { self.found as f64 / self.nearest as f64 }
     }

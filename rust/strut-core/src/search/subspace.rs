@@ -1,4 +1,4 @@
-//! The subspace in which most of the differences between windows lie.
+//! Subspace that contains most of the differences between windows.
 //!
 //! A window is a real vector y of heights and a complex one z of the ground plane ([`super::metric`]). Let a be the
 //! coordinates of y − mean in an orthonormal basis of a few dimensions, r the length of the residual, and c and q the
@@ -6,8 +6,8 @@
 //!
 //! D ≥ |a − a'|² + (r − r')² + |c|² + |c'|² − 2 |⟨c, c'⟩| + (q − q')².
 //!
-//! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts: a metric
-//! too. The bound is tightest where the basis holds the directions of greatest variance.
+//! The right-hand side is the squared distance of two short vectors modulo the phase of their complex parts, which is a
+//! metric too. The bound is tightest if the basis contains the directions of greatest variance.
 
 use super::lanes::{FloatLane, Floats, inner_product, total};
 use super::metric::{CentredWindow, MAX_WINDOW, Metric};
@@ -16,18 +16,19 @@ use super::principal::{Complex, inner, principal_directions};
 
 /// Dimensions of the basis for heights …
 const HEIGHT_DIMENSIONS: usize = 14;
-/// … and complex ones of that for the ground plane.
+/// … and complex dimensions of the basis for the ground plane.
 pub(super) const GROUND_DIMENSIONS: usize = 12;
-/// Real coordinates: those of the heights and both lengths outside.
+/// Number of real coordinates: those of the heights, and both lengths outside the basis.
 pub(super) const REAL: usize = HEIGHT_DIMENSIONS + 2;
-/// All coordinates; the complex ones follow the real ones, real and imaginary part in turn.
+/// Number of all coordinates; the complex ones follow the real ones, with alternating real and imaginary parts.
 pub(super) const COORDINATES: usize = REAL + 2 * GROUND_DIMENSIONS;
 
 /// Bound on the rounding error of a projection, as a share of the window's length, for windows of at most 15 frames.
 ///
-/// Each of 38 real coordinates is a sum that rounds at most 82 times (75 products a running sum, and the sums of those),
-/// and the residual has the same error in every direction: √(2 · 38) · 82 · 2⁻²⁴ of the length. Subtracting a direction
-/// rounds three times. With 1e-6 for the bases' departure from orthonormality ([`Subspace::from_floats`]) it is 5e-5.
+/// Each of 38 real coordinates is a sum that rounds at most 82 times (75 products in a running sum, and the sums of
+/// those), and the residual has the same error in every direction: √(2 · 38) · 82 · 2⁻²⁴ of the length. Subtracting a
+/// direction rounds three times. With 1e-6 for the bases' deviation from orthonormality ([`Subspace::from_floats`]) it
+/// is 5e-5.
 const ROUNDING: f32 = 1.0 / 16_384.0;
 
 /// Bound on the rounding error of the window itself, as a share of its length before the mean is subtracted.
@@ -37,7 +38,7 @@ const INPUT_ROUNDING: f32 = 1.0 / 4_194_304.0;
 /// lengths: each of the terms rounds at most 82 times.
 const SUM_ROUNDING: f32 = 128.0 / 16_777_216.0;
 
-/// Greatest departure from orthonormality (Frobenius norm), as rounding to single precision causes it.
+/// Greatest deviation from orthonormality (Frobenius norm) that rounding to single precision causes.
 const MAX_SKEW: f64 = 1e-6;
 
 /// A mean of heights, and orthonormal directions.
@@ -46,7 +47,7 @@ pub(super) struct Subspace {
     mean: Vec<HeightRow>,
     height: Vec<HeightRow>,
     ground: Vec<GroundRow>,
-    /// Whether windows and all of that are zero but for the points of the legs.
+    /// Whether windows, mean and directions are zero except for the points of the legs.
     legs_only: bool,
 }
 
@@ -62,14 +63,14 @@ pub(super) struct Projection {
 }
 
 impl Subspace {
-    /// Numbers that [`Subspace::floats`] returns.
+    /// Number of values that [`Subspace::floats`] returns.
     pub(super) const fn float_count(frames: usize) -> usize {
         frames * POINTS * (1 + HEIGHT_DIMENSIONS + 2 * GROUND_DIMENSIONS)
     }
 
-    /// The directions in which these windows of a metric, each of `frames` frames, differ most.
+    /// Fits the directions in which these windows of a metric, each of `frames` frames, differ most.
     pub(super) fn fit(windows: &[CentredWindow], frames: usize, metric: Metric) -> Self {
-        // Where they suffice for all directions, only the points of the metric are used.
+        // Only the points of the metric are used, if they suffice for all directions.
         let points = if frames * metric.points() >= HEIGHT_DIMENSIONS { metric.points() } else { POINTS };
         let dimension = frames * points;
         let root = windows.first().map_or(1.0, |w| f64::from(w.scale).sqrt());
@@ -112,7 +113,7 @@ impl Subspace {
         Self { mean, ..subspace }.for_metric(metric)
     }
 
-    /// For windows of this metric only.
+    /// Restricts the subspace to windows of this metric.
     fn for_metric(self, metric: Metric) -> Self {
         let are_zero = |lanes: &[FloatLane]| lanes.as_flattened().iter().all(|v| *v == 0.0);
         let heights = self.mean.iter().chain(&self.height).all(|row| are_zero(&row[LEG_LANES..]));
@@ -121,14 +122,14 @@ impl Subspace {
         Self { legs_only, ..self }
     }
 
-    /// All numbers, as [`Subspace::from_floats`] takes them.
+    /// All numbers, for [`Subspace::from_floats`].
     pub(super) fn floats(&self) -> Vec<f32> {
         let heights = self.mean.iter().chain(&self.height).flatten().flatten();
         heights.chain(self.ground.iter().flatten().flatten()).copied().collect()
     }
 
-    /// From the numbers of another subspace for windows of this many frames; `None` if they are not finite, of the wrong
-    /// count or not orthonormal. Bounds hold for any orthonormal basis.
+    /// Creates a subspace from the numbers of another for windows of this number of frames; `None` if they are not
+    /// finite, not orthonormal or if their count is wrong. Bounds hold for any orthonormal basis.
     pub(super) fn from_floats(floats: &[f32], frames: usize, metric: Metric) -> Option<Self> {
         if floats.len() != Self::float_count(frames) || !floats.iter().all(|v| v.is_finite()) {
             return None;
@@ -146,7 +147,7 @@ impl Subspace {
         (subspace.skew() <= MAX_SKEW).then(|| subspace.for_metric(metric))
     }
 
-    /// How far the directions are from orthonormal.
+    /// Deviation of the directions from orthonormality.
     fn skew(&self) -> f64 {
         let frames = self.mean.len();
         let height: Vec<Vec<Complex>> = self
@@ -171,11 +172,11 @@ impl Subspace {
         ROUNDING * (norm.sqrt() + mean.sqrt()) + INPUT_ROUNDING * norm.sqrt()
     }
 
-    /// Squared length of the [projection](Subspace::project) of a stored window of a metric, metres², by its points
-    /// as they are stored, its [`CentredWindow::scale`] and its [`CentredWindow::norm`]; and a bound on its error.
+    /// Squared length of the [projection](Subspace::project) of a stored window of a metric, metres², from its stored
+    /// points, its [`CentredWindow::scale`] and its [`CentredWindow::norm`]; and a bound on its error.
     ///
-    /// A projection keeps the length of the part outside the basis, so that the squared length of the whole is
-    /// |y − mean|² + |z|² = |y|² + |z|² − 2 ⟨y, mean⟩ + |mean|².
+    /// A projection includes the length of the part outside the basis, so that its squared length is |y − mean|² + |z|²
+    /// = |y|² + |z|² − 2 ⟨y, mean⟩ + |mean|².
     pub(super) fn squared_length(&self, metric: Metric, frames: &[PointRow], scale: f32, norm: f32) -> (f32, f32) {
         let mut heights = [HeightRow::default(); MAX_WINDOW];
         heights.iter_mut().zip(frames).for_each(|(height, row)| *height = FramePoints(*row).heights());
@@ -190,7 +191,7 @@ impl Subspace {
         (squared, error * (2.0 * squared.sqrt() + error) + SUM_ROUNDING * (norm + mean))
     }
 
-    /// A window in this subspace, of the metric that it was made for.
+    /// Projects a window of the subspace's metric.
     pub(super) fn project(&self, window: &CentredWindow) -> Projection {
         if self.legs_only {
             self.project_lanes::<LEG_LANES, { 2 * LEG_LANES }>(window)
@@ -199,7 +200,7 @@ impl Subspace {
         }
     }
 
-    /// [`Subspace::project`] by the first `H` lanes of heights and `G` of the ground plane; the others are zero.
+    /// [`Subspace::project`] using the first `H` lanes of heights and `G` of the ground plane; the others are zero.
     fn project_lanes<const H: usize, const G: usize>(&self, window: &CentredWindow) -> Projection {
         let frames = self.mean.len();
         let (mut height, mut ground) = (window.height, window.ground);
@@ -208,7 +209,7 @@ impl Subspace {
         let mut coordinates = [0.0; COORDINATES];
         let (real, complex) = coordinates.split_at_mut(REAL);
         let (of_height, outside) = real.split_at_mut(HEIGHT_DIMENSIONS);
-        // All coordinates before any direction is subtracted, so that none waits for another.
+        // All coordinates are computed before any direction is subtracted, so that none waits for another.
         for (c, direction) in of_height.iter_mut().zip(self.height.chunks_exact(frames)) {
             *c = inner_product::<LANES, H, LANES>(height, direction);
         }
@@ -219,7 +220,7 @@ impl Subspace {
         subtract_complex_multiples::<G>(ground, &self.ground, complex);
         outside[0] = inner_product::<LANES, H, LANES>(height, height).sqrt();
         outside[1] = inner_product::<{ 2 * LANES }, G, LANES>(ground, ground).sqrt();
-        // Window vectors carry a factor √scale too much.
+        // Window vectors are too large by a factor of √scale.
         let metres = 1.0 / window.scale.sqrt();
         let coordinates = coordinates.map(|c| c * metres);
         let length = coordinates.iter().map(|c| c * c).sum::<f32>().sqrt();
@@ -227,7 +228,8 @@ impl Subspace {
     }
 }
 
-/// Subtracts multiples of directions, each of as many rows, in the first `H` lanes: one after the other from each lane.
+/// Subtracts multiples of directions, with as many rows as `rows`, in the first `H` lanes: one after the other from
+/// each lane.
 fn subtract_multiples<const H: usize>(rows: &mut [HeightRow], directions: &[HeightRow], factors: &[f32]) {
     let frames = rows.len();
     for (f, row) in rows.iter_mut().enumerate() {
@@ -241,7 +243,7 @@ fn subtract_multiples<const H: usize>(rows: &mut [HeightRow], directions: &[Heig
     }
 }
 
-/// The same, where x and z of the rows are real and imaginary parts, and so are two successive factors.
+/// Same as [`subtract_multiples`], where x and z of the rows, and two successive factors, are real and imaginary parts.
 fn subtract_complex_multiples<const G: usize>(rows: &mut [GroundRow], directions: &[GroundRow], factors: &[f32]) {
     let frames = rows.len();
     for (f, row) in rows.iter_mut().enumerate() {
@@ -273,7 +275,8 @@ fn complex_product<const G: usize>(z: &[GroundRow], b: &[GroundRow]) -> [f32; 2]
     [sums[0].plus(sums[1]), sums[2].minus(sums[3])].map(total)
 }
 
-/// How far directions are from orthonormal: Frobenius norm of the difference of their inner products from 0 and 1.
+/// Deviation of directions from orthonormality: Frobenius norm of the difference between their Gram matrix and the
+/// identity.
 fn skew(directions: &[Vec<Complex>]) -> f64 {
     let mut sum = 0.0;
     for (i, a) in directions.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The search against brute force.
+//! Tests of the search against brute force.
 
 use super::*;
 use crate::database::{Clip, Database, DatabaseParts};
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use std::num::NonZero;
 use std::sync::OnceLock;
 
-/// Searches by the metric in classes; returns the neighbours found by brute force.
+/// Searches classes by the metric; returns the neighbours found by brute force.
 fn both(
     index: &Index,
     window: &QueryWindow,
@@ -54,13 +54,13 @@ proptest! {
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     Walk,
-    /// The same frame again and again.
+    /// The same frame repeated.
     Frozen,
-    /// Every joint at one point.
+    /// All joints at one point.
     Collapsed,
-    /// A figure as large as a house, far above the ground.
+    /// A figure of the size of a house, far above the ground.
     Giant,
-    /// Hundreds of metres a frame.
+    /// Hundreds of metres per frame.
     Fast,
 }
 
@@ -73,7 +73,7 @@ fn cloud(kind: Kind, row: usize, of: &Database) -> [Vec3; JOINTS] {
     })
 }
 
-/// A class of each kind and number of frames; clips of at most 30 frames.
+/// A database with a class for each kind and number of frames, with clips of at most 30 frames.
 fn database(classes: &[(Kind, usize)]) -> Database {
     let walk = fixtures::database();
     let mut parts = DatabaseParts {
@@ -110,7 +110,7 @@ fn kind() -> impl Strategy<Value = Kind> {
     prop::sample::select(vec![Kind::Walk, Kind::Frozen, Kind::Collapsed, Kind::Giant, Kind::Fast])
 }
 
-/// Where the windows of a plan lie by its directions.
+/// Coordinates of the windows of a plan along its directions.
 fn points_of(db: &Database, plan: &Plan) -> [Vec<[i16; Plan::COORDINATES]>; 2] {
     let windows = windows::Windows::new(db, WINDOW);
     [Metric::FullBody, Metric::LowerBody].map(|metric| {
@@ -175,7 +175,7 @@ proptest! {
             let (query, mut nearest) = (index.prepare(&window, metric), Neighbours::default());
             index.nearest_by_brute_force(&query, &[class], k, &mut nearest);
             let mean = nearest.mean_distance();
-            // Up to the rounding of a sum of at most 50.
+            // Up to the rounding of a sum of at most 50 terms.
             prop_assert!(!index.mean_exceeds(&query, class, k, mean * share) || share < 1.0 + 1e-5);
             prop_assert!(!index.mean_exceeds(&query, class, k, f32::INFINITY));
         }
@@ -196,7 +196,7 @@ proptest! {
             }
         }
         for basis in &mut plan.bases {
-            // Coordinates change places: orthonormal still, but no longer the directions of greatest variance.
+            // Coordinates are exchanged: the directions are still orthonormal, but not those of greatest variance.
             let heights = &mut basis[..Plan::BASIS_LENGTH * 15 / 39];
             heights.chunks_exact_mut(20).for_each(|frame| frame.rotate_left(4 * (random as usize % 3)));
         }
@@ -217,7 +217,7 @@ proptest! {
     }
 }
 
-/// Share of the 20 nearest windows of an unseen walk that kd-trees find with so many candidates a class.
+/// Share of the 20 nearest windows of an unseen walk that kd-trees find with this number of candidates in each class.
 fn recall_of_kd_trees(candidates: usize) -> f64 {
     let exact = Index::build(&fixtures::database());
     let trees = exact.clone().with_kd_trees(NonZero::new(candidates).unwrap());
@@ -247,7 +247,7 @@ fn the_exact_search_finds_all_that_is_nearest() {
 
 #[test]
 fn kd_trees_find_nearly_all_windows_with_as_many_candidates() {
-    // 0.922 and 0.999 were measured.
+    // The measured values were 0.922 and 0.999.
     let recall = [20, 40].map(recall_of_kd_trees);
     assert!(recall[0] > 0.9 && recall[1] > 0.995, "{recall:?}");
 }

@@ -7,10 +7,10 @@ use crate::database::{Class, Clip, Database, PointCloud};
 use crate::pose_vector::{HEADING_RATE, Placement, PoseRow};
 use std::ops::Range;
 
-/// All windows of a database, row by row.
+/// All windows of a database, in the order of rows.
 #[derive(Clone, Debug)]
 pub(crate) struct Windows {
-    /// Frames of a window.
+    /// Number of frames of a window.
     pub(super) length: usize,
     points: Vec<PointRow>,
     /// Greatest squared length of a frame's points in each class, metres².
@@ -22,14 +22,14 @@ pub(crate) struct Windows {
 }
 
 impl Windows {
-    /// The windows of `length` frames, 1 to [`MAX_WINDOW`].
+    /// Windows of `length` frames, 1 to [`MAX_WINDOW`].
     pub(crate) fn new(db: &Database, length: usize) -> Self {
         let mut windows = Self::empty(&db.clips, db.classes(), length);
         windows.add(&db.point_cloud, &places(db));
         windows
     }
 
-    /// The windows of rows that are still to be [added](Self::add).
+    /// Windows of rows that are not yet [added](Self::add).
     pub(crate) fn empty(clips: &[Clip], classes: &[Class], length: usize) -> Self {
         Self {
             length,
@@ -40,7 +40,7 @@ impl Windows {
         }
     }
 
-    /// Adds the next rows: their point clouds and places.
+    /// Adds the next rows: their point clouds and placements.
     pub(crate) fn add(&mut self, clouds: &[PointCloud], places: &[Placement]) {
         let mut class = self.classes.partition_point(|class| self.rows_of(class).end <= self.points.len());
         for (cloud, place) in clouds.iter().zip(places) {
@@ -59,7 +59,7 @@ impl Windows {
         clips.first().map_or(0, |clip| clip.start)..clips.last().map_or(0, |clip| clip.end)
     }
 
-    /// The windows of another length in the same rows.
+    /// Windows of another length in the same rows.
     #[cfg(feature = "baselines")]
     pub(super) fn with_length(&self, length: usize) -> Self {
         Self { length, ..self.clone() }
@@ -75,25 +75,25 @@ impl Windows {
         self.clips[self.classes[class].clone()].iter().flat_map(|c| self.of_clip(c))
     }
 
-    /// Rows of a clip at which a window ends; never its first, which has no row before it to regress on.
+    /// Rows of a clip at which a window ends; never the first row, which has no predecessor for the regression.
     fn of_clip(&self, clip: &Range<usize>) -> Range<usize> {
         (clip.start + frames_of::<LENGTH>(self.length).max(2) - 1).min(clip.end)..clip.end
     }
 
-    /// Positions of the feet at a row at which a window ends and at the two before it, oldest first, in the clip's frame of
-    /// reference. A clip's first row stands for the one before it, which only shorter windows leave out.
+    /// Positions of the feet at a row at which a window ends and at the two rows before it, oldest first, in the clip's
+    /// frame of reference. If windows are shorter than three frames, a clip's first row is repeated for rows before it.
     pub(super) fn last_feet(&self, row: usize) -> [Feet; 3] {
         let begins_before = frames_of::<LENGTH>(self.length) >= 3;
         let first = if begins_before { 0 } else { self.clips[self.clips.partition_point(|c| c.end <= row)].start };
         [2, 1, 0].map(|back| FramePoints(self.points[row.saturating_sub(back).max(first)]).feet())
     }
 
-    /// The points of a row.
+    /// Points of a row.
     pub(super) fn points_of_row(&self, row: usize) -> PointRow {
         self.points[row]
     }
 
-    /// |y|² + |z|² of the window that ends at each row; 0 where none does.
+    /// |y|² + |z|² of the window that ends at each row; 0 if none ends there.
     pub(super) fn norms(&self, metric: Metric) -> Vec<f32> {
         let mut norms = vec![0.0; self.rows()];
         for clip in &self.clips {
@@ -107,7 +107,7 @@ impl Windows {
         norms
     }
 
-    /// The points of the window that ends at row `last`.
+    /// Points of the window that ends at row `last`.
     #[inline]
     pub(super) fn points<const S: usize>(&self, last: usize) -> &[PointRow] {
         let frames = frames_of::<S>(self.length);
@@ -119,7 +119,7 @@ impl Windows {
         1.0 / (frames_of::<LENGTH>(self.length) as f32 * metric.share())
     }
 
-    /// Bounds on the windows of a class, whose `norms` are given.
+    /// Bounds for the windows of a class, given their `norms`.
     pub(super) fn bounds(&self, class: usize, metric: Metric, norms: &[f32]) -> Bounds {
         Bounds {
             scale: self.scale(metric),
@@ -128,7 +128,7 @@ impl Windows {
         }
     }
 
-    /// The vector of the window that ends at row `last`.
+    /// Vector of the window that ends at row `last`.
     pub(super) fn centred(&self, last: usize, metric: Metric) -> CentredWindow {
         let mut frames = [FramePoints::default(); MAX_WINDOW];
         for (frame, row) in frames.iter_mut().zip(self.points::<LENGTH>(last)) {
@@ -138,7 +138,7 @@ impl Windows {
     }
 }
 
-/// Where every row of a database is in its clip's frame of reference.
+/// Placement of every row of a database in its clip's frame of reference.
 pub(crate) fn places(db: &Database) -> Vec<Placement> {
     let mut places = Places::with_capacity(db.frames(), db.rate_hz);
     for clip in &db.clips {
@@ -148,22 +148,22 @@ pub(crate) fn places(db: &Database) -> Vec<Placement> {
     places.all
 }
 
-/// Where rows are in their clip's frame of reference, which has the middle of the path at the origin: small numbers leave
-/// more digits to the differences.
+/// Placements of rows in their clip's frame of reference, whose origin is the middle of the path: small numbers leave
+/// more digits for the differences.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
     dt_secs: f32,
-    /// Of all rows so far.
+    /// Placements of all rows so far.
     pub(crate) all: Vec<Placement>,
 }
 
 impl Places {
-    /// None yet, with room for so many.
+    /// An empty list with capacity for this number of rows.
     pub(crate) fn with_capacity(rows: usize, rate_hz: f32) -> Self {
         Self { dt_secs: 1.0 / rate_hz, all: Vec::with_capacity(rows) }
     }
 
-    /// Adds the next rows of a clip, whose first is the first of the clip or not.
+    /// Adds the next rows of a clip. `begins_clip`: whether the first of them is the first row of the clip.
     pub(crate) fn add(&mut self, rows: &[PoseRow], begins_clip: bool) {
         for (i, row) in rows.iter().enumerate() {
             let before = self.all.last().filter(|_| i > 0 || !begins_clip);
@@ -172,7 +172,7 @@ impl Places {
         }
     }
 
-    /// Ends a clip of so many rows, all of which have been added.
+    /// Ends a clip of this number of rows, all of which have been added.
     pub(crate) fn end_clip(&mut self, rows: usize) {
         let of_clip = self.all.len() - rows;
         let of_clip = &mut self.all[of_clip..];

@@ -1,12 +1,12 @@
 //! Input outside the database: Eq. 6–7 with consistent signs (`docs/methods/mar.md` §8).
 //!
-//! What the neighbours cannot explain, Δx, is taken off the input before the regression and a share ρ of
-//! it is put on the output: the person's own content survives, the rest of the pose is styled.
+//! The part of the input that the neighbours cannot explain, Δx, is subtracted before the regression, and a share ρ of
+//! it is added to the output: the performer's own content is kept, the rest of the pose is styled.
 
 use crate::pose_vector::{PoseRow, ROW};
 
-/// Floor of the neighbours' deviation, as a share of the global one: among identical neighbours every millimetre would
-/// count as bias.
+/// Floor of the neighbours' deviation, as a share of the global one. Without it, every millimetre would count as bias
+/// when the neighbours are identical.
 const MIN_SHARE: f32 = 0.05;
 /// Absolute floor of the deviation, in the units of the degrees of freedom (0.3°, 5 mm): joints that never move in the
 /// database have no deviation at all.
@@ -27,16 +27,16 @@ pub(super) fn deviation(statistics: &InputStatistics, sigma: &PoseRow, dof: usiz
 /// Δx of one class.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Bias {
-    /// Δx: taken off xₜ and xₜ₋₁.
+    /// Δx: subtracted from xₜ and xₜ₋₁.
     pub(super) input: PoseRow,
-    /// ρΔx: taken off yₜ₋₁, put on yₜ.
+    /// ρΔx: subtracted from yₜ₋₁, added to yₜ.
     pub(super) output: PoseRow,
     /// Largest |Δx| in σ.
     pub(super) largest: f32,
 }
 
 impl Bias {
-    /// No bias: what the baselines use.
+    /// No bias, for the baselines.
     pub(super) const NONE: Self = Self { input: [0.0; ROW], output: [0.0; ROW], largest: 0.0 };
 
     /// Δx = xₜ − clamp(xₜ, μ ± κσ), with σ at least a share of the global deviation `sigma`.
@@ -53,7 +53,7 @@ impl Bias {
         bias
     }
 
-    /// A row with the output's share of the bias.
+    /// Adds the output's share of the bias to a row.
     pub(super) fn put_on(&self, mut row: PoseRow) -> PoseRow {
         row.iter_mut().zip(&self.output).for_each(|(v, b)| *v += b);
         row

@@ -1,20 +1,20 @@
-//! Several styles at once: s(t) of `docs/methods/mar.md` §10.
+//! Blend of several styles: s(t) of `docs/methods/mar.md` §10.
 
 use super::body_part::{BodyPart, PARTS};
 use super::joint_limits::JointLimits;
 use crate::pose_vector::{DOFS, PoseRow, ROW};
 use thiserror::Error;
 
-/// Greatest magnitude of a weight.
+/// Greatest absolute value of a weight.
 pub const MAX_WEIGHT: f32 = 10.0;
 
 /// A style whose weights are all below this is inactive.
 const MIN_WEIGHT: f32 = 1e-6;
 
-/// Why style weights are refused.
+/// Reason why style weights are rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum StyleError {
-    /// Not one weight a style.
+    /// The number of weights differs from the number of styles.
     #[error("{found} style weights; the database has {expected} styles")]
     Count {
         /// Weights given.
@@ -22,7 +22,7 @@ pub enum StyleError {
         /// Styles of the database.
         expected: usize,
     },
-    /// A weight is not a number or far too large.
+    /// A weight is not finite or too large.
     #[error("the weight of style {style} is {weight}; -10 to 10 was expected")]
     Weight {
         /// Index of the style.
@@ -32,14 +32,14 @@ pub enum StyleError {
     },
 }
 
-/// Weights of every style for every part of the body. They may be negative or above 1; the remainder to a sum of 1
-/// is the weight of the neutral style.
+/// Weights of all styles for each part of the body. They may be negative or above 1. The neutral style receives the
+/// remainder to a sum of 1.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StyleBlend {
     neutral: usize,
     /// Sums to 1.
     whole: Vec<f32>,
-    /// Each sums to 1; empty where the part follows the whole.
+    /// Each sums to 1; empty if the part uses the weights of the whole body.
     parts: [Vec<f32>; PARTS],
 }
 
@@ -51,7 +51,7 @@ impl StyleBlend {
         Self { neutral, whole, parts: std::array::from_fn(|_| Vec::with_capacity(styles)) }
     }
 
-    /// Sets the weights of the whole body; parts with weights of their own keep them.
+    /// Sets the weights of the whole body. Parts with their own weights keep them.
     pub(super) fn set_whole(&mut self, weights: &[f32]) -> Result<(), StyleError> {
         validate(weights, self.whole.len())?;
         self.whole.copy_from_slice(weights);
@@ -59,7 +59,7 @@ impl StyleBlend {
         Ok(())
     }
 
-    /// Sets the weights of one part; `None` lets it follow the whole again.
+    /// Sets the weights of one part. With `None` it uses the weights of the whole body again.
     pub(super) fn set_part(&mut self, part: BodyPart, weights: Option<&[f32]>) -> Result<(), StyleError> {
         let own = &mut self.parts[part as usize];
         let Some(weights) = weights else {
@@ -78,7 +78,7 @@ impl StyleBlend {
         self.parts[part as usize].get(style).copied().unwrap_or(self.whole[style])
     }
 
-    /// Whether any part takes anything of a style.
+    /// Returns whether a style has a weight in any part.
     pub(super) fn is_active(&self, style: usize) -> bool {
         BodyPart::ALL.into_iter().any(|p| self.weight(p, style).abs() > MIN_WEIGHT)
     }
@@ -94,9 +94,9 @@ fn validate(weights: &[f32], styles: usize) -> Result<(), StyleError> {
     }
 }
 
-/// The weighted sum of the styles' rows. Where a weight is below 0 or above 1 the sum is kept within the
-/// limits, widened by the values of the styles themselves and of the input: neither interpolation nor the input's own
-/// content is clipped.
+/// Weighted sum of the styles' rows. Where a weight is below 0 or above 1, the sum is limited to the joint limits,
+/// widened to include the values of the styles and of the input. So neither interpolation nor the input's own content
+/// is clipped.
 pub(super) fn blended<'a>(
     blend: &StyleBlend,
     parts: &[BodyPart; ROW],

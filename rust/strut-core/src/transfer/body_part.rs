@@ -1,4 +1,4 @@
-//! Parts of the body that may take different styles: every degree of freedom has its own model.
+//! Parts of the body that can have different styles: every degree of freedom has its own model.
 
 use crate::humanoid::Role;
 use crate::pose_vector::{HIP_HEIGHT, ROW};
@@ -14,7 +14,7 @@ pub enum BodyPart {
     LeftArm,
     /// Right shoulder to hand.
     RightArm,
-    /// Both legs with the pelvis, its height and travel, and the timing: together they are the gait.
+    /// Both legs with the pelvis, its height and velocity, and the timing: together they are the gait.
     Legs,
 }
 
@@ -25,7 +25,7 @@ impl BodyPart {
     /// All parts, in the order of their numbers.
     pub const ALL: [Self; PARTS] = [Self::Head, Self::Torso, Self::LeftArm, Self::RightArm, Self::Legs];
 
-    /// Its name, of which [`BodyPart::from_name`] makes it alone.
+    /// Name of the part. [`BodyPart::from_name`] maps it to this part only.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Head => "head",
@@ -36,7 +36,7 @@ impl BodyPart {
         }
     }
 
-    /// The parts of a name: `head`, `torso`, `left_arm`, `right_arm`, `arms`, `legs`.
+    /// Parts of a name: `head`, `torso`, `left_arm`, `right_arm`, `arms`, `legs`.
     pub fn from_name(name: &str) -> Option<&'static [Self]> {
         match name {
             "head" => Some(&[Self::Head]),
@@ -49,7 +49,7 @@ impl BodyPart {
         }
     }
 
-    /// The part that a joint belongs to.
+    /// Part to which a joint belongs.
     pub const fn of(role: Role) -> Self {
         match role {
             Role::Neck | Role::Head => Self::Head,
@@ -60,7 +60,7 @@ impl BodyPart {
         }
     }
 
-    /// The part of each degree of freedom of a row; root travel belongs to the legs.
+    /// Part of each degree of freedom of a row. Root motion belongs to the legs.
     pub fn of_row() -> [Self; ROW] {
         std::array::from_fn(|d| if d < HIP_HEIGHT { Self::of(Role::ALL[d / 3]) } else { Self::Legs })
     }

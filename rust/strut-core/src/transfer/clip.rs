@@ -1,4 +1,4 @@
-//! Styling a whole clip: the online engine, with contacts and footplant that use past and future frames.
+//! Styles a whole clip: the online engine, with contacts and a footplant that use past and future frames.
 
 use super::blend::StyleError;
 use super::clip_footplant::plant_feet;
@@ -15,37 +15,37 @@ use crate::note::{Note, NoteCode};
 use crate::retarget::{Binding, between_bodies, from_humanoid};
 use std::ops::{ControlFlow, Range};
 
-/// A styled clip: frames at uneven output times.
+/// A styled clip, whose frames are not evenly spaced in output time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyledMotion {
-    /// Bone offsets: the database's.
+    /// Bone offsets of the database.
     pub proportions: Proportions,
     /// One frame for each frame of the input.
     pub frames: Vec<StyledFrame>,
-    /// Frames that begin anew after a cut, ascending: nothing lies between one and the frame before it.
+    /// Frames that follow a cut, ascending. No frame is interpolated between one of them and the frame before it.
     pub cuts: Vec<usize>,
-    /// Number of first frames that are a calibration pose: they are the input's.
+    /// Number of first frames that are a calibration pose. They are copied from the input.
     pub calibration: usize,
-    /// How well the database knows the input.
+    /// How similar the input is to the database.
     pub familiarity: Familiarity,
-    /// How far the input travels over the ground, metres.
+    /// Length of the input's path over the ground, metres.
     pub input_travel_metres: f32,
 }
 
-/// A styled clip at an even rate.
+/// A styled clip at a constant frame rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
     /// The clip.
     pub motion: HumanoidMotion,
-    /// For each of its frames the fractional frame of the input that it comes from.
+    /// Fractional input frame that each frame shows.
     pub input_frame: Vec<f64>,
 }
 
-/// Styles a clip frame by frame, for callers that do other work in between. [`stylize_clip`] is the same in one call.
+/// Styles a clip frame by frame, for callers that do other work in between. [`stylize_clip`] does the same in one call.
 #[derive(Clone, Debug)]
 pub struct ClipJob {
     stylizer: Stylizer,
-    /// Frames so far, before contacts are smoothed and feet planted.
+    /// Frames so far, before contacts are smoothed and feet are planted.
     frames: Vec<StyledFrame>,
     /// As in [`StyledMotion`].
     cuts: Vec<usize>,
@@ -53,12 +53,12 @@ pub struct ClipJob {
     familiarity: Familiarity,
     /// Path of the input.
     way: Way,
-    /// Where the times and the count of repaired frames go on after a cut.
+    /// Last frame before the last cut. Times and the count of repaired frames continue from it.
     before_cut: StyledFrame,
 }
 
 impl ClipJob {
-    /// Begins a clip with the stylizer's styles and options; its past is forgotten.
+    /// Starts a clip with the stylizer's styles and options; the stylizer's past is discarded.
     pub fn new(mut stylizer: Stylizer) -> Self {
         stylizer.reset(None);
         Self {
@@ -72,13 +72,13 @@ impl ClipJob {
         }
     }
 
-    /// Begins a clip whose cuts and calibration pose are known: after a cut the output begins anew at the input's place.
+    /// Starts a clip whose cuts and calibration pose are known. After a cut the output restarts at the input's position.
     pub fn of_input(stylizer: Stylizer, input: &ClipInput) -> Self {
         let frames = Vec::with_capacity(input.motion.poses.len());
         Self { frames, cuts: input.cuts.clone(), calibration: input.calibration, ..Self::new(stylizer) }
     }
 
-    /// Changes the styles of the whole body from the next frame on, as a style track does.
+    /// Changes the styles of the whole body from the next frame on, for example from a style track.
     ///
     /// # Errors
     /// As [`Stylizer::set_styles`].
@@ -86,12 +86,12 @@ impl ClipJob {
         self.stylizer.set_styles(weights)
     }
 
-    /// Styles the next frame of the clip, which is at the database's rate.
+    /// Styles the next frame of the clip, which has the database's frame rate.
     pub fn push(&mut self, pose: &Pose, clock: &mut impl StageClock) -> Trace<'_> {
         self.push_searched(pose, None, clock)
     }
 
-    /// [`ClipJob::push`] without the search of the frame: it takes what was `found` before for the same stylizer.
+    /// Same as [`ClipJob::push`] without the search: uses the result `found` earlier for the same stylizer.
     pub fn push_found(&mut self, pose: &Pose, found: &FoundFrame<'_>) -> Trace<'_> {
         self.push_searched(pose, Some(found), &mut NoClock)
     }
@@ -114,7 +114,7 @@ impl ClipJob {
         self.frames.push(frame);
         if let ([.., before, _], false) = (self.frames.as_mut_slice(), is_cut) {
             let contact = self.stylizer.contact_before();
-            // Half of the output's likelihood is the input's.
+            // The input contributes half of the output's likelihood.
             let gained = contact.iter().zip(before.contact).map(|(c, was)| c - was);
             before.contact_out.iter_mut().zip(gained).for_each(|(out, gained)| *out += 0.5 * gained);
             before.contact = contact;
@@ -126,7 +126,7 @@ impl ClipJob {
         trace
     }
 
-    /// Has the times of a frame, which count from the last cut, count from the beginning of the clip.
+    /// Shifts the times of a frame, which count from the last cut, so that they count from the start of the clip.
     fn go_on_after_cut(&self, frame: &mut StyledFrame, is_cut: bool) {
         let frame_secs = 1.0 / self.stylizer.model().catalogue().rate_hz;
         if is_cut {
@@ -137,12 +137,12 @@ impl ClipJob {
         frame.repaired_total += self.before_cut.repaired_total;
     }
 
-    /// The frames so far, before contacts are smoothed and feet planted.
+    /// Frames so far, before contacts are smoothed and feet are planted.
     pub fn frames(&self) -> &[StyledFrame] {
         &self.frames
     }
 
-    /// Ends the clip: smooths contacts and plants feet, both with knowledge of later frames.
+    /// Ends the clip: smooths contacts and plants feet, using future frames for both.
     pub fn finish(self) -> StyledMotion {
         let Self { stylizer, frames, cuts, calibration, familiarity, way, .. } = self;
         let db = stylizer.model().catalogue();
@@ -169,11 +169,10 @@ impl ClipJob {
     }
 }
 
-/// Styles a clip at the database's rate with the styles and options of a stylizer, whose own stream is not
-/// touched.
+/// Styles a clip at the database's frame rate with the styles and options of a stylizer, whose own stream is not changed.
 ///
-/// `observe` sees every frame before contacts are smoothed and feet planted, with its number; it may stop
-/// the work, which then gives `None`.
+/// `observe` receives every frame and its number before contacts are smoothed and feet are planted. It may stop the
+/// work; the result is then `None`.
 pub fn stylize_clip(
     stylizer: &Stylizer,
     poses: &[Pose],
@@ -190,7 +189,7 @@ pub fn stylize_clip(
 }
 
 impl StyledMotion {
-    /// Of frames without a cut.
+    /// Motion of frames without a cut.
     pub fn new(proportions: Proportions, frames: Vec<StyledFrame>) -> Self {
         Self {
             proportions,
@@ -202,7 +201,7 @@ impl StyledMotion {
         }
     }
 
-    /// How far it travels over the ground in as many frames of this rate as the input has, metres.
+    /// Length of the output's path over the ground, in as many frames of this rate as the input has, metres.
     pub fn travel_metres(&self, rate_hz: f32) -> f32 {
         let mut way = Way::default();
         for (i, frame) in self.frames.iter().enumerate() {
@@ -211,7 +210,7 @@ impl StyledMotion {
         way.metres()
     }
 
-    /// What there is to say of it beside the input's own notes; frames were styled at `rate_hz`.
+    /// Notes about the output, in addition to the input's own notes. `rate_hz` is the frame rate of styling.
     pub fn notes(&self, rate_hz: f32) -> Vec<Note> {
         let repaired = match self.frames.last().map_or(0, |frame| frame.repaired_total) {
             0 => None,
@@ -223,21 +222,21 @@ impl StyledMotion {
         [repaired, self.familiarity.note(), travel].into_iter().flatten().collect()
     }
 
-    /// Length of the output time axis, seconds: each frame counts with the time to the next, the last one
-    /// with its own.
+    /// Length of the output time axis, seconds. Each frame counts with the time to the next, the last one with its own
+    /// duration.
     pub fn duration_secs(&self) -> f64 {
         self.frames.last().map_or(0.0, |f| f.time_out_secs + f64::from(f.dt_secs))
     }
 
-    /// The frames between cuts.
+    /// Ranges of frames between cuts.
     fn parts(&self) -> Vec<Range<usize>> {
         let starts = std::iter::once(0).chain(self.cuts.iter().copied());
         let ends = self.cuts.iter().copied().chain(std::iter::once(self.frames.len()));
         starts.zip(ends).map(|(start, end)| start.min(self.frames.len())..end.min(self.frames.len())).collect()
     }
 
-    /// The clip on another body and at an even rate: how it is written to a file. Feet that are held here are
-    /// held there as well, where other legs and soles would have let them slide.
+    /// The clip on another body and at a constant frame rate, as it is written to a file. Feet that are held here are
+    /// held there too; otherwise they would slide on legs and soles of another size.
     pub fn on_body(&self, body: &Proportions, rate_hz: f32) -> Resampled {
         self.placed_on(body, self.resampled(rate_hz))
     }
@@ -257,20 +256,20 @@ impl StyledMotion {
         even
     }
 
-    /// The clip on the skeleton and at the rate of the file that it was made of, to the file's last frame; `rate_hz` is that
-    /// of the frames which were styled. Joints without a role keep the file's motion.
+    /// The clip on the skeleton and at the frame rate of its source file, up to the file's last frame. `rate_hz` is the
+    /// frame rate of styling. Joints without a role keep the file's motion.
     pub fn on_skeleton(&self, rate_hz: f32, file: &Motion, binding: &Binding) -> Motion {
         let file_rate_hz = 1.0 / file.frame_time_secs;
         let file_frames_per_frame = file_rate_hz / f64::from(rate_hz);
         let end = file.frames().saturating_sub(1) as f64 / file_frames_per_frame;
         let even = self.placed_on(&binding.proportions, self.resampled_to(file_rate_hz, end));
         let file_frames: Vec<f64> = even.input_frame.iter().map(|f| f * file_frames_per_frame).collect();
-        // Exactly the file's own frame time, which f32 cannot hold.
+        // The exact frame time of the file, which f32 cannot represent.
         Motion { frame_time_secs: file.frame_time_secs, ..from_humanoid(&even.motion, file, binding, &file_frames) }
     }
 
-    /// Holds feet while the likelihood says that they stand. Frames count as evenly spaced on the output time
-    /// axis; `rate_hz` is theirs if that has no length.
+    /// Holds feet where the contact likelihood indicates a contact. Frames are treated as evenly spaced on the output
+    /// time axis. `rate_hz` is their rate if that axis has length zero.
     fn plant_feet(&mut self, rate_hz: f32) {
         let mut state = [false; 2];
         let stands: Vec<[bool; 2]> = self
@@ -295,14 +294,15 @@ impl StyledMotion {
         }
     }
 
-    /// The clip at an even rate on the output time axis, from the first frame to the last.
+    /// The clip at a constant frame rate on the output time axis, from the first frame to the last.
     pub fn resampled(&self, rate_hz: f32) -> Resampled {
         let end_secs = self.frames.last().map_or(0.0, |last| last.time_out_secs);
         let count = (end_secs * f64::from(rate_hz) + 1e-6).floor() as usize + 1;
         self.at_times(rate_hz, (0..count).map(|n| n as f64 / f64::from(rate_hz)))
     }
 
-    /// The same to a fractional frame of the input, which the last frame shows: as many frames as fit best.
+    /// Same as [`Self::resampled`], up to the fractional input frame `end`, which the last frame shows. The number of
+    /// frames is the one that fits best.
     fn resampled_to(&self, rate_hz: f64, end: f64) -> Resampled {
         let Some(last) = self.frames.len().checked_sub(1) else { return self.resampled(rate_hz as f32) };
         let whole = (end.floor() as usize).min(last);
@@ -329,7 +329,7 @@ impl StyledMotion {
         Resampled { motion, input_frame }
     }
 
-    /// Pose and fractional frame at a time from frame `i` on.
+    /// Pose and fractional input frame at a time after frame `i`.
     fn between(&self, i: usize, time: f64) -> (Pose, f64) {
         let a = &self.frames[i];
         let after = self.frames.get(i + 1).filter(|_| self.cuts.binary_search(&(i + 1)).is_err());
@@ -396,7 +396,7 @@ mod tests {
         assert!(skate(&out.motion) < 0.5 * skate(&unplanted), "{} m/s", skate(&unplanted));
     }
 
-    /// A clip whose styles are set anew before every frame.
+    /// A clip whose styles are set before every frame.
     fn tracked(options: Options, weight: impl Fn(usize) -> f32) -> StyledMotion {
         let s = Stylizer::new(Arc::new(Model::new(database())), options).unwrap();
         let mut job = ClipJob::new(s);

@@ -1,9 +1,9 @@
 //! Plants the feet of a whole clip, using past and future frames (`docs/methods/mar.md` §11).
 //!
-//! A foot is held while it stands: in the frames that the caller gives, and in those in which the corrected foot is low
-//! and slow by the rule of §3. The slide of standing feet is split in two. Its low-frequency part is an error of the
-//! root's velocity and moves the root; the rest moves the foot relative to the root, in each hold about the middle of its
-//! slide, and during the swing the correction changes smoothly from that of one hold to that of the next.
+//! A foot is held in the frames that the caller gives, and in those in which the corrected foot is low and slow by the
+//! rule of §3. The slide of planted feet is split in two. The low-frequency part is an error of the root's velocity and
+//! moves the root. The rest moves the foot relative to the root, in each hold about the middle of its slide. During the
+//! swing the correction changes smoothly from the value of one hold to that of the next.
 
 use crate::contact;
 use crate::humanoid::{HumanoidMotion, Proportions};
@@ -14,41 +14,42 @@ use crate::math::interpolation::smooth_step;
 use std::collections::VecDeque;
 use std::ops::{Add, Mul, Range, Sub};
 
-/// Least rate at which smoothed values are computed; between these frames they are interpolated linearly. At the rate of a fast
-/// file each value would cost as many steps as its window has frames, and neighbours hardly differ.
+/// Minimum rate at which smoothed values are computed; between these frames they are interpolated linearly. At the rate
+/// of a fast file each value would take as many steps as its window has frames, although neighbouring values hardly
+/// differ.
 const SMOOTH_HZ: f32 = 240.0;
 /// The correction of the slide fades in and out around a hold over this time, seconds.
 const EASE_SECS: f32 = 0.034;
-/// After a hold the foot returns to its own path within this time, or within the swing if that is shorter; seconds.
+/// After a hold the foot returns to its original path within this time, or within the swing if that is shorter; seconds.
 const RETURN_SECS: f32 = 0.35;
-/// Standard deviation of the low-pass that gives the root its share of the slide, seconds.
+/// Standard deviation of the low-pass filter that computes the root's share of the slide, seconds.
 const ROOT_SIGMA_SECS: f32 = 0.12;
-/// At the ends of a hold the foot rolls on or off: over this time its slide counts less for the root, seconds.
+/// At the ends of a hold the foot rolls on or off. Within this time its slide has less weight for the root, seconds.
 const ROLL_SECS: f32 = 0.15;
 /// Half width of the envelope by which feet are lifted and hips lowered, seconds.
 const ENVELOPE_SECS: f32 = 0.1;
 /// Depth of a sole below the ground that is tolerated, metres.
 const TOLERATED_DEPTH: f32 = 0.003;
-/// A foot whose sole is higher than this is not held, whatever the labels say; metres.
+/// A foot whose sole is higher than this is not held, whatever the labels are; metres.
 const MAX_HELD_HEIGHT: f32 = 0.08;
-/// Swings shorter than this, which the rule of §3 can hardly detect, are part of the hold; seconds.
+/// Swings shorter than this, which the rule of §3 can hardly detect, count as part of the hold; seconds.
 const MIN_SWING_SECS: f32 = 0.15;
-/// A hold begins and ends only with a foot slower than this, m/s …
+/// A hold starts and ends only with a foot slower than this, m/s …
 const MAX_TOUCH_SPEED: f32 = 1.5;
-/// … but is shortened by no more than this at either end, seconds.
+/// … but each end is shortened by no more than this, seconds.
 const MAX_TRIM_SECS: f32 = 0.1;
-/// The hips are lowered by no more than this for a foot to reach its place, metres.
+/// The hips are lowered by at most this distance so that a foot can reach its position, metres.
 const MAX_DROP: f32 = 0.15;
 
-/// Holds the feet of a clip in place while they stand, left and right, and keeps soles above the ground. Returns which
-/// feet are held in each frame.
+/// Holds the feet of a clip, left and right, in place while they are planted, and keeps soles above the ground. Returns
+/// which feet are held in each frame.
 ///
 /// # Panics
 /// If `stands` has fewer entries than the clip has frames.
 pub(super) fn plant_feet(motion: &mut HumanoidMotion, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
     let steps = Steps::of(motion);
     let mut held = steps.plausible(&stands[..motion.poses.len()]);
-    // Held feet slow the body, so that the other foot may stand too. Further iterations change next to nothing.
+    // Held feet slow the body, so that the other foot may become planted too. Further iterations change almost nothing.
     let labels = contact::label(&steps.corrected(motion, &held));
     for (held, label) in held.iter_mut().zip(labels) {
         *held = [held[0] || label[0], held[1] || label[1]];
@@ -87,7 +88,7 @@ impl Steps {
         ((self.rate_hz / SMOOTH_HZ) as usize).max(1)
     }
 
-    /// The holds without frames in which the foot is in the air, and without fast frames at their ends, where holding
+    /// The holds, without frames in which the foot is in the air, and without fast frames at their ends, where holding
     /// would stop the foot abruptly.
     fn plausible(&self, stands: &[[bool; 2]]) -> Vec<[bool; 2]> {
         let on_ground = |side: usize, f: usize| self.soles[side][f].lowest() < MAX_HELD_HEIGHT;
@@ -97,7 +98,7 @@ impl Steps {
         for side in 0..2 {
             let is_fast = |f: &usize| self.travel(side, *f).length() * self.rate_hz > MAX_TOUCH_SPEED;
             for hold in runs(&held, side) {
-                // Holds at the clip's ends have no touch-down or lift-off there.
+                // A hold at the start or end of the clip has no touch-down or lift-off there.
                 let late = if hold.start > 0 { hold.clone().take(most).take_while(is_fast).count() } else { 0 };
                 let leaves = hold.end < held.len();
                 let early = if leaves { hold.clone().rev().take(most).take_while(is_fast).count() } else { 0 };
@@ -108,7 +109,7 @@ impl Steps {
         held
     }
 
-    /// Horizontal travel of a foot's pivot from the frame before.
+    /// Horizontal travel of a foot's pivot since the frame before.
     fn travel(&self, side: usize, frame: usize) -> Vec3 {
         match frame.checked_sub(1) {
             Some(before) => self.soles[side][frame].pivot_travel(&self.soles[side][before]),
@@ -154,7 +155,7 @@ impl Steps {
         let reach = (3.0 * sigma) as usize;
         let kernel: Vec<f32> = (0..=reach).map(|i| gaussian::weight(i as f32, sigma)).collect();
         let velocity = |f: usize| {
-            // The 1 keeps the root's own path where no foot is held for long.
+            // The 1 keeps the root's original path where no foot is held for long.
             let (mut sum, mut weights) = (Vec3::ZERO, 1.0);
             for i in f.saturating_sub(reach)..(f + reach + 1).min(held.len()) {
                 sum += slides[i].0 * kernel[f.abs_diff(i)];
@@ -172,11 +173,11 @@ impl Steps {
             .collect()
     }
 
-    /// By how much a foot is moved from its place in the motion, ground included.
+    /// Displacement of a foot from its position in the motion, including the ground correction.
     fn foot_path(&self, side: usize, held: &[[bool; 2]], root: &[Vec3]) -> Vec<Vec3> {
         let holds = runs(held, side);
         let shares = self.shares(&holds, held.len());
-        // Slide against the root's path.
+        // Slide relative to the root's path.
         let mut slid = Vec3::ZERO;
         let slides: Vec<Vec3> = (0..held.len())
             .map(|f| {
@@ -191,7 +192,7 @@ impl Steps {
         (0..held.len()).map(|f| root[f] + middles[f] - slides[f] + Vec3::Y * lift[f]).collect()
     }
 
-    /// Share of a foot's slide that is undone: all of it in holds, fading out around them.
+    /// Share of a foot's slide that is removed: all of it in holds, fading out around them.
     fn shares(&self, holds: &[Range<usize>], frames: usize) -> Vec<f32> {
         let ease = self.frames(EASE_SECS);
         let mut shares = vec![0.0_f32; frames];
@@ -205,8 +206,8 @@ impl Steps {
         shares
     }
 
-    /// The offset from which slides are counted: the mean slide in each hold, the slide itself in a long swing, so that
-    /// the foot is on its original path, and smooth transitions in between.
+    /// Offset from which slides are measured: the mean slide in each hold, the slide itself in a long swing, so that
+    /// the foot follows its original path, and smooth transitions in between.
     fn middles(&self, holds: &[Range<usize>], slides: &[Vec3]) -> Vec<Vec3> {
         let (frames, back) = (slides.len(), self.frames(RETURN_SECS));
         let mut keys: Vec<(Range<usize>, Vec3)> = Vec::new();
@@ -242,8 +243,8 @@ impl Steps {
         middles
     }
 
-    /// How far the hips are lowered, so that both legs reach the places of held feet without being straighter
-    /// than they were.
+    /// Distance by which the hips are lowered so that both legs reach the positions of held feet without being
+    /// straighter than before.
     fn drop(&self, proportions: &Proportions, held: &[[bool; 2]], root: &[Vec3], feet: &[Vec<Vec3>; 2]) -> Vec<f32> {
         let mut needed = vec![0.0_f32; held.len()];
         for (side, leg) in Limb::LEGS.into_iter().enumerate() {
@@ -281,9 +282,9 @@ fn envelope(values: &[f32], reach: usize, stride: usize) -> Vec<f32> {
     })
 }
 
-/// The greatest value within a reach of each, or 0 if all are less.
+/// Maximum of the values within `reach` of each index; at least 0.
 fn peaks(values: &[f32], reach: usize) -> Vec<f32> {
-    // Indices of the values that may still become the greatest: indices ascend, values descend.
+    // Indices of the values that may still become the maximum: indices ascend, values descend.
     let mut candidates: VecDeque<usize> = VecDeque::new();
     let mut added = 0;
     let of = |f: usize| {
@@ -348,7 +349,7 @@ mod tests {
     use crate::transfer::ground_clearance;
     use proptest::prelude::*;
 
-    /// A crouching figure, changed in each frame.
+    /// A crouching figure whose pose is changed in each frame.
     fn crouching(frames: usize, change: impl Fn(&mut crate::humanoid::Pose, f32)) -> HumanoidMotion {
         let poses = (0..frames)
             .map(|f| {
@@ -425,7 +426,7 @@ mod tests {
             pose.root.z += 2.0 * t;
         });
         let mut motion = flight.clone();
-        // Feet this high are not held, whatever the labels say.
+        // Feet at this height are not held, whatever the labels are.
         let held = plant_feet(&mut motion, &[[true; 2]; 60]);
         assert!(held.iter().all(|h| *h == [false; 2]));
         for (a, b) in motion.poses.iter().zip(&flight.poses) {
@@ -447,7 +448,7 @@ mod tests {
         assert!(!held[2][0] && held[9][0], "{held:?}");
     }
 
-    /// A body that rocks, dips into the ground and glides on both feet for some seconds at a rate.
+    /// A body that rocks, dips into the ground and slides on both feet for some seconds, at a frame rate.
     fn rocking(rate_hz: f32, secs: f32) -> HumanoidMotion {
         let mut motion = crouching((secs * rate_hz) as usize, |_, _| ());
         motion.rate_hz = rate_hz;

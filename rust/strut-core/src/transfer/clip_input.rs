@@ -1,7 +1,7 @@
-//! A clip made ready to be styled: at the database's rate, gaps bridged, cuts and a calibration pose found.
+//! Prepares a clip for styling: resamples it to the database's frame rate, bridges gaps, finds cuts and a calibration pose.
 //!
-//! A stream cannot know whether a jump is a cut or one bad frame; a clip shows both sides. Motion on the two sides of a cut
-//! is not continuous, so that each side is styled on its own.
+//! A stream cannot tell a cut from one bad frame; a clip shows both sides. The motion is not continuous across a cut,
+//! so each side is styled separately.
 
 use crate::humanoid::{HumanoidMotion, Pose, Role, TooManyFrames};
 use crate::kinematics::world_from_local;
@@ -10,42 +10,42 @@ use std::ops::Range;
 
 /// The hips jump where their step differs from those before and after by more than this, metres …
 const ROOT_JUMP: f32 = 0.08;
-/// … plus what people reach by their acceleration, m/s²: landing from a jump takes 50.
+/// … plus the distance due to the greatest plausible acceleration, m/s². Landing from a jump reaches 50.
 const ROOT_ACCELERATION: f32 = 60.0;
 /// A joint jumps where it turns by more than this, radians …
 const TURN_JUMP: f32 = 0.35;
-/// … plus what people reach, rad/s² …
+/// … plus the turn due to the greatest plausible acceleration, rad/s² …
 const TURN_ACCELERATION: f32 = 400.0;
-/// … and so many times as far as in the frames beside it.
+/// … and more than this many times as far as in the neighbouring frames.
 const TURN_RATIO: f32 = 4.0;
-/// The pose jumps where so many joints do: recordings have single joints that flip.
+/// The pose jumps where this many joints jump. Recordings contain single joints that flip.
 const JOINTS_THAT_JUMP: usize = 4;
 /// Longest gap that is bridged, seconds.
 const GAP_SECS: f32 = 0.25;
-/// The two sides of a gap are alike within this mean turn of the joints, radians, and this speed of the hips, m/s.
+/// The two sides of a gap are similar within this mean turn of the joints, radians, and this speed of the hips, m/s.
 const ALIKE_TURN: f32 = 0.35;
 const ALIKE_SPEED: f32 = 3.0;
 /// A calibration pose moves less than this from its first frame, metres and radians.
 const STILL_ROOT: f32 = 0.02;
 const STILL_TURN: f32 = 0.05;
-/// Times that differ by less than this part of a frame of the database's rate are one: files round their frame time.
+/// Times that differ by less than this part of a frame at the database's rate count as equal: files round their frame time.
 const ALMOST: f64 = 0.02;
 
-/// A clip at the database's rate.
+/// A clip at the database's frame rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClipInput {
     /// Its poses.
     pub motion: HumanoidMotion,
-    /// Frames of [`ClipInput::motion`] that begin anew after a cut, ascending.
+    /// Frames of [`ClipInput::motion`] that follow a cut, ascending.
     pub cuts: Vec<usize>,
     /// Number of first frames that are a calibration pose; 0 if there is none.
     pub calibration: usize,
-    /// Frames of the clip that were replaced by what lies between those beside them.
+    /// Number of frames of the clip that were replaced by interpolation between their neighbours.
     pub bridged: usize,
 }
 
 impl ClipInput {
-    /// From a clip at its own rate.
+    /// Prepares a clip that has its own frame rate.
     ///
     /// # Errors
     /// If it has too many frames at the database's rate.
@@ -66,12 +66,12 @@ impl ClipInput {
         })
     }
 
-    /// Of a clip that is at the database's rate and has no cuts.
+    /// Wraps a clip that has the database's rate and no cuts.
     pub fn whole(motion: HumanoidMotion) -> Self {
         Self { motion, cuts: Vec::new(), calibration: 0, bridged: 0 }
     }
 
-    /// What there is to say of it.
+    /// Notes about the input.
     pub fn notes(&self) -> Vec<Note> {
         let secs = |frame: usize| f64::from(frame as f32 / self.motion.rate_hz);
         let mut notes = Vec::new();
@@ -110,7 +110,7 @@ impl ClipInput {
     }
 }
 
-/// The clip at another rate, to its last frame; no frame lies between the two sides of a cut.
+/// The clip at another rate, to its last frame. No frame is interpolated across a cut.
 fn resampled(motion: &HumanoidMotion, rate_hz: f32, cuts: &[usize]) -> HumanoidMotion {
     let step = f64::from(motion.rate_hz) / f64::from(rate_hz);
     let mut poses = Vec::new();
@@ -118,7 +118,7 @@ fn resampled(motion: &HumanoidMotion, rate_hz: f32, cuts: &[usize]) -> HumanoidM
     let mut start = 0;
     for end in ends.filter(|end| *end > 0) {
         let (first, last) = (start as f64, (end - 1) as f64);
-        // To the first frame of the part after this one; the clip's end is styled too.
+        // Up to the first frame of the next part; the clip's end is styled too.
         let most = if end == motion.poses.len() {
             (last / step - ALMOST).ceil() + 1.0
         } else {
@@ -138,7 +138,7 @@ fn jumps(motion: &HumanoidMotion) -> Vec<usize> {
     let dt = 1.0 / motion.rate_hz;
     let root = ROOT_JUMP + ROOT_ACCELERATION * dt * dt;
     let turn = TURN_JUMP + TURN_ACCELERATION * dt * dt;
-    // The steps beside the one to a frame, as far as there are any.
+    // The steps before and after the step to a frame, if they exist.
     let beside =
         |frame: usize| [frame.checked_sub(1), Some(frame + 1)].map(|f| f.filter(|f| (1..poses.len()).contains(f)));
     let step = |frame: usize| poses[frame].root - poses[frame - 1].root;
@@ -158,7 +158,7 @@ fn jumps(motion: &HumanoidMotion) -> Vec<usize> {
     (1..poses.len()).filter(|&frame| root_jumps(frame) || pose_jumps(frame)).collect()
 }
 
-/// Bridges short gaps whose sides are alike; the jumps that are left, and the number of frames replaced.
+/// Bridges short gaps whose sides are similar. Returns the remaining jumps and the number of frames replaced.
 fn bridge(motion: &mut HumanoidMotion, jumps: Vec<usize>) -> (Vec<usize>, usize) {
     let longest = (GAP_SECS * motion.rate_hz) as usize;
     let (mut cuts, mut bridged, mut rest) = (Vec::new(), 0, jumps.as_slice());
@@ -180,7 +180,7 @@ fn bridge(motion: &mut HumanoidMotion, jumps: Vec<usize>) -> (Vec<usize>, usize)
     (cuts, bridged)
 }
 
-/// Whether the motion may have gone on from one frame to another.
+/// Returns whether the motion may continue from one frame to another.
 fn are_alike(motion: &HumanoidMotion, before: usize, after: usize) -> bool {
     let [a, b] = [before, after].map(|frame| &motion.poses[frame]);
     let secs = (after - before) as f32 / motion.rate_hz;
@@ -192,7 +192,7 @@ fn mean_turn(a: &Pose, b: &Pose) -> f32 {
     turns.sum::<f32>() / a.rotations.len() as f32
 }
 
-/// Whether frames hold one T- or A-pose: arms straight and raised alike, legs straight.
+/// Returns whether the frames hold one T- or A-pose: arms straight and raised equally, legs straight.
 fn is_calibration(motion: &HumanoidMotion, frames: Range<usize>) -> bool {
     let Some(first) = motion.poses[frames.clone()].first() else { return false };
     let is_still = |pose: &Pose| {
@@ -289,7 +289,7 @@ mod tests {
             assert_eq!((input.cuts.as_slice(), input.calibration), (&[frames][..], frames));
             assert_eq!(codes(&input), [NoteCode::CalibrationPose]);
         }
-        // A person who turns slowly in a T-pose does not hold still.
+        // A person who turns slowly in a T-pose is not still.
         for (frame, pose) in motion.poses[..30].iter_mut().enumerate() {
             *pose = t_pose;
             pose.rotations[0] = Quat::from_rotation_y(0.02 * frame as f32);

@@ -1,10 +1,11 @@
-//! The search of a clip's frames on its own: it depends on the poses, the classes and K, and neither on styles nor on what
-//! is made of the frames before. So any portion of a clip can be searched at any time, or many at once.
+//! Searches a clip's frames separately from styling. The search depends on the poses, the classes and K, not on the
+//! styles or on the output of earlier frames. So portions of a clip can be searched at any time and in parallel.
 //!
-//! What a frame takes part with does not depend on the history either, though the search of a stream uses it to be faster:
-//! the last frame's distances order the classes, and a class that had no weight is left out where its distance certainly
-//! exceeds [`greatest_distance`](super::mixture::greatest_distance) of the least so far. That grows with the least, so
-//! that the class has no weight by its true distance either; nor can it be the nearest, from which the others are weighed.
+//! The result for a frame does not depend on the history either, though the search of a stream uses the history to be
+//! faster. The last frame's distances order the classes, and a class that had no weight is skipped if its distance
+//! certainly exceeds [`greatest_distance`](super::mixture::greatest_distance) of the smallest distance so far. That
+//! bound grows with the smallest distance, so that the class has no weight by its true distance either; nor can it be
+//! the nearest class, relative to which the others are weighted.
 
 use super::clip_input::ClipInput;
 use super::contact_likelihood::VOTERS;
@@ -18,36 +19,37 @@ use crate::humanoid::Pose;
 use crate::search::Neighbours;
 use std::sync::Arc;
 
-/// Frames of a portion. The first of each is searched without a frame before it, which takes about twice as long.
+/// Frames of a portion. The first frame of each is searched without a previous frame, which takes about twice as long.
 const PORTION: usize = 64;
 
-/// A clip whose portions can be searched independently. It is for [`ClipJob`](super::ClipJob)s of the same stylizer.
+/// A clip whose portions can be searched independently. The results are for [`ClipJob`](super::ClipJob)s of the same
+/// stylizer.
 #[derive(Clone, Debug)]
 pub struct ClipSearch<'a> {
     model: Arc<Model>,
     options: Options,
     poses: &'a [Pose],
-    /// Frames that begin anew after a cut, ascending.
+    /// Frames that follow a cut, ascending.
     cuts: &'a [usize],
     /// Frames of a portion; the last may have fewer.
     length: usize,
-    /// The input before each portion.
+    /// State of the input stream before each portion.
     inputs: Vec<InputStream>,
     mixture: Mixture,
 }
 
 impl<'a> ClipSearch<'a> {
-    /// Of a clip at the database's rate, with a stylizer's options.
+    /// Search of a clip at the database's rate, with a stylizer's options.
     pub fn new(stylizer: &Stylizer, poses: &'a [Pose]) -> Self {
         Self::in_portions(stylizer, poses, &[], PORTION)
     }
 
-    /// Of a clip whose cuts are known.
+    /// Search of a clip whose cuts are known.
     pub fn of_input(stylizer: &Stylizer, input: &'a ClipInput) -> Self {
         Self::in_portions(stylizer, &input.motion.poses, &input.cuts, PORTION)
     }
 
-    /// With portions of so many frames, at least 1.
+    /// Search in portions of `length` frames, at least 1.
     fn in_portions(stylizer: &Stylizer, poses: &'a [Pose], cuts: &'a [usize], length: usize) -> Self {
         let model = Arc::clone(stylizer.model());
         let mut input = InputStream::new(model.index().window_length());
@@ -65,7 +67,7 @@ impl<'a> ClipSearch<'a> {
         Self { options: *stylizer.options(), mixture: stylizer.mixture().clone(), model, poses, cuts, length, inputs }
     }
 
-    /// Number of portions, one after the other.
+    /// Number of portions.
     pub fn portions(&self) -> usize {
         self.inputs.len()
     }
@@ -73,7 +75,7 @@ impl<'a> ClipSearch<'a> {
     /// The poses of a portion.
     ///
     /// # Panics
-    /// If there is no such portion.
+    /// If the portion does not exist.
     pub fn poses(&self, portion: usize) -> &'a [Pose] {
         let first = portion * self.length;
         &self.poses[first..self.poses.len().min(first + self.length)]
@@ -82,7 +84,7 @@ impl<'a> ClipSearch<'a> {
     /// Searches a portion.
     ///
     /// # Panics
-    /// If there is no such portion.
+    /// If the portion does not exist.
     pub fn find(&self, portion: usize) -> Found {
         let Self { model, options, .. } = self;
         let (mut input, mut mixture) = (self.inputs[portion].clone(), self.mixture.clone());
@@ -118,7 +120,7 @@ mod tests {
         stylizer
     }
 
-    /// A neutral walk that becomes a bent one, with what inputs have: frames that are no poses, and a cut.
+    /// A neutral walk that becomes a bent one, with the faults of real input: invalid poses and a cut.
     fn poses(period: f32) -> Vec<Pose> {
         let parts = [Gait { period, ..NEUTRAL }, BENT, Gait { arms: 0.7, turn: 0.4, ..NEUTRAL }];
         let mut poses: Vec<Pose> = parts.iter().flat_map(|gait| walk(gait, 30, 0.3).poses).collect();
@@ -128,7 +130,7 @@ mod tests {
         poses
     }
 
-    /// What a job gives, with everything that it shows of each frame.
+    /// Output of a job and the traces of its frames.
     fn styled(mut job: ClipJob, mut push: impl FnMut(&mut ClipJob, &mut Vec<String>)) -> (StyledMotion, Vec<String>) {
         let mut traces = Vec::new();
         push(&mut job, &mut traces);
@@ -141,7 +143,7 @@ mod tests {
         })
     }
 
-    /// The portions searched last one first.
+    /// Searches the portions in reverse order.
     fn in_portions(options: Options, poses: &[Pose], length: usize) -> (StyledMotion, Vec<String>) {
         let stylizer = stylizer(options);
         let search = ClipSearch::in_portions(&stylizer, poses, &[], length);
@@ -161,7 +163,7 @@ mod tests {
         format!("{weights:?} {:?} {}", trace.neighbours, trace.bias.to_bits())
     }
 
-    /// To the bit; `assert_eq!` would take 0 and −0 for the same.
+    /// Bits of the motion; `assert_eq!` would treat 0 and −0 as equal.
     fn bits(motion: &StyledMotion) -> Vec<u64> {
         let floats = |f: &crate::transfer::StyledFrame| {
             let pose = f.pose.rotations.iter().flat_map(|r| r.to_array()).chain(f.pose.root.to_array());
@@ -183,7 +185,7 @@ mod tests {
     fn frames_found_in_portions_are_styled_as_in_one_by_every_method() {
         let poses = poses(60.0);
         for name in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"] {
-            // Without `baselines` only some are there.
+            // Without the feature `baselines` only some methods exist.
             let Some(method) = Method::from_name(name) else { continue };
             assert_same(Options { method, ..Options::DEFAULT }, &poses, 16);
         }

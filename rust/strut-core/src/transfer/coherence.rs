@@ -1,10 +1,10 @@
-//! Smooth output from input that the database does not hold (`docs/methods/mar.md` §13); not in the paper.
+//! Smooths the output for input that is unlike the database (`docs/methods/mar.md` §13); not in the paper.
 //!
 //! Far from the database several of the K nearest neighbours change from frame to frame, and with them the means and
-//! slopes of the regression. Two measures, [`super::Options::coherence`], keep this jitter out of the output. Neighbours
-//! enter and leave with weight zero ([`taper`]), and a [`ComplementaryFilter`] blends each prediction with the row
-//! expected from the neighbours' own steps. For input of one distance it is a steady-state Kalman filter whose motion model
-//! is that of the neighbours, so that it lags only where they are wrong.
+//! slopes of the regression. Two measures, [`super::Options::coherence`], keep this jitter out of the output.
+//! Neighbours enter and leave with weight zero ([`taper`]), and a [`ComplementaryFilter`] blends each prediction with
+//! the row expected from the neighbours' own steps. For input at a constant distance it is a steady-state Kalman filter
+//! with the neighbours' motion as its motion model, so that it lags only where they are wrong.
 //!
 //! Measured over the 41 clips of `cmu` and `xia` in four styles: acceleration ratio 1.58 → 0.94 and jerk ratio
 //! 3.02 → 1.24, content correlation .83 → .85; in database error no change.
@@ -15,23 +15,24 @@ use crate::pose_vector::{PoseRow, ROW};
 use crate::search::Neighbour;
 
 /// Half-life of the difference between expected and predicted rows for known input, seconds: three quarters of it decay
-/// within a frame at 60 Hz. Twice as long costs accuracy on runs (2.032 cm instead of 2.017).
+/// within a frame at 60 Hz. Twice this half-life costs accuracy on runs (2.032 cm instead of 2.017).
 const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
 
-/// How many times as long the half-life is where the input is unknown: there the neighbours' steps are nearer to the truth
-/// than their places, which change with each of them.
+/// Factor of the half-life where the input is unknown. There the neighbours' steps are closer to the truth than their
+/// positions, which change whenever a neighbour changes.
 const LONGEST: f32 = 6.0;
 
-/// D of the nearest neighbour at which input is unknown by half, m²: (4 cm)².
+/// D of the nearest neighbour at which `known` is one half, m²: (4 cm)².
 const HALF_UNKNOWN: f32 = 0.04 * 0.04;
 
-/// Half-life of the difference between expected and predicted rows, seconds, for input whose nearest neighbour is at this D,
-/// m². The mean D of all neighbours says less: it is also large in a small database, which has few near ones.
+/// Half-life of the difference between expected and predicted rows, seconds, for input whose nearest neighbour is at
+/// this D, m². The mean D of all neighbours is less informative: it is also large in a small database, which has few
+/// near ones.
 pub(super) fn half_life_secs(nearest: f32) -> f32 {
     HALF_LIFE_SECS * (LONGEST - (LONGEST - 1.0) * known_by_half_at(HALF_UNKNOWN, nearest))
 }
 
-/// Weights of neighbours, nearest first: 1 for the nearest, falling with D to 0 for the last.
+/// Weights of neighbours, nearest first: 1 for the nearest, decreasing with D to 0 for the last.
 pub(super) fn taper(neighbours: &[Neighbour], weights: &mut Vec<f32>) {
     weights.clear();
     let (Some(first), Some(last)) = (neighbours.first(), neighbours.last()) else { return };
@@ -39,7 +40,7 @@ pub(super) fn taper(neighbours: &[Neighbour], weights: &mut Vec<f32>) {
     weights.extend(neighbours.iter().map(|n| if range > 0.0 { (last.distance - n.distance) / range } else { 1.0 }));
 }
 
-/// The expected change of a style's row in this frame: that of the neighbours' targets, plus the share ρ of the
+/// Expected change of a style's row in this frame: the change of the neighbours' targets, plus the share ρ of the
 /// difference between the input's change and the neighbours'.
 #[derive(Clone, Debug)]
 pub(super) struct ComplementaryFilter {
@@ -50,12 +51,12 @@ impl ComplementaryFilter {
     /// No change.
     pub(super) const NONE: Self = Self { step: [0.0; ROW] };
 
-    /// Before any neighbours: the share ρ of the input's own step.
+    /// Initial value, without neighbours: the share ρ of the input's own step.
     pub(super) fn of_input(input: Input<'_>, rho: f32) -> Self {
         Self { step: std::array::from_fn(|d| rho * (input.current[d] - input.previous[d])) }
     }
 
-    /// Adds the mean steps of the neighbours of a class of this weight, their inputs' and their targets'.
+    /// Adds the mean steps of a class's neighbours, of inputs and of targets, with the weight of the class.
     pub(super) fn add(&mut self, weight: f32, rho: f32, input_step: &PoseRow, target_step: &PoseRow) {
         for (sum, (x, y)) in self.step.iter_mut().zip(input_step.iter().zip(target_step)) {
             *sum += weight * (y - rho * x);

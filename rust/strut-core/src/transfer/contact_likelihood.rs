@@ -1,5 +1,5 @@
 //! Likelihood that each foot of the input is planted (`docs/methods/mar.md` §11): a vote of the nearest frames by the
-//! lower-body metric, weighted by how similar the heights and speeds of their feet are to the input's.
+//! lower-body metric, weighted by the similarity of their feet's heights and speeds to the input's.
 
 use crate::catalogue::Catalogue;
 use crate::kinematics::WorldPose;
@@ -7,17 +7,17 @@ use crate::math::gaussian;
 use crate::math::lanes::Lane;
 use crate::search::{FEET_ROLES, Feet, Index, Neighbour};
 
-/// Neighbours that vote, by the lower-body metric.
+/// Number of neighbours that vote, by the lower-body metric.
 pub(super) const VOTERS: usize = 40;
 
 /// Standard deviation of the smoothing, in frames.
 const SIGMA_FRAMES: f32 = 2.0;
-/// Frames on either side that the smoothing reaches (3σ).
+/// Number of frames before and after that the smoothing uses (3σ).
 const REACH: usize = 6;
 
-/// A foot stands from this likelihood on …
+/// A foot becomes planted at this likelihood …
 const PLANT: f32 = 0.6;
-/// … until it falls below this one.
+/// … and is released below this one.
 const RELEASE: f32 = 0.4;
 
 /// Scales of differences from the input: of a point's height, metres, and of its speed, m/s. Contacts are labelled by
@@ -25,7 +25,7 @@ const RELEASE: f32 = 0.4;
 /// votes are right; with weights by the distance of the legs it is 98.2 %.
 const SAME_HEIGHT: f32 = 0.01;
 const SAME_SPEED: f32 = 0.15;
-/// Added to the sum of squared differences, in those units: neighbours nearer than this have about equal weight.
+/// Added to the sum of squared differences, in those units. Neighbours nearer than this have about equal weight.
 const SAME: f32 = 0.05;
 
 /// Heights and speeds of the four of [`FEET_ROLES`] in the frame before the last.
@@ -43,8 +43,8 @@ impl FeetState {
         Self { heights: Lane::of(&middle[1], 0), speeds: lengths * Lane::splat(0.5) * Lane::splat(rate_hz) }
     }
 
-    /// The state at the row before this one, which its clip has, from rows `row` − 2 to `row`. Before the clip the feet were
-    /// at rest, as before the input.
+    /// State at the row before this one, from rows `row` − 2 to `row` of its clip. Before the clip, and before the
+    /// input, the feet are assumed at rest.
     fn of_row(index: &Index, row: usize, rate_hz: f32) -> Self {
         Self::new(&index.last_feet(row), rate_hz)
     }
@@ -66,7 +66,7 @@ pub(super) struct RecentFeet {
 }
 
 impl RecentFeet {
-    /// Adds a frame; before the first one the feet have been at rest.
+    /// Adds a frame. Before the first one the feet are assumed at rest.
     pub(super) fn push(&mut self, world: &WorldPose) {
         let points = FEET_ROLES.map(|role| world.positions[role.index()]);
         let now = [points.map(|p| p.x), points.map(|p| p.y), points.map(|p| p.z)];
@@ -74,23 +74,23 @@ impl RecentFeet {
     }
 }
 
-/// Shares of the neighbours in whose frames the feet are planted, [left, right].
+/// Weighted shares of the neighbours in whose frames the feet are planted, [left, right].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Votes {
     /// For the last frame.
     pub(super) now: [f32; 2],
-    /// For the frame before the last, whose next frame is known: right more often.
+    /// For the frame before the last. It is more often right, because the next frame is known.
     pub(super) before: [f32; 2],
 }
 
-/// How much a neighbour's vote counts for the left and the right foot.
+/// Weights of a neighbour's vote for the left and the right foot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Voice {
     pub(super) row: usize,
     pub(super) weights: [f32; 2],
 }
 
-/// The voices of neighbours; none before the first frame of the input.
+/// Votes of the neighbours; empty before the first frame of the input.
 pub(super) fn voices<'a>(
     catalogue: &'a Catalogue,
     neighbours: &'a [Neighbour],
@@ -105,7 +105,7 @@ pub(super) fn voices<'a>(
     })
 }
 
-/// The votes of neighbours; 0 without neighbours.
+/// Result of the vote; 0 without neighbours.
 pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
     let (mut votes, mut sums) = (Votes::default(), [0.0_f32; 2]);
     for Voice { row, weights } in voices(catalogue, neighbours, feet) {
@@ -119,7 +119,7 @@ pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &Recen
     Votes { now: share(votes.now), before: share(votes.before) }
 }
 
-/// Whether a foot stands, given whether it did and its likelihood now.
+/// Returns whether a foot is planted, from whether it was planted before and its likelihood now.
 pub(super) fn stands(stood: bool, likelihood: f32) -> bool {
     likelihood >= if stood { RELEASE } else { PLANT }
 }
@@ -128,7 +128,7 @@ fn kernel() -> [f32; REACH + 1] {
     std::array::from_fn(|i| gaussian::weight(i as f32, SIGMA_FRAMES))
 }
 
-/// Gaussian smoothing that looks back only, so that it adds no latency.
+/// Gaussian smoothing that uses past frames only, so that it adds no latency.
 #[derive(Clone, Debug)]
 pub(super) struct CausalSmoother {
     kernel: [f32; REACH + 1],
@@ -144,7 +144,7 @@ impl Default for CausalSmoother {
 }
 
 impl CausalSmoother {
-    /// The smoothed likelihoods after a further frame.
+    /// Adds a frame and returns the smoothed likelihoods.
     pub(super) fn push(&mut self, votes: [f32; 2]) -> [f32; 2] {
         self.past.rotate_right(1);
         self.past[0] = votes;
@@ -153,7 +153,7 @@ impl CausalSmoother {
     }
 }
 
-/// Gaussian smoothing of a whole clip that looks both ways.
+/// Gaussian smoothing of a whole clip that uses past and future frames.
 pub(super) fn smoothed(votes: &[[f32; 2]]) -> Vec<[f32; 2]> {
     let kernel = kernel();
     (0..votes.len())

@@ -1,8 +1,8 @@
-//! Many characters that perform one input, each in styles of their own.
+//! Many characters that perform the same input in different styles.
 //!
-//! What is predicted for a style does not depend on the weights of the styles, so that it is computed once for each style and
-//! frame of the input ([`Recorder`]), and a [`Performer`] only blends, decodes and plants. It gives the bits of a [`Stylizer`]
-//! whose weights stay. At its end the input begins anew: its last frames fade into its first ones.
+//! The prediction for a style does not depend on the weights of the styles, so that it is computed once for each style
+//! and input frame ([`Recorder`]). A [`Performer`] only blends, decodes and plants feet. Its output has the same bits
+//! as that of a [`Stylizer`] whose weights are constant. The input is looped: its last frames fade into its first ones.
 
 mod floats;
 
@@ -17,10 +17,10 @@ use crate::humanoid::{Pose, Proportions};
 use crate::pose_vector::{Placement, PoseChart, PoseRow};
 use std::sync::Arc;
 
-/// Frames over which the end of the input fades into its beginning: 0.2 s at 60 Hz.
+/// Frames over which the end of the input fades into its start: 0.2 s at 60 Hz.
 pub const FADE_FRAMES: usize = 12;
 
-/// What is predicted for every frame of an input in every style of a database, and what its outputs need besides.
+/// Predictions for every frame of an input in every style of a database, and the other data that the outputs need.
 #[derive(Clone, Debug)]
 pub struct Predictions {
     chart: PoseChart,
@@ -31,24 +31,24 @@ pub struct Predictions {
     styles: usize,
     timing: bool,
     footplant: bool,
-    /// Of each frame, with the likelihood that the feet of the input are planted.
+    /// Of each frame, with the likelihoods that the input's feet are planted.
     cues: Vec<(Cue, [f32; 2])>,
-    /// Frame by frame, of every style.
+    /// Per frame, of every style.
     predicted: Vec<Predicted>,
 }
 
 impl Predictions {
-    /// Frames of the input.
+    /// Number of frames of the input.
     pub fn frames(&self) -> usize {
         self.cues.len()
     }
 
-    /// Frames from one beginning of the input to the next.
+    /// Number of frames of one loop.
     pub fn period(&self) -> usize {
         self.frames() - FADE_FRAMES
     }
 
-    /// Styles of the database.
+    /// Number of styles of the database.
     pub fn styles(&self) -> usize {
         self.styles
     }
@@ -58,7 +58,7 @@ impl Predictions {
         &self.proportions
     }
 
-    /// The predictions of a frame, style by style.
+    /// Predictions of a frame, one per style.
     fn of_frame(&self, frame: usize) -> &[Predicted] {
         &self.predicted[frame * self.styles..][..self.styles]
     }
@@ -72,10 +72,10 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// With the options of a stylizer, whose own stream is not touched.
+    /// Starts with the options of a stylizer, whose own stream is not changed.
     ///
     /// # Errors
-    /// None: the database's styles are as many as it has.
+    /// Never: the number of weights is always the number of styles.
     pub fn new(stylizer: &Stylizer) -> Result<Self, StyleError> {
         let mut stylizer = stylizer.clone();
         let db = stylizer.model().catalogue();
@@ -101,12 +101,12 @@ impl Recorder {
         Ok(Self { stylizer, predictions })
     }
 
-    /// Frames so far.
+    /// Number of frames so far.
     pub fn frames(&self) -> usize {
         self.predictions.frames()
     }
 
-    /// Takes the next frame: a pose on the database's proportions and at its rate.
+    /// Adds the next frame: a pose on the database's proportions and at its rate.
     pub fn push(&mut self, pose: &Pose) {
         self.stylizer.push(pose);
         if let Some(cue) = self.stylizer.cue() {
@@ -115,32 +115,33 @@ impl Recorder {
         }
     }
 
-    /// What there is so far; `None` where [`Recorder::finish`] gives none.
+    /// Predictions so far; `None` where [`Recorder::finish`] returns `None`.
     pub fn predictions(&self) -> Option<&Predictions> {
         (self.predictions.frames() >= 2 * FADE_FRAMES).then_some(&self.predictions)
     }
 
-    /// Ends the input. `None` if it is too short to begin anew: it must have twice [`FADE_FRAMES`].
+    /// Ends the input. Returns `None` if the input has fewer than twice [`FADE_FRAMES`] frames, too few for a loop.
     pub fn finish(self) -> Option<Predictions> {
         (self.predictions.frames() >= 2 * FADE_FRAMES).then_some(self.predictions)
     }
 }
 
-/// A character that performs the input over and over. For each frame of the input [`Performer::advance`].
+/// A character that performs the input in a loop. Call [`Performer::advance`] for each frame of the input.
 #[derive(Clone, Debug)]
 pub struct Performer {
     predictions: Arc<Predictions>,
     blend: StyleBlend,
     output: Output,
-    /// The next frame, and whether the input has begun anew.
+    /// Next frame, and whether the input has been looped.
     next: usize,
     begun_anew: bool,
-    /// Of the next frame, where the end fades into the beginning.
+    /// Predictions of the next frame, where the end fades into the start.
     faded: Vec<Predicted>,
 }
 
 impl Performer {
-    /// At the beginning of the input, in the neutral style; the output begins at a placement, or where the input does.
+    /// Starts at the first frame of the input, in the neutral style. The output starts at `placement`, or else at the
+    /// input's.
     pub fn new(predictions: Arc<Predictions>, placement: Option<Placement>) -> Self {
         let of = &*predictions;
         let mut output = Output::new(&of.chart, &of.proportions, of.rate_hz, &of.observed_range);
@@ -155,20 +156,20 @@ impl Performer {
         }
     }
 
-    /// Has them begin at another frame of the input, from 0 to below its period; for who has not advanced.
+    /// Sets the start frame, modulo the period. Call it before the first `advance`.
     pub fn begin_at(&mut self, frame: usize) {
         self.next = frame % self.predictions.period();
     }
 
-    /// Sets one weight a style of the database; the remainder to a sum of 1 belongs to the neutral style.
+    /// Sets one weight for each style of the database. The neutral style receives the remainder to a sum of 1.
     ///
     /// # Errors
-    /// If there is not one finite weight a style; the former weights then stay.
+    /// If the number of weights is wrong or one is not finite; the previous weights are then kept.
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
         self.blend.set_whole(weights)
     }
 
-    /// Goes on by a frame of the input. Allocates nothing.
+    /// Advances by one frame of the input. Allocates nothing.
     pub fn advance(&mut self) -> &StyledFrame {
         let Self { predictions, blend, output, next, begun_anew, faded } = self;
         let (mut cue, mut contact) = predictions.cues[*next];
@@ -190,7 +191,7 @@ impl Performer {
             }));
             predicted = faded;
         }
-        // As in a stylizer, only styles that have weights.
+        // Only styles that have weights, as in a stylizer.
         let active = predicted.iter().enumerate().filter(|(style, _)| blend.is_active(*style));
         output.place(blend, &cue, active.clone(), predictions.timing);
         output.take_contacts(blend, contact, active);
@@ -207,13 +208,13 @@ impl Performer {
         &self.output.frame
     }
 
-    /// Where they looked in the last frame, radians about +Y; 0 before the first.
+    /// Heading in the last frame, radians about +Y; 0 before the first.
     pub fn heading(&self) -> f32 {
         self.output.heading()
     }
 }
 
-/// Goes from the old numbers to the new ones by a share.
+/// Linear interpolation from the old numbers to the new ones, written to `new`.
 fn mix(old: &[f32], share: f32, new: &mut [f32]) {
     for (new, old) in new.iter_mut().zip(old) {
         *new = old + share * (*new - old);
@@ -251,7 +252,7 @@ mod tests {
         for options in [Options::DEFAULT, Options { timing: false, footplant: false, ..Options::DEFAULT }] {
             let mut stylizer = stylizer(options);
             let predictions = predictions(&stylizer, &input).unwrap();
-            // Between the styles, the neutral one alone, the other alone, and beyond it.
+            // Between the styles, the neutral one alone, the other alone, and an extrapolation.
             for weight in [0.4, 0.0, 1.0, 1.5] {
                 stylizer.reset(None);
                 stylizer.set_styles(&[0.0, weight]).unwrap();
@@ -273,12 +274,12 @@ mod tests {
             change(&mut numbers);
             Predictions::from_floats(&numbers).is_err()
         };
-        // Ranges the wrong way round, in one degree of freedom or in all.
+        // Reversed ranges, in one degree of freedom or in all.
         let range = 6 + 7 * JOINTS;
         let swings = range + 3 * Role::LeftUpperLeg.index();
         assert!(refuses(&|n| n.swap(swings, swings + ROW)));
         assert!(refuses(&|n| n[range..range + 2 * ROW].rotate_left(ROW)));
-        // Means of the chart that are no rotations.
+        // Means of the chart that are not rotations.
         assert!(refuses(&|n| n[6..10].fill(0.0)));
         assert!(refuses(&|n| n[6..10].iter_mut().for_each(|v| *v *= 2.0)));
         assert!(refuses(&|n| n[4] = f32::NAN) && refuses(&|n| n.truncate(n.len() - 1)) && refuses(&Vec::clear));
@@ -296,7 +297,7 @@ mod tests {
         }
     }
 
-    /// Most that a joint moves between two frames, metres.
+    /// Largest displacement of a joint in each step between frames, metres.
     fn largest_steps(performer: &mut Performer, frames: usize) -> Vec<f32> {
         let proportions = *performer.predictions.proportions();
         let mut world = || world_from_local(&proportions, &performer.advance().pose).positions;
@@ -314,7 +315,7 @@ mod tests {
     #[test]
     fn the_end_of_the_input_fades_into_its_beginning() {
         let stylizer = stylizer(Options::DEFAULT);
-        // Three cycles and a half: the legs are the other way round at the end.
+        // Three and a half cycles: at the end the legs are in the opposite phase.
         let predictions = predictions(&stylizer, &input()[..220]).unwrap();
         let period = predictions.period();
         let mut performer = Performer::new(predictions, None);
@@ -322,7 +323,8 @@ mod tests {
         let steps = largest_steps(&mut performer, 3 * period);
         let largest = |frames: &[f32]| frames.iter().copied().fold(0.0, f32::max);
         let within = largest(&steps[FADE_FRAMES..period - 1]);
-        // Legs that change sides in a fifth of a second swing faster than in a stride, and far slower than in a frame.
+        // Legs that change sides within a fifth of a second swing faster than in a stride, but not as fast as in a
+        // single frame.
         for begin in [period, 2 * period] {
             let fading = largest(&steps[begin - 1..begin + FADE_FRAMES]);
             assert!(fading < 2.5 * within, "{fading} m beside {within} m");

@@ -1,4 +1,4 @@
-//! The rows that each frame of a clip was predicted from, for display beside the prediction.
+//! Database rows from which each frame of a clip was predicted, for display with the prediction.
 
 use super::blend::StyleBlend;
 use super::body_part::BodyPart;
@@ -18,14 +18,14 @@ struct Example {
 pub struct Examples {
     /// Of all frames, one after the other.
     entries: Vec<Example>,
-    /// How many of them each frame has.
+    /// Number of examples of each frame.
     counts: Vec<usize>,
-    /// The styles from a number of examples on.
+    /// Styles, each with the index of the first example to which they apply.
     blends: Vec<(usize, StyleBlend)>,
 }
 
 impl Examples {
-    /// Adds the frame that a trace is of.
+    /// Adds the examples of a traced frame.
     pub fn record(&mut self, trace: &Trace<'_>) {
         if self.blends.last().is_none_or(|(_, last)| last != trace.blend) {
             self.blends.push((self.entries.len(), trace.blend.clone()));
@@ -40,7 +40,7 @@ impl Examples {
         &self.counts
     }
 
-    /// Weight of each, 0 to 1.
+    /// Weight of each example, 0 to 1.
     pub fn weights(&self) -> impl Iterator<Item = f32> + '_ {
         self.entries.iter().map(|e| e.weight)
     }
@@ -76,7 +76,7 @@ mod tests {
     use crate::transfer::{ClipJob, NoClock, Options, Stylizer};
     use std::sync::Arc;
 
-    /// The examples of a walk that is neutral at first and bent from frame 60 on.
+    /// Examples of a walk that is neutral at first and bent from frame 60 on.
     fn examples(model: &Arc<Model>) -> (Examples, ClipJob) {
         let mut job = ClipJob::new(Stylizer::new(Arc::clone(model), Options::DEFAULT).unwrap());
         let mut examples = Examples::default();

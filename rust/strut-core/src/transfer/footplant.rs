@@ -7,27 +7,27 @@ use crate::kinematics::{Limb, Sole, Soles, WorldPose, two_bone_ik, world_from_lo
 use crate::math::float_funcs::exp;
 use crate::math::{Vec2, Vec3};
 
-/// Frames over which the hold sets in.
+/// Frames over which a hold fades in.
 const EASE_FRAMES: u32 = 3;
-/// Time constant of the return to the predicted place after release, seconds. The return is a critically
-/// damped spring rather than a plain decay, so that the foot leaves with the speed it has.
+/// Time constant of the return to the predicted position after release, seconds. The return is a critically damped
+/// spring rather than a plain decay, so that the foot leaves with its current speed.
 const DECAY_SECS: f32 = 0.12;
 /// Greatest correction of a foot, metres; the root takes up the excess.
 const MAX_CORRECTION: f32 = 0.2;
 /// The root moves only if a target is out of reach by more than this, metres.
 const MIN_SHIFT: f32 = 1e-4;
-/// The root gives way to planted feet as fast as it moves by itself, and at least so fast, m/s; by the rest a foot slides. Without
-/// a limit the body leaps where two planted feet pull it apart: by 4 m/s in a driven half-turn.
+/// The root moves to keep planted feet in place, at most as fast as it moves anyway or this fast, m/s; beyond that the
+/// foot slides. Without a limit the body jumps where two planted feet pull it apart: at 4 m/s in a driven half-turn.
 const MIN_ROOT_SPEED: f32 = 0.5;
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Foot {
     planted_frames: u32,
-    /// c: from the predicted to the corrected place, horizontal.
+    /// c: from the predicted to the corrected position, horizontal.
     correction: Vec3,
     /// Its rate of change, m/s.
     velocity: Vec3,
-    /// Of the predicted pose, where the root's shift puts it.
+    /// Sole of the last predicted pose, with the root's shift applied.
     last: Option<Sole>,
 }
 
@@ -36,7 +36,7 @@ impl Foot {
         self.planted_frames > 0
     }
 
-    /// Whether a foot is as low and slow as a planted one (§3), whatever its likelihood.
+    /// Returns whether a foot is as low and slow as a planted one (§3), whatever its likelihood.
     fn is_still(&self, sole: Sole, speed: f32, thresholds: &Thresholds) -> bool {
         let [height, limit] = if self.is_planted() {
             [thresholds.off_height, thresholds.off_speed]
@@ -46,7 +46,7 @@ impl Foot {
         self.last.is_some() && sole.lowest() < height && speed < limit
     }
 
-    /// Accumulates c ← c − travel of the pivot while planted, else lets it decay.
+    /// Accumulates c ← c − travel of the pivot while planted, otherwise lets it decay.
     fn update(&mut self, sole: Sole, likelihood: f32, thresholds: &Thresholds, dt_secs: f32) {
         let travel = self.last.map_or(Vec3::ZERO, |last| sole.pivot_travel(&last));
         let still = self.is_still(sole, travel.length() / dt_secs, thresholds);
@@ -66,7 +66,7 @@ impl Foot {
         self.last = Some(sole);
     }
 
-    /// The part of the correction beyond its limit.
+    /// Part of the correction beyond its limit.
     fn excess(&self) -> Vec3 {
         self.correction - self.correction.clamp_length_max(MAX_CORRECTION)
     }
@@ -79,14 +79,14 @@ pub struct Footplant {
     soles: Soles,
     thresholds: Thresholds,
     feet: [Foot; 2],
-    /// Total shift of the root that kept planted feet in place where their corrections reached the limit.
+    /// Total shift of the root that has kept planted feet in place where their corrections reached the limit.
     root_shift: Vec3,
-    /// Of the last predicted pose.
+    /// Root of the last predicted pose.
     last_root: Option<Vec3>,
 }
 
 impl Footplant {
-    /// For a humanoid.
+    /// Filter for a humanoid of these proportions.
     pub fn new(proportions: Proportions) -> Self {
         Self {
             proportions,
@@ -130,7 +130,7 @@ impl Footplant {
         planted
     }
 
-    /// Shifts the root for good; planted feet give up as much of their corrections.
+    /// Shifts the root permanently and reduces the corrections of planted feet by the same amount.
     fn move_root(&mut self, by: Vec3, pose: &mut Pose, world: &mut WorldPose) {
         if by == Vec3::ZERO {
             return;
@@ -146,7 +146,7 @@ impl Footplant {
         }
     }
 
-    /// The pose with both feet at their corrected places above the ground, and the horizontal part of the corrections
+    /// Pose with both feet at their corrected positions above the ground, and the horizontal part of the corrections
     /// that the legs could not reach.
     fn with_feet_in_place(&self, pose: &Pose, world: &WorldPose) -> (Pose, [Vec3; 2]) {
         let (mut pose, mut world) = (*pose, *world);
@@ -264,7 +264,7 @@ pub(super) mod tests {
         let mut roots = Vec::new();
         for i in 0..40 {
             let mut pose = crouch();
-            // The foot goes back by 2 m/s.
+            // The foot moves backwards at 2 m/s.
             pose.rotations[Role::LeftUpperLeg.index()] = Quat::from_rotation_x(-0.6 + 2.5 * DT * i as f32);
             filter.apply(&mut pose, [1.0, 0.0], DT);
             roots.push(pose.root);
@@ -304,7 +304,7 @@ pub(super) mod tests {
         assert_eq!(planted, [true; 2]);
     }
 
-    /// Half the size, half the thresholds: a speed at which the foot of a tall body still stands is fast for a child.
+    /// The thresholds scale with the body: a speed at which the foot of a tall body is still planted is fast for a child.
     #[test]
     fn the_thresholds_of_a_still_foot_are_scaled_to_the_legs() {
         let tall = Proportions::default();

@@ -1,21 +1,21 @@
-//! What the search of a clip's frames found, for those who style them.
+//! Search results of a clip's frames, used when the clip is styled.
 
 use crate::search::Neighbour;
 use std::ops::Range;
 
-/// What the search found for successive frames.
+/// Search results of successive frames.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
     /// All lists, one after the other.
     neighbours: Vec<Neighbour>,
-    /// Number of a component of the mixture, and its list.
+    /// Index of a component of the mixture, and the range of its list.
     components: Vec<(usize, Range<usize>)>,
-    /// Of each frame: its components, and the list of those that vote for its contacts.
+    /// For each frame its components, and the list of the neighbours that vote for its contacts.
     frames: Vec<(Range<usize>, Range<usize>)>,
 }
 
 impl Found {
-    /// The frames in their order.
+    /// Frames in order.
     pub fn frames(&self) -> impl Iterator<Item = FoundFrame<'_>> {
         self.frames.iter().map(|(components, voters)| FoundFrame {
             neighbours: &self.neighbours,
@@ -41,8 +41,8 @@ impl Found {
     }
 }
 
-/// What the search found for a frame: the neighbours in all components of the mixture that have a weight, and those that
-/// vote for its contacts.
+/// Search results of a frame: the neighbours in all components of the mixture that have a weight, and those that vote
+/// for its contacts.
 #[derive(Clone, Debug)]
 pub struct FoundFrame<'a> {
     neighbours: &'a [Neighbour],
@@ -51,12 +51,12 @@ pub struct FoundFrame<'a> {
 }
 
 impl<'a> FoundFrame<'a> {
-    /// Number of each component that has a weight, and its neighbours, nearest first.
+    /// Index of each component that has a weight, and its neighbours, nearest first.
     pub(super) fn components(&self) -> impl Iterator<Item = (usize, &'a [Neighbour])> {
         self.components.iter().map(|(component, list)| (*component, &self.neighbours[list.clone()]))
     }
 
-    /// The nearest windows by the lower-body metric in the classes that have a weight.
+    /// Nearest windows by the lower-body metric in the classes that have a weight.
     pub(super) fn voters(&self) -> &'a [Neighbour] {
         &self.neighbours[self.voters.clone()]
     }

@@ -1,4 +1,4 @@
-//! The output of the stylizer for a frame, and its stages.
+//! Output of the stylizer for a frame, and its stages.
 
 use super::blend::StyleBlend;
 use crate::catalogue::Catalogue;
@@ -18,11 +18,11 @@ pub struct StyledFrame {
     pub dt_secs: f32,
     /// Likelihood that the left and the right foot of the input is planted.
     pub contact: [f32; 2],
-    /// The same of the output: mean of the input's and of the registered targets'. Either alone skates more: the input's
-    /// where its phase differs from the output's (standing that becomes a stride), the targets' where the neighbours are
-    /// far away.
+    /// The same for the output: mean of the input's likelihood and the registered targets'. Either alone skates more:
+    /// the input's where its phase differs from the output's (standing that becomes a stride), the targets' where the
+    /// neighbours are far away.
     pub contact_out: [f32; 2],
-    /// Whether the left and the right foot is held in place.
+    /// Whether the left and the right foot are held in place.
     pub planted: [bool; 2],
     /// Whether the input frame was unusable (NaN, a jump) and replaced.
     pub repaired: bool,
@@ -84,14 +84,14 @@ pub struct NoClock;
 
 impl StageClock for NoClock {}
 
-/// How the last frame was computed: the contents of a line of `--trace`.
+/// Data from which the last frame was computed: the contents of a line of `--trace`.
 #[derive(Clone, Copy, Debug)]
 pub struct Trace<'a> {
     pub(super) catalogue: &'a Catalogue,
     /// Weight of every class of the database; they sum to 1.
     pub class_weights: &'a [f32],
     pub(super) neighbours: &'a [Neighbour],
-    /// Weight of each of them.
+    /// Weight of each neighbour.
     pub(super) neighbour_weights: &'a [f32],
     pub(super) blend: &'a StyleBlend,
     /// Largest |Δx| of the heaviest class in standard deviations of its neighbours.

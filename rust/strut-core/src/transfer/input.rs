@@ -1,8 +1,8 @@
-//! The input of a prediction.
+//! Input of a prediction.
 
 use crate::pose_vector::PoseRow;
 
-/// The degrees of freedom of the input at t and t−1.
+/// Degrees of freedom of the input at t and t−1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Input<'a> {
     pub(super) current: &'a PoseRow,

@@ -5,11 +5,11 @@ use crate::math::float_funcs::cos;
 use crate::math::{Quat, Vec3};
 use std::f32::consts::FRAC_PI_2;
 
-/// Faster than any person, vehicles included: a jump of the hips.
+/// Hip speed above any person's, vehicles included, m/s: a jump.
 const MAX_SPEED: f32 = 25.0;
-/// Faster than any joint (a thrown ball's arm reaches about 130 rad/s for a few milliseconds).
+/// Above any joint's turn rate, rad/s (a throwing arm reaches about 130 rad/s for a few milliseconds).
 const MAX_TURN_RATE: f32 = 90.0;
-/// After this many successive frames far from the held pose, the input is accepted as a cut.
+/// After this many successive frames far from the held pose the input is accepted as a cut.
 const MAX_HELD: u32 = 6;
 /// Beyond this distance from the origin (m) `f32` no longer resolves millimetres.
 const MAX_COORDINATE: f32 = 1e4;
@@ -19,11 +19,11 @@ const MAX_COORDINATE: f32 = 1e4;
 pub(super) enum Admitted {
     /// Unchanged.
     Good(Pose),
-    /// Joints, or all of the figure, replaced by their last good rotation; the hips move on.
+    /// Joints, or the whole pose, replaced by their last valid rotation; the hips move on.
     Repaired(Pose),
     /// Unchanged, but not continuous with the frames before.
     Cut(Pose),
-    /// As [`Admitted::Cut`], but for joints that are unusable, which keep their last good rotation.
+    /// As [`Admitted::Cut`], except that invalid joints keep their last valid rotation.
     RepairedCut(Pose),
 }
 
@@ -32,21 +32,21 @@ pub(super) enum Admitted {
 pub(super) struct InputGuard {
     last: Option<Pose>,
     velocity: Vec3,
-    /// Frames for which the figure, and each joint, has been held.
+    /// Number of frames for which the whole pose, and each joint, has been held.
     held: u32,
     held_joints: [u32; JOINTS],
 }
 
 impl InputGuard {
-    /// Judges the next frame, `dt_secs` after the one before.
+    /// Checks the next frame, `dt_secs` after the one before.
     pub(super) fn admit(&mut self, pose: &Pose, dt_secs: f32) -> Admitted {
         let root_is_usable = pose.root.is_finite() && pose.root.abs().max_element() < MAX_COORDINATE;
         let Some(last) = self.last else {
-            // Joints that are unusable from the first frame on are at rest until they are not.
+            // Joints that are invalid from the first frame on are at rest until they become valid.
             return match root_is_usable.then(|| self.begin(pose, &Pose::default())).flatten() {
                 Some((pose, false)) => Admitted::Good(pose),
                 Some((pose, true)) => Admitted::Repaired(pose),
-                // A default pose in place of a bad first frame says nothing about the next frame.
+                // A default pose in place of an invalid first frame is no reference for the next frame.
                 None => Admitted::Repaired(Pose::default()),
             };
         };
@@ -78,8 +78,9 @@ impl InputGuard {
         if repaired { Admitted::Repaired(admitted) } else { Admitted::Good(admitted) }
     }
 
-    /// Begins with a pose; joints that are unusable in it are as in `otherwise` until they are usable, however they are turned
-    /// then. The pose that was taken, and whether a joint was replaced; `None` if no joint is usable.
+    /// Starts with a pose. Invalid joints keep their rotation of `otherwise` until they become valid; their first valid
+    /// rotation is then accepted, however far it differs. Returns the accepted pose and whether a joint was replaced;
+    /// `None` if no joint is valid.
     fn begin(&mut self, pose: &Pose, otherwise: &Pose) -> Option<(Pose, bool)> {
         let (mut taken, mut held_joints) = (*otherwise, [MAX_HELD; JOINTS]);
         taken.root = pose.root;
@@ -105,7 +106,7 @@ impl InputGuard {
     }
 }
 
-/// The rotation at unit length, if its length is plausible.
+/// The rotation at unit length if its length is plausible.
 fn usable(q: Quat) -> Option<Quat> {
     (q.is_finite() && (0.5..2.0).contains(&q.dot(q))).then(|| q.normalized())
 }
@@ -166,7 +167,7 @@ mod tests {
             expected.root.x = pose.root.x;
             assert_eq!(guard.admit(&pose, DT), Admitted::Repaired(expected), "frame {frame}");
         }
-        // As soon as it is usable it is taken, however it is turned.
+        // It is accepted as soon as it is valid, whatever its rotation.
         pose.rotations[9] = Quat::from_rotation_z(3.0);
         assert_eq!(guard.admit(&pose, DT), Admitted::Good(pose));
     }

@@ -1,5 +1,4 @@
-//! The input frames of a stylizer, made ready for its stages. They depend on the poses alone: not on styles, options or
-//! output.
+//! Input frames of a stylizer, prepared for its stages. They depend on the poses alone, not on styles, options or output.
 
 use super::contact_likelihood::RecentFeet;
 use super::input_guard::{Admitted, InputGuard};
@@ -9,18 +8,18 @@ use crate::kinematics::world_from_local;
 use crate::pose_vector::{HeadingFilter, Placement, PoseRow, VELOCITY_X, heading_free_positions};
 use crate::search::QueryWindow;
 
-/// A stream of input poses, checked, and its newest window.
+/// A stream of checked input poses, and its newest window.
 #[derive(Clone, Debug)]
 pub(super) struct InputStream {
     guard: InputGuard,
     heading: HeadingFilter,
     window: QueryWindow,
     feet: RecentFeet,
-    /// Row and place of the last frame.
+    /// Row and placement of the last frame.
     last: Option<(PoseRow, Placement)>,
 }
 
-/// A frame of the input at t, and the one before it; the first frame counts as its own.
+/// Input frame at t and the one before it. The first frame serves as its own predecessor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InputFrame {
     /// xₜ.
@@ -29,14 +28,14 @@ pub(super) struct InputFrame {
     /// xₜ₋₁.
     pub(super) previous: PoseRow,
     pub(super) previous_at: Placement,
-    /// Whether the pose was unusable and replaced.
+    /// Whether the pose was invalid and replaced.
     pub(super) repaired: bool,
-    /// Whether the stream has begun anew with this frame, which is not continuous with those before.
+    /// Whether the frame is a cut: it is not continuous with those before, and the stream restarts with it.
     pub(super) cut: bool,
 }
 
 impl InputStream {
-    /// A stream without frames, with windows of this many.
+    /// A stream without frames, with windows of this length.
     pub(super) fn new(window_length: usize) -> Self {
         Self {
             guard: InputGuard::default(),
@@ -47,13 +46,13 @@ impl InputStream {
         }
     }
 
-    /// Forgets all frames.
+    /// Discards all frames.
     pub(super) fn reset(&mut self) {
         self.forget_frames();
         self.guard = InputGuard::default();
     }
 
-    /// Takes the next frame: a pose on the database's proportions, one frame of its rate after the last.
+    /// Adds the next frame: a pose on the database's proportions, one frame after the last at its rate.
     pub(super) fn push(&mut self, db: &Catalogue, pose: &Pose) -> InputFrame {
         let dt_secs = 1.0 / db.rate_hz;
         let (mut repaired, mut cut) = (false, false);
@@ -81,7 +80,7 @@ impl InputStream {
         let at = Placement { x: pose.root.x, z: pose.root.z, heading };
         let row = db.chart.encode(&pose, heading, self.last.map(|(_, place)| place), dt_secs);
         if self.window.frames() == 1 {
-            // The first frame had no velocity; that of the second is a better estimate than zero.
+            // The first frame has no velocity; that of the second is a better estimate than zero.
             if let Some((first, _)) = &mut self.last {
                 first[VELOCITY_X..].copy_from_slice(&row[VELOCITY_X..]);
             }
@@ -96,7 +95,7 @@ impl InputStream {
         &self.window
     }
 
-    /// The feet in the last frames.
+    /// Feet in the last frames.
     pub(super) fn feet(&self) -> &RecentFeet {
         &self.feet
     }

@@ -1,9 +1,9 @@
-//! Joint limits: ranges learnt from the database, and anatomy (`docs/methods/mar.md` §10).
+//! Joint limits: ranges observed in the database, and anatomy (`docs/methods/mar.md` §10).
 //!
-//! The ranges bound each degree of freedom of an extrapolation. Anatomy bounds every output: how far a bone
-//! swings from its direction in the T-pose, how far it turns about itself, and how little knees and elbows
-//! bend backwards. Neither clips the input's own motion; the anatomical limits are widened to the database's range, as
-//! its skeletons may have been captured with bent joints.
+//! The ranges limit each degree of freedom of an extrapolation. Anatomy limits every output: how far a bone swings from
+//! its direction in the T-pose, how far it twists about itself, and how far knees and elbows bend backwards. Neither
+//! clips the input's own motion. The anatomical limits are widened to the database's range, because its skeletons may
+//! have been captured with bent joints.
 
 use crate::humanoid::{Pose, Role};
 use crate::math::float_funcs::{atan2, wrap_angle};
@@ -11,10 +11,10 @@ use crate::math::{Quat, Vec3, exp_map};
 use crate::pose_vector::{PoseChart, PoseRow, ROW};
 use std::f32::consts::PI;
 
-/// Share of the observed range by which the limits are wider on either side.
+/// Share of the observed range by which the limits are widened on either side.
 const WIDENING: f32 = 0.1;
 
-/// Limits or measures of one joint, radians: swing of the bone, turn about itself, bend backwards.
+/// Limits or measurements of one joint, radians: swing of the bone, twist about itself, bend backwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Angles {
     swing: f32,
@@ -22,7 +22,7 @@ struct Angles {
     backwards: f32,
 }
 
-/// The bone's direction in the T-pose; how the joint's rotation splits into swing and twist.
+/// The bone's direction in the T-pose, about which the joint's rotation is split into swing and twist.
 fn bone(role: Role) -> Vec3 {
     use Role as R;
     match role {
@@ -44,8 +44,8 @@ fn hinge(role: Role) -> Option<Vec3> {
     }
 }
 
-/// Anatomical limits. Generous: no clip of the four data sets at hand comes near, except where a skeleton's T-pose has
-/// bent joints. `None` for the hips, which may have any orientation in the world.
+/// Anatomical limits. They are generous: no clip of the four data sets comes near them, except where a skeleton's
+/// T-pose has bent joints. `None` for the hips, which may have any orientation in the world.
 fn anatomical(role: Role) -> Option<Angles> {
     use Role as R;
     let [swing, twist] = match role {
@@ -65,7 +65,7 @@ fn anatomical(role: Role) -> Option<Angles> {
     Some(Angles { swing: f32::to_radians(swing), twist: f32::to_radians(twist), backwards: f32::to_radians(12.0) })
 }
 
-/// Swing as a rotation vector, and the angle of the twist.
+/// Swing as a rotation vector, and the twist angle.
 fn split(role: Role, rotation: Quat) -> (Vec3, f32) {
     let (swing, twist) = rotation.swing_twist(bone(role));
     let about = Vec3::new(twist.x, twist.y, twist.z).dot(bone(role));
@@ -78,7 +78,7 @@ fn measure(role: Role, rotation: Quat) -> Angles {
     Angles { swing: swing.length(), twist: twist.abs(), backwards }
 }
 
-/// By how much a joint is beyond what anatomy allows, radians; 0 within it and for the hips.
+/// Angle by which a joint exceeds the anatomical limits, radians; 0 within them and for the hips.
 pub fn beyond_anatomy(role: Role, rotation: Quat) -> f32 {
     let Some(limit) = anatomical(role) else { return 0.0 };
     // No angle exceeds the total rotation angle, which is at most π sin(angle / 2): a cheap test that passes most joints.
@@ -92,7 +92,7 @@ pub fn beyond_anatomy(role: Role, rotation: Quat) -> f32 {
     (is.swing - limit.swing).max(is.twist - limit.twist).max(is.backwards - limit.backwards).max(0.0)
 }
 
-/// The nearest rotation within the limits.
+/// Nearest rotation within the limits.
 fn limited(role: Role, rotation: Quat, limit: Angles) -> Quat {
     let (mut swing, twist) = split(role, rotation);
     if let Some(axis) = hinge(role) {
@@ -102,10 +102,10 @@ fn limited(role: Role, rotation: Quat, limit: Angles) -> Quat {
     exp_map::exp(swing.clamp_length_max(limit.swing)) * exp_map::exp(bone(role) * twist)
 }
 
-/// The limits of a database.
+/// Joint limits of a database.
 #[derive(Clone, Debug)]
 pub(super) struct JointLimits {
-    /// Least and greatest value of each degree of freedom that was observed, a little widened.
+    /// Least and greatest value of each degree of freedom that was observed, widened.
     pub(super) range: [PoseRow; 2],
     /// The same, not widened.
     observed: [PoseRow; 2],

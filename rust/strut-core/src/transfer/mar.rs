@@ -1,4 +1,4 @@
-//! The mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
+//! Mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
 use super::coherence::{ComplementaryFilter, half_life_secs, taper};
@@ -19,7 +19,7 @@ use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbour, Neighbours, QueryWindow, Scratch};
 use std::sync::Arc;
 
-/// One term of the mixture: a class, or for the baselines all allowed classes pooled.
+/// A term of the mixture: one class, or for the baselines all allowed classes together.
 #[derive(Clone, Debug)]
 struct Component {
     classes: Vec<usize>,
@@ -51,16 +51,16 @@ pub(super) struct StylePrediction {
     pub(super) previous: PoseRow,
     /// Of this frame.
     pub(super) now: Predicted,
-    /// How yₜ is expected to differ from yₜ₋₁.
+    /// Expected difference of yₜ from yₜ₋₁.
     filter: ComplementaryFilter,
-    /// The targets of the style.
+    /// Targets of the style.
     table: Arc<TargetTable>,
-    /// The trained predictor; `None` for methods without training.
+    /// Trained predictor; `None` for methods without training.
     trained: Option<Trained>,
 }
 
 impl StylePrediction {
-    /// The row that a trained method predicts; `None` for methods without training.
+    /// Row that a trained method predicts; `None` for methods without training.
     fn trained_row(&mut self, model: &Model, input: Input<'_>, neighbours: &[Neighbour]) -> Option<PoseRow> {
         let trained = self.trained.as_mut()?;
         if self.started {
@@ -72,12 +72,12 @@ impl StylePrediction {
     }
 }
 
-/// Mixture of one stream of frames: working memory and last results.
+/// Mixture of one stream of frames: working memory and latest results.
 #[derive(Clone, Debug)]
 pub(super) struct Mixture {
     components: Vec<Component>,
     distances: Vec<f32>,
-    /// The components in the order in which they are searched, each with its expected distance.
+    /// Components in the order of their search, each with its expected distance.
     order: Vec<(f32, usize)>,
     weights: Vec<f32>,
     class_weights: Vec<f32>,
@@ -94,7 +94,7 @@ pub(super) struct Mixture {
 }
 
 impl Mixture {
-    /// For the classes that `options` allow; `None` if there are none.
+    /// Creates the mixture for the classes that `options` allow; `None` if there are none.
     pub(super) fn new(model: &Model, options: &Options) -> Option<Self> {
         let classes: Vec<usize> = model
             .catalogue()
@@ -135,7 +135,7 @@ impl Mixture {
         })
     }
 
-    /// A prediction of a style, not started. Its targets are made here, and methods with training are trained.
+    /// Prediction of a style, not started. Creates the style's targets, and trains methods with training.
     pub(super) fn prediction_of(&self, model: &Model, options: &Options, style: usize) -> StylePrediction {
         let classes: Vec<usize> = self.components.iter().flat_map(|c| c.classes.iter().copied()).collect();
         StylePrediction {
@@ -149,12 +149,12 @@ impl Mixture {
         }
     }
 
-    /// Forgets the input, as before another stream.
+    /// Discards the input, before another stream.
     pub(super) fn forget_input(&mut self) {
         self.phase_lock = PhaseLock::default();
     }
 
-    /// Finds the neighbours of the input in every class that can have a weight; others are infinitely far.
+    /// Finds the neighbours of the input in every class that can have a weight. The distance of other classes is infinite.
     pub(super) fn search(&mut self, model: &Model, options: &Options, window: &QueryWindow) {
         let index = model.index();
         let query = index.prepare(window, Metric::FullBody);
@@ -163,7 +163,8 @@ impl Mixture {
                 *d = c.classes.iter().map(|&class| index.rough_distance(&query, class)).fold(f32::INFINITY, f32::min);
             }
         }
-        // The nearest of the last frame first: the sooner a small distance is known, the more can be skipped.
+        // The nearest classes of the last frame come first: the sooner a small distance is known, the more classes can
+        // be skipped.
         self.order.clear();
         self.order.extend(self.distances.iter().copied().zip(0..));
         sort_pairs(&mut self.order);
@@ -186,7 +187,7 @@ impl Mixture {
         }
     }
 
-    /// Takes what was found for a frame with these options, in place of [`Mixture::search`].
+    /// Uses search results found earlier for a frame with these options, in place of [`Mixture::search`].
     pub(super) fn adopt(&mut self, options: &Options, found: &FoundFrame<'_>) {
         self.distances.fill(f32::INFINITY);
         for (i, neighbours) in found.components() {
@@ -198,13 +199,13 @@ impl Mixture {
         }
     }
 
-    /// The neighbours in each component that has a weight, with its number.
+    /// Index and neighbours of each component that has a weight.
     pub(super) fn weighted_neighbours(&self) -> impl Iterator<Item = (usize, &[Neighbour])> {
         let weighted = (0..self.weights.len()).filter(|&i| self.weights[i] > 0.0);
         weighted.map(|i| (i, self.components[i].neighbours.as_slice()))
     }
 
-    /// Weighs the classes by their distances.
+    /// Computes the weights of the classes from their distances.
     pub(super) fn weigh(&mut self, model: &Model, options: &Options) {
         class_weights(&self.distances, options.delta, options.least_weight, &mut self.weights);
         self.class_weights.fill(0.0);
@@ -266,7 +267,7 @@ impl Mixture {
                     row
                 } else if let Some(moments) = &moments {
                     let targets = &*s.table;
-                    // A style that begins has no previous output: the neighbours' mean takes its place.
+                    // A style in its first frame has no previous output; the neighbours' mean is used instead.
                     let start = if s.started {
                         s.previous
                     } else {
@@ -295,7 +296,7 @@ impl Mixture {
         }
     }
 
-    /// Predicts how long every style's frame lasts, and which feet are planted in it.
+    /// Predicts the duration of every style's frame, and which feet are planted in it.
     pub(super) fn predict_durations_and_contacts(
         &mut self,
         model: &Model,
@@ -351,7 +352,7 @@ impl Mixture {
         &self.class_weights
     }
 
-    /// The classes of the heaviest component: one for MAR.
+    /// Classes of the heaviest component: one for MAR.
     #[cfg(feature = "baselines")]
     pub(super) fn heaviest_classes(&self) -> &[usize] {
         self.heaviest().map_or(&[], |i| &self.components[i].classes)
@@ -362,12 +363,12 @@ impl Mixture {
         self.heaviest().map_or(&[], |i| self.components[i].neighbours.as_slice())
     }
 
-    /// Weight of each of them in regressions and durations.
+    /// Weight of each of the heaviest class's neighbours in regressions and durations.
     pub(super) fn heaviest_neighbour_weights(&self) -> &[f32] {
         self.heaviest().map_or(&[], |i| self.components[i].neighbour_weights.as_slice())
     }
 
-    /// Whether any class has neighbours.
+    /// Returns whether any class has neighbours.
     pub(super) fn found_any(&self) -> bool {
         !self.active_classes.is_empty()
     }
@@ -379,7 +380,7 @@ impl Mixture {
     }
 }
 
-/// Whether the measures of [`super::coherence`] apply: only to MAR, not to the baselines.
+/// Returns whether the measures of [`super::coherence`] apply: only to MAR, not to the baselines.
 fn is_coherent(options: &Options) -> bool {
     options.coherence && options.method == Method::Mar
 }

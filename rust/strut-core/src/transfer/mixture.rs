@@ -2,26 +2,26 @@
 
 use crate::math::float_funcs::{exp, ln};
 
-/// Floor of the distances, (1 mm)²: below it they are noise, and a single class would take all the weight.
+/// Floor of the distances, (1 mm)². Smaller distances are noise, and a single class would get all the weight.
 const FLOOR: f32 = 1e-6;
 
-/// Floor of the weights before normalisation, so that no class drops out by underflow.
+/// Floor of the weights before normalisation, so that no class is lost by underflow.
 const MIN_WEIGHT: f32 = 1e-30;
 
-/// D at which input is known by half, m²: (5 cm)². Of held-out frames of the database's own performers 95 % are nearer, of
-/// other recordings 6 %.
+/// D at which `known` is one half, m²: (5 cm)². 95 % of held-out frames of the database's own performers are nearer,
+/// and 6 % of other recordings.
 const HALF_KNOWN: f32 = 0.05 * 0.05;
 
-/// How many times as wide the mixture is where the input is unknown: a mixture of more classes is smoother there. Inside the
-/// database a narrow one is nearer to the truth.
+/// Factor of the mixture's width δ where the input is unknown: a mixture of more classes is smoother there. Inside the
+/// database a narrow mixture is closer to the truth.
 const WIDEST: f32 = 3.0;
 
-/// How far input is like the database's, 0 to 1, by the mean squared distance of its nearest class, m².
+/// Similarity of the input to the database, 0 to 1, by the mean squared distance of its nearest class, m².
 pub(super) fn known(least: f32) -> f32 {
     known_by_half_at(HALF_KNOWN, least)
 }
 
-/// How far input is like the database's, 0 to 1, by a squared distance, where input at the distance `half` is known by half.
+/// Similarity of the input to the database, 0 to 1, by a squared distance; one half at the distance `half`.
 pub(super) fn known_by_half_at(half: f32, distance: f32) -> f32 {
     let square = (distance / half) * (distance / half);
     1.0 / (1.0 + square * square)
@@ -46,14 +46,14 @@ pub(super) fn class_weights(distances: &[f32], delta: f32, least_weight: f32, we
     }
 }
 
-/// A distance from which on [`class_weights`] are certainly zero, if the smallest distance is at most `least`.
+/// Distance above which [`class_weights`] are certainly zero, if the smallest distance is at most `least`.
 pub(super) fn greatest_distance(least: f32, delta: f32, least_weight: f32) -> f32 {
     let least = least.max(FLOOR);
-    // A thousandth exceeds all rounding errors.
+    // The factor of 1.001 exceeds all rounding errors.
     1.001 * least * (1.0 - width(least, delta) * ln(least_weight))
 }
 
-/// δ for input whose nearest class is at a distance; it grows with the distance.
+/// δ for input whose nearest class is at this distance. It grows with the distance.
 fn width(least: f32, delta: f32) -> f32 {
     delta * (WIDEST - (WIDEST - 1.0) * known(least))
 }

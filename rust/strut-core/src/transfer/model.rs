@@ -1,4 +1,4 @@
-//! The data that all stylizers of one database share.
+//! Data shared by all stylizers of one database.
 
 use super::target_tables::TargetTables;
 use super::timing::Scales;
@@ -8,7 +8,7 @@ use crate::search::Index;
 use std::sync::Arc;
 
 /// A catalogue with the target tables of the styles in use. Share it in an [`Arc`] between the characters of a scene: a
-/// table is up to 12 MB for 80,000 frames.
+/// table takes up to 12 MB for 80,000 frames.
 #[derive(Debug)]
 pub struct Model {
     catalogue: Arc<Catalogue>,
@@ -19,12 +19,12 @@ pub struct Model {
 }
 
 impl Model {
-    /// The model of a database; builds the search index.
+    /// Creates the model of a database; builds the search index.
     pub fn new(db: Database) -> Self {
         Self::of(Catalogue::new(db))
     }
 
-    /// The model of a catalogue.
+    /// Creates the model of a catalogue.
     pub fn of(catalogue: Catalogue) -> Self {
         Self {
             scales: Scales::new(catalogue.sigma(), catalogue.step_sigma()),
@@ -50,16 +50,16 @@ impl Model {
         self.catalogue.index()
     }
 
-    /// The target of every row in a style. The table is made when the style is first used, and kept while anybody has it, or
-    /// longer: where tables are small, all are kept.
+    /// Target of every row in a style. The table is computed at the style's first use, and kept while it is in use.
+    /// Small tables are kept longer.
     ///
     /// # Panics
-    /// If there is no such style.
+    /// If the style does not exist.
     pub fn target_table(&self, style: usize) -> Arc<TargetTable> {
         self.tables.of(&self.catalogue, style as u16)
     }
 
-    /// The trained predictors of those [`super::Method`]s that need training.
+    /// Trained predictors of the [`super::Method`]s that need training.
     #[cfg(feature = "baselines")]
     pub(crate) fn baselines(&self) -> &crate::baselines::Baselines {
         &self.baselines

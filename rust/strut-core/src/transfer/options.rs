@@ -1,20 +1,20 @@
-//! Options of the transfer, with the reasons for their defaults.
+//! Options of the transfer, with the reasons for the default values.
 
 use thiserror::Error;
 
-/// How the neighbours become a prediction.
+/// Method that computes a prediction from the neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Mixture of autoregressive models, one a class (Eq. 2–5), with bias correction: Strut's own method.
+    /// Mixture of autoregressive models, one for each class (Eq. 2–5), with bias correction: Strut's own method.
     #[default]
     Mar,
-    /// One local autoregression on the K nearest of all allowed classes pooled.
+    /// One local autoregression on the K nearest neighbours of all allowed classes together.
     LocalAr,
     /// The registered target of the nearest neighbour.
     NearestNeighbour,
-    /// Inverse-distance mean of the registered targets of the K nearest of all allowed classes.
+    /// Inverse-distance mean of the registered targets of the K nearest neighbours of all allowed classes.
     Knn,
-    /// One autoregression a degree of freedom, fitted to all rows of the allowed classes.
+    /// One autoregression for each degree of freedom, fitted to all rows of the allowed classes.
     #[cfg(feature = "baselines")]
     GlobalAr,
     /// A linear time-invariant system for each degree of freedom (Hsu, Pulli, Popović 2005).
@@ -48,7 +48,7 @@ impl Method {
         }
     }
 
-    /// Its command-line name.
+    /// Command-line name of the method.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Mar => "mar",
@@ -66,7 +66,7 @@ impl Method {
         }
     }
 
-    /// Whether λ is a part of what is trained beforehand.
+    /// Returns whether λ is a parameter of the training.
     pub(super) fn trains_with_ridge(self) -> bool {
         match self {
             Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => false,
@@ -75,7 +75,7 @@ impl Method {
         }
     }
 
-    /// Which trained predictor the method runs, if any.
+    /// Trained predictor that the method runs, if any.
     #[cfg(feature = "baselines")]
     pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
         use crate::baselines::Baseline;
@@ -92,31 +92,32 @@ impl Method {
 /// Options of a [`super::Stylizer`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// K: neighbours a class. From 5 to 160 the error changes by 0.03 cm; 40 is the paper's.
+    /// K: number of neighbours in each class. From 5 to 160 the error changes by 0.03 cm; 40 is the paper's value.
     pub k: usize,
-    /// δ of Eq. 4: how fast a class's weight falls with its distance, where the input is known; three times as wide where it is
-    /// not. Inside the database 0.35 is better than 0.7, outside a small one is rough.
+    /// δ of Eq. 4: how fast a class's weight decreases with its distance, for known input; three times as wide for
+    /// unknown input. Inside the database 0.35 is better than 0.7; outside a small database it is rough.
     pub delta: f32,
-    /// Classes whose weight is below this share of the largest are skipped, with δ 0.35 those whose D is more than
-    /// 4.8 times the least (12.4 where the input is unknown); 0 skips none. On ten clips of other data sets 31.3 of 35 classes remain, and joints move
-    /// by 6e-6 m at most before feet are planted, 6e-8 m in the mean; with 1e-4 it was 30.5, 6e-5 m and 2e-7 m.
+    /// Classes whose weight is below this share of the largest are skipped: with δ 0.35 those whose D is more than 4.8
+    /// times the smallest (12.4 times for unknown input). 0 skips none. On ten clips of other data sets 31.3 of 35
+    /// classes remain, and joints move by at most 6e-6 m before feet are planted, 6e-8 m on average; with 1e-4 it was
+    /// 30.5, 6e-5 m and 2e-7 m.
     pub least_weight: f32,
-    /// λ: ridge of the regressions as a share of K, on variables in global standard deviations.
+    /// λ: ridge of the regressions as a share of K, on variables scaled by their global standard deviations.
     pub lambda: f32,
-    /// κ of Eq. 6: the part of the input beyond μ ± κσ of its neighbours is bias. With 3, input like the database's has
-    /// none.
+    /// κ of Eq. 6: the part of the input outside μ ± κσ of its neighbours is bias. With 3, input that is similar to the
+    /// database has none.
     pub kappa: f32,
-    /// ρ of Eq. 7: share of the bias that returns in the output. More keeps more of the input's own
-    /// content, less gives more of the style.
+    /// ρ of Eq. 7: share of the bias that is added to the output. More keeps more of the input's own content, less
+    /// gives more of the style.
     pub rho: f32,
-    /// η of the phase lock: how much of the tempo becomes the style's own where the input walks or runs. 0 keeps the
-    /// input's deviation from the neutral tempo, 1 forgets it.
+    /// η of the phase lock: share of the tempo that the style determines where the input walks or runs. 0 keeps the
+    /// input's deviation from the neutral tempo, 1 removes it.
     pub tempo: f32,
-    /// Whether the output of [`Method::Mar`] is smoothed where the input is unlike the database:
-    /// neighbours weigh less the farther they are, and a complementary filter smooths the predictions. Not in the paper;
-    /// the acceleration ratio outside the database falls from 1.59 to 1.24, inside nothing changes.
+    /// Whether the output of [`Method::Mar`] is smoothed where the input is unlike the database: neighbours have less
+    /// weight the farther they are, and a complementary filter smooths the predictions. Not in the paper; the
+    /// acceleration ratio outside the database decreases from 1.59 to 1.24, inside nothing changes.
     pub coherence: bool,
-    /// Whether output frames last as long as predicted; otherwise as long as the input's.
+    /// Whether output frames last as long as predicted; otherwise as long as the input's frames.
     pub timing: bool,
     /// Whether planted feet are held in place.
     pub footplant: bool,
@@ -124,12 +125,12 @@ pub struct Options {
     pub action: Option<u16>,
     /// Index of the input's style, if known.
     pub input_style: Option<u16>,
-    /// See [`Method`].
+    /// Method of prediction.
     pub method: Method,
 }
 
 impl Options {
-    /// The defaults of `docs/methods/mar.md` §1: unlabelled input, everything on.
+    /// Default values of `docs/methods/mar.md` §1: unlabelled input, everything on.
     pub const DEFAULT: Self = Self {
         k: 40,
         delta: 0.35,
@@ -153,10 +154,10 @@ impl Default for Options {
     }
 }
 
-/// Greatest number of neighbours a class.
+/// Greatest number of neighbours in a class.
 pub const MAX_K: usize = 1000;
 
-/// Why options are refused.
+/// Reason why options are rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum OptionsError {
     /// A number is outside its range.
@@ -166,28 +167,28 @@ pub enum OptionsError {
         name: &'static str,
         /// Its value.
         value: f32,
-        /// The range.
+        /// Valid range.
         expected: &'static str,
     },
-    /// The database has no frames of the action and style that the input is said to have.
+    /// The database has no frames of the action and style that the options specify for the input.
     #[error("the database has no class of action {action:?} and style {style:?}")]
     NoClass {
-        /// Index of the action asked for.
+        /// Index of the requested action.
         action: Option<u16>,
-        /// Index of the style asked for.
+        /// Index of the requested style.
         style: Option<u16>,
     },
 }
 
 impl Options {
-    /// Whether what is made before the first frame for these options (components, working memory, trained predictors) serves
-    /// the others too. All other options are read anew in every frame.
+    /// Returns whether the data that are prepared for these options before the first frame (components, working memory,
+    /// trained predictors) are valid for the others too. All other options are read in every frame.
     pub(super) fn predicts_like(&self, other: &Self) -> bool {
         (self.k, self.action, self.input_style, self.method) == (other.k, other.action, other.input_style, other.method)
             && (self.lambda == other.lambda || !self.method.trains_with_ridge())
     }
 
-    /// Checks every number.
+    /// Checks all numbers.
     ///
     /// # Errors
     /// [`OptionsError::Range`] names the first option outside its range.

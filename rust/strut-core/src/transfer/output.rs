@@ -1,4 +1,4 @@
-//! From what is predicted to what is seen: styles blended, placed on their way, feet planted (`docs/methods/mar.md` §10 and §11).
+//! Post-processing of predictions: style blend, root integration, foot planting (`docs/methods/mar.md` §10 and §11).
 
 use super::blend::{StyleBlend, blended};
 use super::body_part::BodyPart;
@@ -13,18 +13,18 @@ use crate::pose_vector::{Placement, PoseChart, PoseRow, ROW};
 /// Shortest and longest output frame, as multiples of the input's.
 const DURATION_RANGE: [f32; 2] = [0.2, 5.0];
 
-/// What is predicted for a style in a frame.
+/// Prediction for a style in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Predicted {
     /// yₜ.
     pub(super) row: PoseRow,
-    /// How long the frame lasts, seconds.
+    /// Duration of the frame, seconds.
     pub(super) step_secs: f32,
     /// Likelihood that each foot of the registered targets is planted.
     pub(super) contact: [f32; 2],
 }
 
-/// What a frame of the input says of its output, beside predictions.
+/// Data of an input frame that its output needs, in addition to predictions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cue {
     /// xₜ.
@@ -40,28 +40,28 @@ impl Cue {
     }
 }
 
-/// The output of one character.
+/// Output of one character.
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     pub(super) frame: StyledFrame,
     chart: PoseChart,
     rate_hz: f32,
-    /// How far the output goes from the input to the styles, 0 to 1.
+    /// Interpolation factor from the input to the styles, 0 to 1.
     share: f32,
     parts: [BodyPart; ROW],
     limits: JointLimits,
-    /// Where the output begins; the input's place if `None`.
+    /// Placement where the output starts; the input's if `None`.
     start: Option<Placement>,
-    /// Place of the last output frame before the footplant.
+    /// Placement of the last output frame before the footplant.
     place: Option<Placement>,
-    /// Smoothers of the input's and of the output's contacts.
+    /// Smoothing filters of the input's and of the output's contacts.
     smoothers: [CausalSmoother; 2],
     footplant: Footplant,
     frames: u64,
 }
 
 impl Output {
-    /// For frames of this chart, body and rate, and with the values of each degree of freedom that were observed.
+    /// Output for frames of this chart, body and rate, and for these observed ranges of the degrees of freedom.
     pub(super) fn new(
         chart: &PoseChart,
         proportions: &Proportions,
@@ -83,7 +83,7 @@ impl Output {
         }
     }
 
-    /// Starts anew at a placement, or where the next input frame is.
+    /// Restarts at a placement, or at the next input frame's.
     pub(super) fn reset(&mut self, placement: Option<Placement>) {
         self.start = placement;
         self.place = None;
@@ -93,7 +93,7 @@ impl Output {
         self.frame = StyledFrame::default();
     }
 
-    /// Sets how far the output goes from the input to the styles.
+    /// Sets the interpolation factor from the input to the styles.
     pub(super) fn set_share(&mut self, share: f32) {
         self.share = share;
     }
@@ -108,8 +108,9 @@ impl Output {
         1.0 / self.rate_hz
     }
 
-    /// Puts the blended row at the next place of the output: the heading turns as the input's does, the root travels at the
-    /// predicted velocity for the predicted duration. `timing`: whether the frame lasts as long as predicted.
+    /// Moves the blended row to the next placement of the output: the heading turns as the input's does, and the root
+    /// travels at the predicted velocity for the predicted duration. `timing`: whether the frame lasts as long as
+    /// predicted.
     pub(super) fn place<'a>(
         &mut self,
         blend: &StyleBlend,
@@ -147,8 +148,8 @@ impl Output {
         self.frames += 1;
     }
 
-    /// Takes the likelihoods that the feet of the input are planted; those of the output are their mean with the registered
-    /// targets'.
+    /// Sets the likelihoods that the feet of the input are planted. Those of the output are their mean with the
+    /// registered targets' likelihoods.
     pub(super) fn take_contacts<'a>(
         &mut self,
         blend: &StyleBlend,
@@ -166,18 +167,18 @@ impl Output {
         });
     }
 
-    /// Smooths the contacts and, if it is wanted, holds planted feet in place.
+    /// Smooths the contacts and, if `footplant` is set, holds planted feet in place.
     pub(super) fn plant(&mut self, footplant: bool) {
         self.frame.contact = self.smoothers[0].push(self.frame.contact);
         self.frame.contact_out = self.smoothers[1].push(self.frame.contact_out);
         if footplant {
-            // The first frame has no duration, and no speed is measured in it.
+            // The first frame has no duration; no speed is measured in it.
             let dt_secs = if self.frame.dt_secs > 0.0 { self.frame.dt_secs } else { self.frame_secs() };
             self.frame.planted = self.footplant.apply(&mut self.frame.pose, self.frame.contact_out, dt_secs);
         }
     }
 
-    /// What lies between the input's and the styles' value. The whole share changes no bit.
+    /// Interpolates between the input's and the styled value. A share of 1 returns the styled value unchanged.
     fn shared(&self, of_input: f32, styled: f32) -> f32 {
         if self.share < 1.0 { of_input + self.share * (styled - of_input) } else { styled }
     }

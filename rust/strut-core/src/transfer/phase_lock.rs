@@ -1,8 +1,9 @@
 //! A phase-locked loop on the gait cycle of the input (`docs/methods/mar.md` §9); not in the paper.
 //!
-//! Durations say how long the neighbours' own step of a frame lasts. Neighbours do not always advance by what the input
-//! does: they hang where the database is sparse, and run ahead to catch up, and time would be stretched and squeezed with
-//! them. The loop follows their mean phase smoothly; durations are multiplied by its pace relative to the neighbours'.
+//! A predicted duration is that of the neighbours' own step of a frame. The neighbours do not always advance as the
+//! input does: they stall where the database is sparse, and run ahead to catch up, and time would be stretched and
+//! compressed with them. The loop follows their mean phase smoothly. Durations are multiplied by its pace relative to
+//! the neighbours'.
 
 use crate::catalogue::GaitPhase;
 use crate::math::float_funcs::{atan2, exp, half_life_share, ln};
@@ -13,12 +14,12 @@ use std::f32::consts::TAU;
 const LOCK_HALF_LIFE_SECS: f32 = 0.09;
 /// Half-life of the pace's low-pass filter, seconds.
 const PACE_HALF_LIFE_SECS: f32 = 0.03;
-/// The loop begins anew where it is further off than this, in cycles.
+/// The loop restarts where its error exceeds this, in cycles.
 const RELOCK_CYCLES: f32 = 0.15;
 /// Greatest correction as a share of the neighbours' advance.
 const MOST_CORRECTION: f32 = 0.25;
 
-/// What the neighbours of a frame say of the phase: weighted sums.
+/// Phase estimate from the neighbours of a frame: weighted sums.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct SeenPhase {
     cos: f32,
@@ -52,9 +53,9 @@ impl SeenPhase {
 /// The loop of one stream of frames.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PhaseLock {
-    /// p, in cycles; `None` before the first frame and where most of the input is no gait.
+    /// p, in cycles; `None` before the first frame and where most of the neighbours have no gait phase.
     phase: Option<f32>,
-    /// Low-pass filtered.
+    /// Pace, low-pass filtered.
     pace: f32,
 }
 
@@ -65,10 +66,10 @@ impl Default for PhaseLock {
 }
 
 impl PhaseLock {
-    /// Follows the phase of the next frame; gives what durations are to be multiplied by.
+    /// Follows the phase of the next frame. Returns the factor of durations.
     ///
-    /// `known` is how far the input is like the database's: elsewhere the phase of the neighbours is no better than their
-    /// durations, and following it roughens the output. `tempo` is η, the share of the pace that is used, as an exponent.
+    /// `known` is the similarity of the input to the database: for unknown input the neighbours' phase is no better
+    /// than their durations, and following it makes the output rougher. `tempo` is η, the exponent of the pace.
     pub(super) fn follow(&mut self, seen: SeenPhase, known: f32, tempo: f32, frame_secs: f32) -> f32 {
         if seen.weight < 0.5 {
             *self = Self::default();
@@ -94,9 +95,9 @@ mod tests {
     use super::*;
 
     const FRAME_SECS: f32 = 1.0 / 60.0;
-    /// A cycle of a second.
+    /// Advance per frame of a cycle of one second.
     const ADVANCE: f32 = 1.0 / 60.0;
-    /// Input like the database's, and other input.
+    /// Input that is like the database, and input that is unlike it.
     const KNOWN: f32 = 1.0;
     const UNKNOWN: f32 = 0.0;
     /// η.
@@ -107,7 +108,7 @@ mod tests {
         SeenPhase { cos, sin, advance: ADVANCE, weight: 1.0 }
     }
 
-    /// The pace after each of these phases.
+    /// Pace after each of these phases.
     fn paces(phases: impl Iterator<Item = f32>, known: f32) -> Vec<f32> {
         let mut lock = PhaseLock::default();
         phases.map(|phase| lock.follow(seen(phase), known, HALF, FRAME_SECS)).collect()

@@ -1,8 +1,8 @@
 //! Local autoregression of one class: Eq. 2 and `docs/methods/mar.md` §6.
 //!
-//! Each degree of freedom is predicted on its own as yₜ = uᵀβ with u = [xₜ₋₁, yₜ₋₁, xₜ, 1], β fitted
-//! by ridge to the class's neighbours. The neighbours' rows are gathered first; then four degrees of freedom at
-//! once go through all neighbours in their order, with their sums in registers.
+//! Each degree of freedom is predicted separately as yₜ = uᵀβ with u = [xₜ₋₁, yₜ₋₁, xₜ, 1], β fitted by ridge
+//! regression to the class's neighbours. The neighbours' rows are gathered first. Then the sums of four degrees of
+//! freedom are accumulated over all neighbours, in registers.
 
 use super::bias::{Bias, InputStatistics};
 use crate::autoregression::MAX_FEEDBACK;
@@ -11,23 +11,23 @@ use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow, ROW};
 use crate::search::Neighbour;
 
-/// The neighbours' rows xₜ and those before them xₜ₋₁, in the order in which the sums read them: for each lane of four
-/// degrees of freedom, [xₜ₋₁, xₜ] of all neighbours. Reuses its memory.
+/// Neighbours' rows xₜ and their predecessors xₜ₋₁, in the order in which the sums read them: for each lane of four
+/// degrees of freedom, [xₜ₋₁, xₜ] of all neighbours. The memory is reused.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gathered {
     pairs: Vec<[Lane; 2]>,
-    /// Of each lane, weighted; zero without neighbours.
+    /// Weighted means of each lane; zero without neighbours.
     means: [[Lane; 2]; LANES],
     count: usize,
 }
 
 impl Gathered {
-    /// Room for the rows of `k` neighbours.
+    /// Reserves memory for the rows of `k` neighbours.
     pub(super) fn with_capacity(k: usize) -> Self {
         Self { pairs: Vec::with_capacity(LANES * k), ..Self::default() }
     }
 
-    /// Takes these rows in place of those before. The neighbours' rows are never the first of a clip.
+    /// Replaces the rows. The neighbours' rows are never the first of a clip.
     pub(super) fn fill(&mut self, rows: &(impl Rows + ?Sized), neighbours: &[Neighbour], weights: &[f32]) {
         self.count = neighbours.len();
         self.pairs.resize(LANES * self.count, Default::default());
@@ -46,8 +46,8 @@ impl Gathered {
         }
     }
 
-    /// Takes the rows of the neighbours `first` …, and adds them to the sums in place of the means. Several neighbours share
-    /// what is read for each.
+    /// Copies the rows of the neighbours from `first` on, and adds them to the sums in `means`. Processing several
+    /// neighbours at once shares the memory accesses.
     #[inline]
     fn add<const N: usize>(&mut self, first: usize, rows: [impl Fn(usize) -> [Lane; 2]; N], weights: &[f32]) {
         for (l, [before, at]) in self.means.iter_mut().enumerate() {
@@ -60,12 +60,12 @@ impl Gathered {
         }
     }
 
-    /// Four degrees of freedom of every neighbour.
+    /// Values of four degrees of freedom for every neighbour.
     pub(super) fn lane(&self, l: usize) -> &[[Lane; 2]] {
         &self.pairs[l * self.count..][..self.count]
     }
 
-    /// Means of four degrees of freedom, with the weights given when the rows were.
+    /// Means of four degrees of freedom, with the weights passed to [`Self::fill`].
     fn means(&self, l: usize) -> [Lane; 2] {
         self.means[l]
     }
@@ -83,7 +83,7 @@ pub(super) struct InputMoments {
 }
 
 impl InputMoments {
-    /// The sums over the neighbours' inputs, with these weights.
+    /// Sums over the neighbours' inputs, with these weights.
     pub(super) fn new(inputs: &Gathered, weights: &[f32]) -> Self {
         let zero = [0.0; ROW];
         let mut moments = Self {
@@ -127,11 +127,11 @@ pub(super) struct Samples<'a> {
     pub(super) inputs: &'a Gathered,
     /// Their targets in the style: y.
     pub(super) targets: &'a Gathered,
-    /// Weight of each of them: 0 to 1, not all 0.
+    /// Weight of each example: 0 to 1, not all 0.
     pub(super) weights: &'a [f32],
 }
 
-/// What is known when a frame is predicted.
+/// Known values from which a frame is predicted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Regressors<'a> {
     /// xₜ₋₁.
@@ -153,9 +153,9 @@ pub(super) struct Prediction {
 
 /// Predicts yₜ of one style from the registered target rows of the neighbours.
 ///
-/// `ridge` is λ·K (the sum of the weights stands for K) in squared standard deviations; `sigma` the global standard
-/// deviation of each degree of freedom. The bias is subtracted from the regressors and its share ρ added to the result
-/// (Eq. 6–7).
+/// `ridge` is λ·K in squared standard deviations, where K is the sum of the weights; `sigma` is the global standard
+/// deviation of each degree of freedom. The bias is subtracted from the regressors and its share ρ is added to the
+/// result (Eq. 6–7).
 pub(super) fn predict(
     u: Regressors<'_>,
     moments: &InputMoments,
@@ -174,7 +174,7 @@ pub(super) fn predict(
     prediction
 }
 
-/// Means and products of four degrees of freedom of the examples: all that a fit needs, whatever the ridge.
+/// Means and products of four degrees of freedom of the examples: the data for a fit with any ridge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneMoments {
     lane: usize,
@@ -182,13 +182,13 @@ pub(super) struct LaneMoments {
     mean_input: Lane,
     pub(super) mean_before: Lane,
     pub(super) mean_target: Lane,
-    /// Without ridge.
+    /// Without the ridge.
     gram: Gram,
     rhs: [Lane; 3],
 }
 
 impl LaneMoments {
-    /// Of the lane `l` of samples whose inputs have these moments.
+    /// Moments of the lane `l` of samples whose inputs have the moments `moments`.
     #[inline]
     pub(super) fn new(l: usize, moments: &InputMoments, samples: Samples<'_>) -> Self {
         let Samples { inputs, targets, weights } = samples;
@@ -254,8 +254,8 @@ pub(super) struct Beta {
 }
 
 impl Gram {
-    /// Solves for the right-hand side [p·t, c·t, b·t]. The weight of yₜ₋₁ is found first (the Schur
-    /// complement of the input part), limited to ± [`MAX_FEEDBACK`], and the other two solved for it.
+    /// Solves for the right-hand side [p·t, c·t, b·t]. The weight of yₜ₋₁ is found first (by the Schur complement of
+    /// the input part) and limited to ± [`MAX_FEEDBACK`]. Then the other two are solved for it.
     #[inline]
     fn solve(&self, rhs: [Lane; 3]) -> Beta {
         let inverse_det = Lane::splat(1.0) / (self.pp * self.cc - self.pc * self.pc);
@@ -270,7 +270,7 @@ impl Gram {
     }
 }
 
-/// Added to distances before they are inverted, (3 mm)²: neighbours nearer than this have about equal weight.
+/// Added to distances before they are inverted, (3 mm)². Neighbours nearer than this have about equal weight.
 const SAME: f32 = 1e-5;
 
 /// Inverse-distance mean of the neighbours' values: KNN interpolation.
@@ -302,7 +302,7 @@ mod tests {
         (1..rows).map(|row| Neighbour { distance: 0.0, row: row as u32 }).collect()
     }
 
-    /// 60 numbers between −1 and 1 (Numerical Recipes' linear congruence).
+    /// 60 numbers between −1 and 1 (linear congruential generator of Numerical Recipes).
     fn noise(seed: u32) -> Vec<f32> {
         let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
         std::iter::successors(Some(seed), next)
@@ -313,7 +313,7 @@ mod tests {
     }
 
     proptest! {
-        /// Rows drawn at random, targets made by a known recursion: the fit must give it back.
+        /// Rows are random and targets follow a known recursion, which the fit must recover.
         #[test]
         fn a_planted_linear_model_is_recovered(
             seed in 0u32..1 << 30, a in -0.5f32..0.5, c in 0.3f32..1.0, b in -0.8f32..0.8,

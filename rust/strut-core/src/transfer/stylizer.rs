@@ -20,8 +20,8 @@ use crate::search::Neighbours;
 use crate::search::{Neighbour, QueryWindow};
 use std::sync::Arc;
 
-/// Styles a stream of poses. Frame by frame the output depends on that frame and earlier ones only; after
-/// the first frames with a set of styles, nothing is allocated.
+/// Styles a stream of poses. The output for a frame depends on that frame and earlier ones only. After the first frames
+/// with a set of styles, nothing is allocated.
 #[derive(Clone, Debug)]
 pub struct Stylizer {
     model: Arc<Model>,
@@ -33,17 +33,17 @@ pub struct Stylizer {
     votes: Votes,
 
     input: InputStream,
-    /// What the last frame of the input says.
+    /// Data of the last input frame that the output needs.
     cue: Option<Cue>,
     output: Output,
 }
 
 impl Stylizer {
-    /// A stylizer that gives the neutral style until told otherwise. The targets of that are made for the first frame, if no
-    /// other style takes its place before.
+    /// Creates a stylizer of the neutral style. Its targets are computed for the first frame, unless another style is
+    /// set before.
     ///
     /// # Errors
-    /// If an option is out of range, or the database has no class of the stated action and input style.
+    /// If an option is out of range, or the database has no class of the specified action and input style.
     pub fn new(model: Arc<Model>, options: Options) -> Result<Self, OptionsError> {
         options.validate()?;
         let mixture = Mixture::new(&model, &options)
@@ -63,18 +63,18 @@ impl Stylizer {
         })
     }
 
-    /// Sets one weight a style of the database for the whole body; the remainder to a sum of 1 belongs to
-    /// the neutral style.
+    /// Sets one weight for each style of the database, for the whole body. The neutral style receives the remainder to
+    /// a sum of 1.
     ///
     /// # Errors
-    /// If there is not one finite weight a style; the former weights then stay.
+    /// If the number of weights is wrong or one is not finite; the previous weights are then kept.
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), StyleError> {
         self.blend.set_whole(weights)?;
         self.activate_styles();
         Ok(())
     }
 
-    /// Gives a part of the body weights of its own; `None` lets it follow the whole body again.
+    /// Sets the weights of one body part. With `None` it uses the weights of the whole body again.
     ///
     /// # Errors
     /// As [`Stylizer::set_styles`].
@@ -84,17 +84,17 @@ impl Stylizer {
         Ok(())
     }
 
-    /// Sets how far pose, duration and contacts go from the input's to the styles', from 0 to 1: for input that the database
-    /// does not know, such as somebody who stands where it only has walks. A share that is not a number counts as 1.
+    /// Sets the interpolation factor of pose, duration and contacts from the input's to the styles', from 0 to 1: for input
+    /// that the database does not contain, such as standing in a database of walks. NaN counts as 1.
     pub fn set_style_share(&mut self, share: f32) {
         self.output.set_share(if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) });
     }
 
-    /// Replaces the options; the stream goes on. Changing the method, the labels, `k`, or a
-    /// ridge that a method was trained with starts the autoregression anew.
+    /// Replaces the options; the stream continues. Changing the method, the labels, `k`, or a ridge that a method was
+    /// trained with restarts the autoregression.
     ///
     /// # Errors
-    /// As [`Stylizer::new`]; the former options then stay.
+    /// As [`Stylizer::new`]; the previous options are then kept.
     pub fn set_options(&mut self, options: Options) -> Result<(), OptionsError> {
         options.validate()?;
         let begins_anew = !self.options.predicts_like(&options);
@@ -104,7 +104,7 @@ impl Stylizer {
         }
         self.options = options;
         if begins_anew {
-            // They hold the targets that the new ones need.
+            // The old predictions keep the target tables in memory that the new ones need.
             let before = std::mem::take(&mut self.styles);
             if !before.is_empty() {
                 self.activate_styles();
@@ -113,15 +113,14 @@ impl Stylizer {
         Ok(())
     }
 
-    /// Starts anew, as after a seek: the output begins at `placement`, or where the next input frame is.
+    /// Restarts, for example after a seek. The output starts at `placement`, or else at the next input frame's.
     pub fn reset(&mut self, placement: Option<Placement>) {
         self.input.reset();
         self.forget_input();
         self.output.reset(placement);
     }
 
-    /// Styles the next input frame: a pose on the database's proportions, one frame of the database's rate
-    /// after the last.
+    /// Styles the next input frame: a pose on the database's proportions, one frame after the last at the database's rate.
     pub fn push(&mut self, pose: &Pose) -> &StyledFrame {
         self.push_timed(pose, &mut NoClock)
     }
@@ -139,7 +138,7 @@ impl Stylizer {
         &self.output.frame
     }
 
-    /// How the last frame was computed.
+    /// Data from which the last frame was computed.
     pub fn trace(&self) -> Trace<'_> {
         Trace {
             catalogue: self.model.catalogue(),
@@ -152,13 +151,13 @@ impl Stylizer {
         }
     }
 
-    /// The degrees of freedom predicted for a style in the last frame, before styles are blended; `None` for a style
+    /// Degrees of freedom predicted for a style in the last frame, before styles are blended; `None` for a style
     /// without weight.
     pub fn predicted_row(&self, style: usize) -> Option<&PoseRow> {
         self.styles.iter().find(|s| s.style == style).map(|s| &s.now.row)
     }
 
-    /// Likelihood that the left and the right foot of the input is planted in the last frame, by that frame alone.
+    /// Likelihoods that the left and the right foot of the input are planted in the last frame, from that frame alone.
     pub fn contact_votes(&self) -> [f32; 2] {
         self.votes.now
     }
@@ -173,12 +172,12 @@ impl Stylizer {
         &self.model
     }
 
-    /// What the last frame of the input says of its output; `None` before the first.
+    /// Data of the last input frame that its output needs; `None` before the first.
     pub(super) fn cue(&self) -> Option<&Cue> {
         self.cue.as_ref()
     }
 
-    /// What is predicted in the last frame, style by style.
+    /// Predictions of the last frame, one per style.
     pub(super) fn predicted(&self) -> impl Iterator<Item = (usize, &Predicted)> {
         predicted(&self.styles)
     }
@@ -187,7 +186,7 @@ impl Stylizer {
         &self.mixture
     }
 
-    /// How the last frame was predicted, for [`super::Lens`].
+    /// Internal state of the last frame's prediction, for [`super::Lens`].
     #[cfg(feature = "baselines")]
     pub(super) fn inside(&self) -> Inside<'_> {
         Inside {
@@ -200,8 +199,8 @@ impl Stylizer {
         }
     }
 
-    /// Everything but contact smoothing and footplant; its contacts are not smoothed yet. What was `found` before for this
-    /// frame and these options is taken in place of a search.
+    /// Runs all stages except contact smoothing and footplant. Uses `found`, the earlier search results for this frame
+    /// and these options, in place of a search.
     pub(super) fn predict_frame(
         &mut self,
         pose: &Pose,
@@ -252,7 +251,7 @@ impl Stylizer {
         self.votes.before
     }
 
-    /// Takes the input frame; one that is a cut begins the stream anew.
+    /// Reads the input frame. A cut restarts the stream.
     fn take_input(&mut self, pose: &Pose) -> InputFrame {
         let input = self.input.push(self.model.catalogue(), pose);
         if input.cut {
@@ -263,7 +262,7 @@ impl Stylizer {
         input
     }
 
-    /// Puts the input in place of predictions that are no numbers, or came from no neighbours.
+    /// Replaces predictions that are not finite, or that have no neighbours, by the input.
     fn replace_unusable(&mut self, input: &PoseRow) {
         let frame_secs = self.output.frame_secs();
         for s in &mut self.styles {
@@ -276,13 +275,13 @@ impl Stylizer {
         }
     }
 
-    /// Forgets what was predicted from the input so far, but not the place of the output.
+    /// Discards the predictions from the input so far, but keeps the placement of the output.
     fn forget_input(&mut self) {
         self.mixture.forget_input();
         self.styles.iter_mut().for_each(|s| s.started = false);
     }
 
-    /// Keeps a prediction for each style that has a weight; others lose theirs and start anew.
+    /// Keeps a prediction for each style that has a weight. Other styles lose theirs and start again later.
     fn activate_styles(&mut self) {
         let blend = &self.blend;
         self.styles.retain(|s| blend.is_active(s.style));
@@ -295,18 +294,18 @@ impl Stylizer {
     }
 }
 
-/// What is predicted, style by style.
+/// Predictions, one per style.
 fn predicted(styles: &[StylePrediction]) -> impl Iterator<Item = (usize, &Predicted)> + Clone {
     styles.iter().map(|s| (s.style, &s.now))
 }
 
-/// The parts of a [`Stylizer`] that its last frame came from.
+/// Parts of a [`Stylizer`] from which its last frame was computed.
 #[cfg(feature = "baselines")]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inside<'a> {
     pub(super) mixture: &'a Mixture,
     pub(super) window: &'a QueryWindow,
-    /// The neighbours that vote for the contacts.
+    /// Neighbours that vote for the contacts.
     pub(super) voters: &'a [Neighbour],
     pub(super) feet: &'a RecentFeet,
     /// xₜ; `None` before the first frame.

@@ -1,23 +1,23 @@
-//! The target tables of a model: those that stylizers use, and as many others as are small.
+//! Target tables of a model: those in use by stylizers, and others up to a memory limit.
 
 use crate::catalogue::{Catalogue, CatalogueSize, TargetTable};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Bytes of tables that are kept though no stylizer uses them. They are those of 11 styles for 80,000 rows.
+/// Limit of the tables that are kept without being in use, bytes. It holds 11 styles for 80,000 rows.
 const IDLE_BYTES: u64 = 128_000_000;
 
-/// Tables by their last use, the latest last.
+/// Tables ordered by last use, the most recent last.
 #[derive(Debug, Default)]
 pub(super) struct TargetTables {
     tables: Mutex<Vec<Arc<TargetTable>>>,
 }
 
 impl TargetTables {
-    /// The table of a style, which is made unless it is here. Before, of those that nobody uses the ones that have not been
-    /// used longest are dropped until those left, but for one, take [`IDLE_BYTES`] at most.
+    /// Returns the table of a style, and computes it if it is missing. Before that, the least recently used of the
+    /// tables not in use are dropped until the others but one take [`IDLE_BYTES`] at most.
     ///
     /// # Panics
-    /// If there is no such style.
+    /// If the style does not exist.
     pub(super) fn of(&self, catalogue: &Arc<Catalogue>, style: u16) -> Arc<TargetTable> {
         let mut tables = self.tables.lock().unwrap_or_else(PoisonError::into_inner);
         let table = if let Some(at) = tables.iter().position(|table| table.style() == style) {
@@ -32,7 +32,7 @@ impl TargetTables {
     }
 }
 
-/// Leaves at most so many tables that nobody uses.
+/// Keeps at most `most` of the tables that are not in use.
 fn drop_idle(tables: &mut Vec<Arc<TargetTable>>, most: usize) {
     let is_idle = |table: &Arc<TargetTable>| Arc::strong_count(table) == 1;
     let mut surplus = tables.iter().filter(|table| is_idle(table)).count().saturating_sub(most);

@@ -6,7 +6,7 @@ use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow};
 use crate::search::Neighbour;
 
-/// A pose and the one before it, of the input or of the output; neighbours' durations are weighted by their distances
+/// A pose and the one before it, of the input or of the output. Neighbours' durations are weighted by their distances
 /// from both.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moment<'a> {
@@ -14,7 +14,7 @@ pub(super) struct Moment<'a> {
     pub(super) previous: &'a PoseRow,
 }
 
-/// The features' scales: inverse variances of poses and of steps from one frame to the next.
+/// Scales of the features: inverse variances of poses and of steps from one frame to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Scales {
     pose: PoseRow,
@@ -22,13 +22,14 @@ pub(super) struct Scales {
 }
 
 impl Scales {
-    /// From the database's global deviations and the deviations of its steps.
+    /// Computes the scales from the database's global deviations and the deviations of its steps.
     pub(super) fn new(sigma: &PoseRow, step_sigma: &PoseRow) -> Self {
         let inverse = |row: &PoseRow| row.map(|s| 1.0 / (s * s));
         Self { pose: inverse(sigma), step: inverse(step_sigma) }
     }
 
-    /// Of pose and step, between a moment and each of these rows. Several rows share what is read for each.
+    /// Squared distances of pose and step between a moment and each of these rows. Processing several rows at once
+    /// shares the memory accesses.
     #[inline]
     fn squared_distances_of<const N: usize>(
         &self,
@@ -51,7 +52,7 @@ impl Scales {
         std::array::from_fn(|i| poses[i].sum() + steps[i].sum())
     }
 
-    /// Fills `out` with the squared distances between a moment and those of the neighbours among `rows`.
+    /// Fills `out` with the squared distances between a moment and those of the neighbours in `rows`.
     pub(super) fn squared_distances(
         &self,
         now: Moment<'_>,
@@ -80,7 +81,7 @@ pub(super) struct Kernel {
 }
 
 impl Kernel {
-    /// For neighbours at these squared distances, with [`Moment`]s of the input and of the output.
+    /// Kernel for neighbours at these squared distances from the [`Moment`]s of the input and of the output.
     pub(super) fn new(of_inputs: &[f32], of_outputs: &[f32]) -> Self {
         let squares = || of_inputs.iter().zip(of_outputs).map(|(x, y)| x + y);
         let bandwidth = squares().map(f32::sqrt).sum::<f32>() / of_inputs.len().max(1) as f32;
@@ -95,8 +96,8 @@ impl Kernel {
         }
     }
 
-    /// The weight at a squared distance, relative to that of the nearest, so that far-off input cannot underflow every
-    /// weight.
+    /// Weight at a squared distance, relative to that of the nearest neighbour, so that the weights of distant input do
+    /// not all underflow.
     pub(super) fn weight(self, square: f32) -> f32 {
         exp((self.nearest - square) * self.scale)
     }

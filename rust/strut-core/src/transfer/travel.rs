@@ -1,16 +1,18 @@
-//! How far an input and its styled motion travel over the ground.
+//! Travel of an input and of its styled motion over the ground.
 //!
-//! Styles lengthen and shorten steps. A styled motion that goes nowhere where its input walked away, or walks away where its
-//! input stayed, shows feet that were read wrongly or that slide in the input, as on a treadmill.
+//! Styles lengthen and shorten steps. If a styled motion stays in place where its input walked away, or the reverse,
+//! the feet were read incorrectly or slide in the input, as on a treadmill.
 
 use crate::humanoid::Pose;
 use crate::math::Vec3;
 use crate::note::{Note, NoteCode};
 
-/// A path is measured between places this far apart in time, seconds, so that the sway of the hips within a step does not count.
+/// A path is measured between positions at this interval, seconds, so that the sway of the hips within a step does not
+/// count.
 const STEP_SECS: f32 = 0.5;
 
-/// A ratio of output to input path outside this range is noted, if the paths also differ by this many metres.
+/// A note is added if the ratio of output to input path is outside this range and the paths also differ by this many
+/// metres.
 const USUAL: std::ops::RangeInclusive<f32> = 0.35..=2.5;
 const NOTED_METRES: f32 = 1.0;
 
@@ -44,7 +46,7 @@ impl Way {
     }
 }
 
-/// What there is to say of a styled motion that travels otherwise than its input, metres.
+/// Note for a styled motion whose travel differs from its input's, metres.
 pub(super) fn travel_note(input: f32, output: f32) -> Option<Note> {
     let is_usual = USUAL.contains(&(output / input.max(f32::MIN_POSITIVE)));
     (!is_usual && (output - input).abs() > NOTED_METRES).then(|| {

@@ -1,15 +1,15 @@
-//! The motion of any skeleton as a file of its own.
+//! Converts the motion of any skeleton to a BVH file.
 
 use super::{Axis, Bvh, BvhError, Channel, Joint, parse_hierarchy, write};
 use strut_core::math::Vec3;
 use strut_core::motion::Motion;
 
 impl Bvh {
-    /// A motion as a file: its joints in an order in which subtrees are contiguous, rotations about Z, X and Y on each, and
-    /// positions on the root and wherever a translation differs from the offset.
+    /// A motion as a file: joints in an order in which subtrees are contiguous, rotations about Z, X and Y on each, and
+    /// positions on the root and on joints whose translation differs from the offset.
     ///
     /// # Errors
-    /// [`BvhError::UnwritableJoint`] if a name or an offset could not be read back, and those of [`Bvh::with_motion`].
+    /// [`BvhError::UnwritableJoint`] if a name or an offset could not be read back, and the errors of [`Bvh::with_motion`].
     pub fn from_motion(motion: &Motion) -> Result<Self, BvhError> {
         let joints = motion.skeleton.joints();
         let order = contiguous(motion);
@@ -46,10 +46,10 @@ impl Bvh {
 }
 
 impl Bvh {
-    /// Whether the joints are read back as they are written.
+    /// Returns an error for the first joint that would not be read back as it is written.
     fn check_joints(&self) -> Result<(), BvhError> {
         for joint in &self.joints {
-            // One joint alone, which says which it is.
+            // Each joint is tested alone, so that the error can name it.
             let alone = Joint { parent: None, ..joint.clone() };
             let file = Self { joints: vec![alone], values: Vec::new(), ..*self };
             if !parse_hierarchy(&write(&file)).is_ok_and(|read| read.joints == file.joints) {
@@ -60,7 +60,7 @@ impl Bvh {
     }
 }
 
-/// The joints, each followed by those below it.
+/// The joints, each followed by its subtree.
 fn contiguous(motion: &Motion) -> Vec<usize> {
     let mut order = Vec::with_capacity(motion.skeleton.len());
     let mut rest = vec![0];

@@ -1,16 +1,17 @@
-//! Text that is not UTF-8: files in UTF-16, and names in the encodings of other times.
+//! Text that is not UTF-8: files in UTF-16, and names in legacy encodings.
 //!
-//! What encoding a name is in cannot be known. Its bytes are kept and written back as they came; what people see of it is
-//! Japanese where the bytes are Shift-JIS of characters that names of joints have, and else a letter a byte.
+//! The encoding of a name cannot be determined. Its bytes are kept and written back unchanged. The displayed name is
+//! Japanese if the bytes are Shift-JIS of characters that occur in joint names; otherwise it has one letter per byte.
 
 use std::borrow::Cow;
 
-/// Stands for byte 0 in [`escaped`] text, which has only bytes from 0x80 on: of a private area that no name uses.
+/// Code point of byte 0 in [`escaped`] text, which contains only bytes from 0x80 on. It is in a private-use area that
+/// names do not contain.
 const ESCAPED: u32 = 0x10_FE00;
-/// Stands for byte 0 where a byte would be a control character.
+/// Code point of byte 0 for bytes that would be control characters.
 const LETTERS: u32 = 0x100;
 
-/// Shift-JIS of the kanji in names of joints, in order.
+/// Shift-JIS codes of the kanji in joint names, in order.
 #[rustfmt::skip]
 const KANJI: [(u16, char); 51] = [
     (0x88DA, '移'), (0x8945, '右'), (0x89A1, '横'), (0x89BA, '下'), (0x89F1, '回'), (0x8BB9, '胸'), (0x8CA8, '肩'), (0x8CB3, '元'),
@@ -21,7 +22,7 @@ const KANJI: [(u16, char); 51] = [
     (0x94FB, '眉'), (0x9547, '膝'), (0x9549, '肘'), (0x9574, '付'), (0x95A0, '腹'), (0x95E2, '補'), (0x96DA, '目'), (0x96F2, '薬'),
     (0x97BC, '両'), (0x9872, '腕'), (0x9D80, '捩'),
 ];
-/// Runs of Shift-JIS that are runs of Unicode: first and last of the one, first of the other.
+/// Ranges of Shift-JIS that map to ranges of Unicode: first and last code of the range, first code point in Unicode.
 #[rustfmt::skip]
 const RUNS: [(u16, u16, u32); 10] = [
     (0x8140, 0x8140, 0x3000), (0x8145, 0x8145, 0x30FB), (0x8151, 0x8151, 0xFF3F), (0x815B, 0x815B, 0x30FC),
@@ -44,7 +45,7 @@ pub(super) fn utf_8(bytes: &[u8]) -> (Cow<'_, [u8]>, bool) {
     (out.into(), true)
 }
 
-/// A name as people see it, and its bytes where they are not what it is written with.
+/// Displayed name, and the original bytes if they differ from its UTF-8 bytes.
 pub(super) fn name(bytes: &[u8]) -> (String, Option<Vec<u8>>) {
     let plain =
         std::str::from_utf8(bytes).ok().filter(|name| !name.chars().any(|c| c.is_control() || byte(c).is_some()));
@@ -58,7 +59,7 @@ pub(super) fn name(bytes: &[u8]) -> (String, Option<Vec<u8>>) {
     (shift_jis(bytes).unwrap_or_else(|| bytes.iter().map(letter).collect()), Some(bytes.to_vec()))
 }
 
-/// Text in Shift-JIS, if all its characters are known.
+/// Text decoded from Shift-JIS; `None` if a character is unknown.
 fn shift_jis(mut bytes: &[u8]) -> Option<String> {
     let mut text = String::new();
     while let [first, rest @ ..] = bytes {
@@ -79,12 +80,12 @@ fn shift_jis(mut bytes: &[u8]) -> Option<String> {
     Some(text)
 }
 
-/// Whether a byte may be the first of two in Shift-JIS, of which the second may be a brace.
+/// Returns whether a byte may be the first of two in Shift-JIS. The second may have the value of a brace.
 pub(super) fn leads(byte: u8) -> bool {
     matches!(byte, 0x81..=0x9F | 0xE0..=0xFC)
 }
 
-/// The bytes of a name as characters of a text that [`unescaped`] makes bytes.
+/// Bytes of a name as characters, which [`unescaped`] converts back to bytes.
 pub(super) fn escaped(bytes: &[u8]) -> impl Iterator<Item = char> {
     bytes.iter().map(|&b| match b {
         0x80.. => char::from_u32(ESCAPED + u32::from(b)).unwrap_or(char::REPLACEMENT_CHARACTER),
@@ -92,7 +93,7 @@ pub(super) fn escaped(bytes: &[u8]) -> impl Iterator<Item = char> {
     })
 }
 
-/// The bytes of a text with names that were [`escaped`].
+/// Bytes of a text whose names were [`escaped`].
 pub(super) fn unescaped(text: &str) -> Vec<u8> {
     let mut out = Vec::with_capacity(text.len());
     for c in text.chars() {
@@ -104,7 +105,7 @@ pub(super) fn unescaped(text: &str) -> Vec<u8> {
     out
 }
 
-/// The byte that a character stands for in [`escaped`] text.
+/// Byte that a character represents in [`escaped`] text.
 fn byte(c: char) -> Option<u8> {
     u8::try_from(u32::from(c).checked_sub(ESCAPED)?).ok().filter(|b| !b.is_ascii())
 }

@@ -8,38 +8,38 @@ use strut_core::motion::MotionError;
 use strut_core::skeleton::SkeletonError;
 use thiserror::Error;
 
-/// Why bytes are not a BVH file, or a motion does not fit one. Lines and columns (in bytes) count from 1.
+/// Reason why bytes are not a BVH file, or a motion does not fit one. Lines and columns (in bytes) count from 1.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs)]
 pub enum BvhError {
-    /// Above [`MAX_BYTES`].
+    /// The file is larger than [`MAX_BYTES`].
     #[error("the file has {bytes} bytes; at most {MAX_BYTES} are supported")]
     TooManyBytes { bytes: usize },
-    /// Only white space.
+    /// The file contains only white space.
     #[error("the file is empty; a BVH file begins with HIERARCHY")]
     Empty,
-    /// A token that the grammar does not allow.
+    /// The grammar does not allow a token.
     #[error("line {line}, column {column} has {found}; {expected} was expected")]
     Unexpected { line: usize, column: usize, found: String, expected: &'static str },
-    /// A second `ROOT`.
+    /// There is a second `ROOT`.
     #[error("line {line} begins a second ROOT; one skeleton a file is supported")]
     SecondRoot { line: usize },
-    /// More than [`MAX_JOINTS`].
+    /// There are more than [`MAX_JOINTS`] joints.
     #[error("line {line} begins joint {}; at most {MAX_JOINTS} are supported", MAX_JOINTS + 1)]
     TooManyJoints { line: usize },
-    /// More than [`MAX_CHANNELS_PER_JOINT`].
+    /// A joint has more than [`MAX_CHANNELS_PER_JOINT`] channels.
     #[error("line {line} announces {channels} channels; at most {MAX_CHANNELS_PER_JOINT} a joint are supported")]
     TooManyChannels { line: usize, channels: usize },
-    /// A position channel occurs twice on a joint.
+    /// A joint has a position channel twice.
     #[error("line {line} has {channel} twice on one joint; once was expected")]
     RepeatedPosition { line: usize, channel: &'static str },
-    /// Numbers with commas in place of points.
+    /// Numbers have commas in place of decimal points.
     #[error(
         "line {line}, column {column} has {found}, a decimal comma; decimal points were expected. Export the file again with \
          the number format of English"
     )]
     DecimalComma { line: usize, column: usize, found: String },
-    /// A joint's name has a tab, which most programs take for its end.
+    /// A joint's name contains a tab, which most programs treat as the end of the name.
     #[error("line {line} has the joint name '{found}' with a tab in it; blanks or underscores were expected")]
     TabInName { line: usize, found: String },
     /// No joint has a channel.
@@ -55,22 +55,22 @@ pub enum BvhError {
         FRAME_TIME_SECS.end()
     )]
     FrameTime { line: usize, secs: f64 },
-    /// A number above [`MAX_ABS_VALUE`] or overflowing.
+    /// A number is above [`MAX_ABS_VALUE`] or overflows.
     #[error("line {line}, column {column} has {found}; a number within ±{MAX_ABS_VALUE} was expected")]
     TooLarge { line: usize, column: usize, found: String },
     /// A frame has the wrong number of values.
     #[error("line {line} has {found} numbers; this skeleton needs {needed}")]
     FrameWidth { line: usize, found: usize, needed: usize },
-    /// More frames than the rest of the file could hold.
+    /// The file announces more frames than the rest of it could contain.
     #[error("the file announces {announced} frames; what follows has room for {most}")]
     NoRoom { announced: usize, most: usize },
     /// The file ends before the first frame.
     #[error("the file ends at line {line} after {found} frames; {announced} were announced")]
     MissingFrames { line: usize, found: usize, announced: usize },
-    /// More than [`MAX_FRAMES`] in the file.
+    /// The file contains more than [`MAX_FRAMES`] frames.
     #[error("line {line} comes after {MAX_FRAMES} frames, the most supported; {announced} were announced")]
     ExtraFrames { line: usize, announced: usize },
-    /// More than [`MAX_TRANSFORMS`].
+    /// Frames times joints exceeds [`MAX_TRANSFORMS`].
     #[error(
         "the file has {frames} frames of {joints} joints; at most {MAX_TRANSFORMS} joints in all frames are supported"
     )]
@@ -81,29 +81,29 @@ pub enum BvhError {
     /// The frames are not a valid motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// A motion of another hierarchy.
+    /// The motion has another hierarchy.
     #[error("the motion has {found} joints; this file has {needed}")]
     JointCount { found: usize, needed: usize },
-    /// A motion without frames, with more than [`MAX_FRAMES`], or with more than [`MAX_TRANSFORMS`] joints in all of them.
+    /// The motion has no frames, more than [`MAX_FRAMES`], or more than [`MAX_TRANSFORMS`] joints in all of them.
     #[error(
         "the motion has {frames} frames of {joints} joints; 1 to {MAX_FRAMES} frames, and at most {MAX_TRANSFORMS} joints in all \
          of them, can be written"
     )]
     UnwritableFrames { frames: usize, joints: usize },
-    /// A motion whose frame time is outside [`FRAME_TIME_SECS`].
+    /// The motion's frame time is outside [`FRAME_TIME_SECS`].
     #[error(
         "the motion has a frame time of {secs} s; {} to {} s were expected",
         FRAME_TIME_SECS.start(),
         FRAME_TIME_SECS.end()
     )]
     UnwritableFrameTime { secs: f64 },
-    /// A joint whose name or offset a file could not be read back with.
+    /// A joint's name or offset could not be read back from a file.
     #[error(
         "the joint {joint:?} cannot be written; a name of at most {MAX_NAME_BYTES} bytes on one line, without tabs and without \
          blanks or braces at its ends, and offsets within ±{MAX_ABS_VALUE} were expected"
     )]
     UnwritableJoint { joint: String },
-    /// A motion has a value that a file could not be read back with.
+    /// A value of the motion could not be read back from a file.
     #[error(
         "frame {frame} of the motion moves joint '{joint}' by {value}; a number within ±{MAX_ABS_VALUE} was expected"
     )]

@@ -1,9 +1,9 @@
-//! Rotations as angles about a sequence of axes, and back; any sequence.
+//! Conversion between rotations and angles about any sequence of axes.
 //!
-//! A sequence a₁ a₂ … aₙ with angles θ means R(a₁, θ₁)·R(a₂, θ₂)·…·R(aₙ, θₙ). Three axes of which
-//! neighbours differ reach every rotation (Bernardes & Viollet, "Quaternion to Euler angles conversion:
-//! A direct, general and computationally efficient method", 2022); two or one give the nearest rotation
-//! they can. Double precision, since files hold more digits than `f32` does.
+//! A sequence a₁ a₂ … aₙ with angles θ is R(a₁, θ₁)·R(a₂, θ₂)·…·R(aₙ, θₙ). Three axes of which neighbours differ can
+//! represent every rotation (Bernardes & Viollet, "Quaternion to Euler angles conversion: A direct, general and
+//! computationally efficient method", 2022). With one or two axes the nearest representable rotation is used. Double
+//! precision, since files have more digits than `f32`.
 
 use super::Axis;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
@@ -12,11 +12,11 @@ use strut_core::math::float_funcs::double;
 /// A unit quaternion in double precision: x, y, z, w.
 pub(super) type Quat64 = [f64; 4];
 
-/// Below this angle (radians) between the middle rotation and gimbal lock only the sum or the difference
-/// of the outer angles is well determined.
+/// Below this angle (radians) between the middle rotation and gimbal lock only the sum or the difference of the outer
+/// angles is well determined.
 const LOCK: f64 = 1e-5;
 
-/// The rotation of a sequence of axes with their angles in radians.
+/// Rotation of a sequence of axes with angles in radians.
 pub(super) fn compose(axes_and_angles: impl Iterator<Item = (Axis, f64)>) -> Quat64 {
     axes_and_angles.fold([0.0, 0.0, 0.0, 1.0], |q, (axis, angle)| {
         let (s, c) = double::sin_cos(0.5 * angle);
@@ -35,10 +35,10 @@ fn times_axis(q: Quat64, i: usize, s: f64, c: f64) -> Quat64 {
     out
 }
 
-/// Writes to `angles` (radians, one an axis) the angles whose rotation is `q`, or the nearest possible,
-/// choosing among equivalent angles those nearest to `previous`.
+/// Writes to `angles` (radians, one per axis) the angles whose rotation is `q`, or the nearest possible. Among
+/// equivalent angles those nearest to `previous` are chosen.
 pub(super) fn decompose(q: Quat64, axes: &[Axis], previous: &[f64], angles: &mut [f64]) {
-    // Positions of the first three axes that differ from their neighbours; all others rotate by zero.
+    // Indices of the first three axes that differ from their neighbours; the angles of all others are zero.
     let mut used = [0; 3];
     let mut count = 0;
     for (i, axis) in axes.iter().enumerate() {
@@ -55,8 +55,8 @@ pub(super) fn decompose(q: Quat64, axes: &[Axis], previous: &[f64], angles: &mut
         1 => angles[used[0]] = nearest(2.0 * double::atan2(q[axis(0)], q[3]), before(0)),
         2 => {
             let [a, b] = two_axes(q, [axis(0), axis(1)]);
-            // The same rotation with both half-angles moved by π/2: (a + π, b + π) is another one, but
-            // each angle may turn by 2π alone.
+            // Adding π/2 to both half-angles gives the same rotation. The solution (a + π, b + π) is a different one,
+            // but each angle alone may change by 2π.
             angles[used[0]] = nearest(a, before(0));
             angles[used[1]] = nearest(b, before(1));
         }
@@ -69,8 +69,8 @@ pub(super) fn decompose(q: Quat64, axes: &[Axis], previous: &[f64], angles: &mut
     }
 }
 
-/// The angles of R(i)·R(j), i ≠ j, that come nearest to `q`: their quaternion's inner product with `q`
-/// separates into terms of the sum and of the difference of the half-angles.
+/// Angles of R(i)·R(j), i ≠ j, whose rotation is nearest to `q`: their quaternion's inner product with `q` separates
+/// into terms of the sum and of the difference of the half-angles.
 fn two_axes(q: Quat64, [i, j]: [usize; 2]) -> [f64; 2] {
     let k = 3 - i - j;
     let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
@@ -80,7 +80,7 @@ fn two_axes(q: Quat64, [i, j]: [usize; 2]) -> [f64; 2] {
     [sum + difference, sum - difference]
 }
 
-/// The angles of R(i)·R(j)·R(k), i ≠ j ≠ k, whose rotation is `q`, nearest to `previous`.
+/// Angles of R(i)·R(j)·R(k), i ≠ j ≠ k, whose rotation is `q`, nearest to `previous`.
 fn three_axes(q: Quat64, [i, j, k]: [usize; 3], previous: [f64; 3]) -> [f64; 3] {
     let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
     // With Q = R(j, −sign·π/2), which takes axis i to axis k, R(k, γ) is Q·R(i, γ)·Q⁻¹. Hence
@@ -96,7 +96,7 @@ fn three_axes(q: Quat64, [i, j, k]: [usize; 3], previous: [f64; 3]) -> [f64; 3] 
     let half_difference = double::atan2(d, c);
     let nearest_each = |angles: [f64; 3]| [0, 1, 2].map(|n| nearest(angles[n], previous[n]));
     if !(LOCK..=PI - LOCK).contains(&middle) {
-        // Only the sum or only the difference counts: the third angle stays where it was.
+        // Only the sum or only the difference is determined: the third angle keeps its previous value.
         let third = previous[2];
         let first = if middle < LOCK { 2.0 * half_sum - third } else { 2.0 * half_difference + third };
         return nearest_each([first, middle + shift, third]);
@@ -108,7 +108,7 @@ fn three_axes(q: Quat64, [i, j, k]: [usize; 3], previous: [f64; 3]) -> [f64; 3] 
     if distance(other) < distance(one) { other } else { one }
 }
 
-/// The angle equal to `angle` modulo 2π that lies nearest to `to`.
+/// The angle equal to `angle` modulo 2π that is nearest to `to`.
 fn nearest(angle: f64, to: f64) -> f64 {
     angle - TAU * ((angle - to) / TAU).round()
 }
@@ -162,7 +162,7 @@ mod tests {
         fn smooth_rotations_give_smooth_angles(
             first in 0_usize..3, second in 1_usize..3, third in 1_usize..3, rate in prop::array::uniform3(-4.0f64..4.0),
         ) {
-            // The outer angles turn several times, the middle one stays away from gimbal lock.
+            // The outer angles make several full turns, the middle one stays away from gimbal lock.
             let axes = [first, first + second, first + second + third].map(|i| [Axis::X, Axis::Y, Axis::Z][i % 3]);
             let symmetric = axes[0] == axes[2];
             let at = |t: f64| {

@@ -1,34 +1,35 @@
-//! Bodies far from the origin of their file, as georeferenced scenes and game worlds have them.
+//! Bodies far from the origin of their file, as in georeferenced scenes and game worlds.
 //!
-//! Ten kilometres from the origin single precision leaves a millimetre of a centimetre file's step. The usual place of such
-//! a body is subtracted in double precision where the file becomes a motion, and added where a motion becomes the file.
+//! At ten kilometres from the origin single precision has a resolution of about a millimetre in a file in centimetres.
+//! The median position of such a body is subtracted in double precision when the file is converted to a motion, and
+//! added when a motion is converted to the file.
 
 use super::{Bvh, Channel};
 
-/// A body is far where its usual place is farther from the origin than this many times the length of all its bones: about
-/// 20 m, which no recording of `../shared/data` comes near.
+/// A body is far if its median position is farther from the origin than this many times the length of all its bones:
+/// about 20 m, which no recording of `../shared/data` comes near.
 const FAR: f64 = 3.0;
-/// Fewest joints of a body (`strut_core::retarget`); the length of the bones of less says nothing.
+/// Minimum number of joints of a body (`strut_core::retarget`). The bone length of smaller skeletons is not meaningful.
 const BODY_JOINTS: usize = 14;
 
-/// What is subtracted of the translations of a joint, in the file's unit.
+/// Position subtracted from the translations of a joint, in the file's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Far {
-    /// The joint that carries the body.
+    /// Joint that carries the body.
     pub(super) joint: usize,
-    /// By axis of its parent's frame; 0 on axes on which the body is near.
+    /// One value for each axis of the parent's frame; 0 on axes on which the body is near the origin.
     pub(super) place: [f64; 3],
 }
 
 impl Bvh {
-    /// Where the body is, if it is far from the origin of the file in all frames.
+    /// Position of the body if it is far from the origin of the file in all frames.
     ///
-    /// It is the first joint that is far and whose ancestors keep still, so that a constant in its parent's frame is one in
-    /// the world.
+    /// The joint is the first one that is far and whose ancestors do not move, so that a constant in its parent's frame
+    /// is also a constant in the world.
     pub(super) fn far(&self) -> Option<Far> {
         let threshold = FAR * self.bone_length();
         let channels = self.channels();
-        // Also refuses a skeleton whose lengths are no numbers.
+        // The comparison also rejects a skeleton with lengths that are NaN.
         if !(threshold > 0.0 && self.frames > 0 && self.joints.len() >= BODY_JOINTS) {
             return None;
         }
@@ -61,8 +62,8 @@ impl Bvh {
         None
     }
 
-    /// Length of all bones: offsets of joints below the root that have no position channels, or of all below it where
-    /// every joint has them.
+    /// Total length of the bones: the offsets of joints below the root that have no position channels, or of all joints
+    /// below the root if every joint has them.
     fn bone_length(&self) -> f64 {
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
         let is_placed = |channels: &[Channel]| channels.iter().any(|c| matches!(c, Channel::Position(_)));
@@ -72,7 +73,7 @@ impl Bvh {
     }
 }
 
-/// The middle of numbers; 0 of none.
+/// Median; 0 for no numbers.
 fn median(mut values: Vec<f64>) -> f64 {
     let middle = values.len() / 2;
     if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }

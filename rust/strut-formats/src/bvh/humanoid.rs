@@ -1,4 +1,4 @@
-//! A canonical humanoid as a file of its own.
+//! Converts a canonical humanoid to a BVH file.
 
 use super::{Axis, Bvh, BvhError, Channel, Joint};
 use strut_core::humanoid::{HumanoidMotion, Role};
@@ -8,7 +8,7 @@ use strut_core::motion::Motion;
 /// Lengths are written in centimetres, as in most files.
 const UNITS_PER_METRE: f32 = 100.0;
 
-/// Joint names by role, those of Unity's and VRM's humanoids.
+/// Joint names by role, as in Unity's and VRM's humanoids.
 pub(crate) const NAMES: [&str; Role::ALL.len()] = [
     "Hips",
     "Spine",
@@ -33,8 +33,8 @@ pub(crate) const NAMES: [&str; Role::ALL.len()] = [
     "RightToes",
 ];
 
-/// End of the bone in the joint's frame, metres, for the roles that no bone leads on from; they make the
-/// head, hands and toes visible in other programs.
+/// End of the bone in the joint's frame, metres, for roles without a child bone. The end sites make the head, hands and
+/// toes visible in other programs.
 fn end_site(role: Role) -> Option<Vec3> {
     match role {
         Role::Head => Some(Vec3::new(0.0, 0.18, 0.0)),
@@ -46,12 +46,12 @@ fn end_site(role: Role) -> Option<Vec3> {
 }
 
 impl Bvh {
-    /// A humanoid's motion as a file: 21 joints whose zero pose is the T-pose, centimetres, six channels on
-    /// the hips and three on every other joint.
+    /// A humanoid's motion as a file: 21 joints whose zero pose is the T-pose, centimetres, six channels on the hips
+    /// and three on every other joint.
     ///
     /// # Errors
-    /// [`BvhError::Motion`] if the rate is not a positive number, [`BvhError::Skeleton`] if an offset is not
-    /// finite, and those of [`Bvh::with_motion`].
+    /// [`BvhError::Motion`] if the rate is not finite or not positive, [`BvhError::Skeleton`] if an offset is not
+    /// finite, and the errors of [`Bvh::with_motion`].
     pub fn from_humanoid(motion: &HumanoidMotion) -> Result<Self, BvhError> {
         let cm = |v: Vec3| v * UNITS_PER_METRE;
         let rotations = [Axis::Z, Axis::X, Axis::Y].map(Channel::Rotation);
@@ -83,7 +83,7 @@ impl Bvh {
     }
 }
 
-/// A length to six decimals, all that `f32` holds.
+/// A length rounded to six decimals, the resolution of `f32`.
 fn rounded(v: Vec3) -> [f64; 3] {
     v.to_array().map(|v| (f64::from(v) * 1e6).round() / 1e6)
 }

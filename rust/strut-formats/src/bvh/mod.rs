@@ -1,21 +1,21 @@
 //! Biovision hierarchy (BVH): the motion capture text format, read within limits and written losslessly.
 //!
-//! A file lists joints (`HIERARCHY`), each with an offset from its parent and the channels that move it,
-//! then one line of channel values a frame (`MOTION`). There is no standard document; this module reads
-//! what capture software and published data sets write:
+//! A file lists joints (`HIERARCHY`), each with an offset from its parent and the channels that move it, then one line
+//! of channel values for each frame (`MOTION`). There is no standard; this module reads the files of capture software
+//! and published data sets:
 //!
 //! - keywords in any case, `End Site` or `End site`, any indentation, LF, CR LF or CR, a byte order mark;
 //! - any number and order of channels on any joint, up to [`MAX_CHANNELS_PER_JOINT`]. Rotations apply in
 //!   the order listed: `Zrotation Xrotation Yrotation` is Rz·Rx·Ry. Position channels are the joint's
 //!   translation in its parent's frame and replace `OFFSET` on their axis;
-//! - names with spaces: a name is the rest of its line, but for a brace at its end or before `OFFSET`;
+//! - names with spaces: a name is the rest of its line, except for a brace at its end or before `OFFSET`;
 //! - a hierarchy, or all of a file, on one line.
 //!
-//! What other programs write besides is read with a note ([`parse_noted`], `docs/reading.md`): another number of frames than
-//! announced, rows that are not one a line, text after the frames, end sites that are spelt otherwise, position channels
-//! that are added to `OFFSET`, UTF-16, and names that are not in UTF-8.
+//! Deviations of other programs are read with a note ([`parse_noted`], `docs/reading.md`): a number of frames that
+//! differs from the announced one, rows that are not one per line, text after the frames, other spellings of end sites,
+//! position channels that are added to `OFFSET`, UTF-16, and names that are not in UTF-8.
 //!
-//! Everything else is refused with a [`BvhError`] that names the place and what was expected there. Lengths stay in
+//! Everything else is rejected with a [`BvhError`] that names the position and the expected content. Lengths stay in
 //! the file's own unit, angles in degrees.
 
 mod any_skeleton;
@@ -43,8 +43,8 @@ pub const MAX_JOINTS: usize = strut_core::skeleton::MAX_JOINTS;
 pub const MAX_CHANNELS_PER_JOINT: usize = 12;
 /// Greatest number of frames of a file: over two hours at 120 Hz.
 pub const MAX_FRAMES: usize = 1_000_000;
-/// Greatest number of joints times frames of a file: of joints without channels, a short text could have more than there is
-/// memory for.
+/// Greatest number of joints times frames of a file. With joints without channels, a short text could otherwise need
+/// more memory than there is.
 pub const MAX_TRANSFORMS: usize = 1 << 26;
 /// Greatest length of a joint's name, bytes.
 pub const MAX_NAME_BYTES: usize = 256;
@@ -63,7 +63,7 @@ pub enum Axis {
     Z,
 }
 
-/// A channel: the quantity that a number of a frame sets.
+/// A channel: the quantity that a value of a frame sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
     /// Translation along an axis of the parent's frame, in the file's length unit.
@@ -92,7 +92,7 @@ impl Channel {
         .1
     }
 
-    /// The channel of this name in any case.
+    /// Channel of this name, in any case.
     fn from_name(name: &[u8]) -> Option<Self> {
         Self::NAMES.iter().find(|(_, n)| name.eq_ignore_ascii_case(n.as_bytes())).map(|(c, _)| *c)
     }
@@ -103,11 +103,11 @@ impl Channel {
 pub struct Joint {
     /// Name as in the file; not necessarily unique.
     pub name: String,
-    /// The bytes that the name is written with, where they are not UTF-8. It is then what people see of them.
+    /// Bytes of the name in the file if they are not UTF-8; `name` is then the displayed form.
     pub name_bytes: Option<Vec<u8>>,
     /// Index of the parent, smaller than the joint's own; `None` only for joint 0.
     pub parent: Option<usize>,
-    /// `OFFSET`: position in the parent's frame where no channel gives one, in the file's length unit.
+    /// `OFFSET`: position in the parent's frame on axes without a position channel, in the file's length unit.
     pub offset: [f64; 3],
     /// Channels in file order; no position channel occurs twice.
     pub channels: Vec<Channel>,

@@ -7,14 +7,15 @@ use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::skeleton::{self, Skeleton};
 
-/// Mean of the largest turn in a frame of recordings is below this, degrees: 6 at 30 Hz, of dances 15.
+/// Upper bound of the mean of each frame's largest rotation step in recordings, degrees: the mean is 6 at 30 Hz, 15 for
+/// dances.
 const SMALL_STEP: f64 = 30.0;
-/// Bones shorter than this share of their offsets are folded up.
+/// Bones shorter than this share of their offsets count as collapsed.
 const FOLDED: f64 = 0.02;
 
 impl Bvh {
-    /// Whether position channels in place of offsets would fold up the body: below the root they are all about zero in the
-    /// first frame, and most of their joints have offsets.
+    /// Returns whether the body would collapse if position channels replaced offsets: below the root the positions are
+    /// near zero in the first frame, and most of these joints have offsets.
     pub(super) fn collapses(&self) -> bool {
         let mut first = 0;
         let (mut with_offset, mut folded) = (0, 0);
@@ -36,25 +37,25 @@ impl Bvh {
         with_offset > 2 && 2 * folded > with_offset
     }
 
-    /// Whether rotations change as little from frame to frame as in a recording: by less than [`SMALL_STEP`] on average, the
-    /// largest of each frame. `false` for a single frame.
+    /// Returns whether rotations change as slowly as in a recording: the largest step of each frame is less than
+    /// [`SMALL_STEP`] on average. `false` for a single frame.
     pub(super) fn moves_in_small_steps(&self) -> bool {
         let is_rotation: Vec<bool> =
             self.joints.iter().flat_map(|j| &j.channels).map(|c| matches!(c, Channel::Rotation(_))).collect();
         let rows = |f: usize| self.row(f).iter().zip(self.row(f + 1)).zip(&is_rotation);
-        // An angle may go on at the other end of its range.
+        // An angle may wrap at the end of its range.
         let step = |(a, b): (&f64, &f64)| ((b - a + 180.0).rem_euclid(360.0) - 180.0).abs();
         let largest = |f: usize| rows(f).filter(|(_, is)| **is).map(|(ab, _)| step(ab)).fold(0.0, f64::max);
         let steps = self.frames.saturating_sub(1);
         steps > 0 && (0..steps).map(largest).sum::<f64>() < SMALL_STEP * steps as f64
     }
 
-    /// The clip as local translations and rotations. Lengths stay in the file's unit. A body far from the file's origin is
-    /// brought near it.
+    /// The clip as local translations and rotations. Lengths stay in the file's unit. A body far from the file's origin
+    /// is moved near it.
     ///
     /// # Errors
-    /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not read by
-    /// [`parse`](super::parse) and breaks its rules.
+    /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not created by [`parse`](super::parse)
+    /// and violates its rules.
     pub fn to_motion(&self) -> Result<Motion, BvhError> {
         let joints = self.joints.iter().map(|j| skeleton::Joint {
             name: j.name.clone(),
@@ -76,13 +77,13 @@ impl Bvh {
         Ok(Motion::new(skeleton, self.frame_time_secs, translations, rotations)?)
     }
 
-    /// Local translation and rotation of every joint in a frame with these values, [`Bvh::channels`] of them; joints that lack
-    /// some are left out.
+    /// Local translation and rotation of every joint in a frame with these values, [`Bvh::channels`] of them. Joints
+    /// with missing values are omitted.
     pub fn transforms(&self, row: &[f64]) -> impl Iterator<Item = (Vec3, Quat)> {
         self.transforms_near(row, None)
     }
 
-    /// The same, with the place of a body that is far taken away.
+    /// Same as [`Bvh::transforms`], with the position of a far body subtracted.
     fn transforms_near(&self, row: &[f64], far: Option<Far>) -> impl Iterator<Item = (Vec3, Quat)> {
         let added = self.added_positions;
         self.joints.iter().enumerate().scan(row, move |rest, (j, joint)| {
@@ -107,14 +108,15 @@ impl Bvh {
         })
     }
 
-    /// The motion as a file of this hierarchy: same names, offsets and channel order, the motion's frame
-    /// time and local transforms. Only what the channels can express is kept. The body is as far from the origin as in this file.
+    /// The motion as a file of this hierarchy: same names, offsets and channel order, with the motion's frame time and
+    /// local transforms. Only the part that the channels can express is kept. The body is as far from the origin as in
+    /// this file.
     ///
-    /// Angles continue from frame to frame without wrapping, beginning at those nearest to this file's
-    /// first frame. Values are rounded to six decimals, finer than `f32` resolves.
+    /// Angles continue from frame to frame without wrapping, starting with those nearest to this file's first frame.
+    /// Values are rounded to six decimals, finer than the resolution of `f32`.
     ///
     /// # Errors
-    /// [`BvhError::JointCount`] if the motion has another number of joints. If the file could not be read back:
+    /// [`BvhError::JointCount`] if the number of joints differs. If the file could not be read back:
     /// [`BvhError::UnwritableFrames`] and [`BvhError::UnwritableFrameTime`] outside the limits of files,
     /// [`BvhError::Unwritable`] if a value is not finite or beyond [`MAX_ABS_VALUE`].
     pub fn with_motion(&self, motion: &Motion) -> Result<Self, BvhError> {
@@ -164,7 +166,7 @@ impl Bvh {
     }
 }
 
-/// Scratch for the rotation channels of one joint.
+/// Working memory for the rotation channels of one joint.
 #[derive(Default)]
 struct AngleSolver {
     axes: Vec<Axis>,
@@ -173,7 +175,7 @@ struct AngleSolver {
 }
 
 impl AngleSolver {
-    /// Replaces the joint's channel values of the frame before by those of a translation and rotation.
+    /// Replaces the joint's channel values of the previous frame by those of a translation and rotation.
     fn write(&mut self, channels: &[Channel], translation: [f64; 3], rotation: Quat, values: &mut [f64]) {
         self.axes.clear();
         self.before.clear();

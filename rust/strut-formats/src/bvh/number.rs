@@ -1,13 +1,12 @@
-//! Decimal text to `f64`, exactly and fast.
+//! Exact and fast conversion of decimal text to `f64`.
 //!
-//! Most numbers of a BVH file have a few digits: the significand is then an exact integer below 2⁵³ and
-//! the power of ten at most 10²², itself exact, so that one correctly rounded multiplication or division
-//! gives the nearest `f64` (Clinger, "How to Read Floating Point Numbers Accurately", 1990). Anything
-//! else goes to the standard library.
+//! Most numbers of a BVH file have few digits: the significand is an exact integer below 2⁵³ and the power of ten at
+//! most 10²², which is also exact, so that one correctly rounded multiplication or division gives the nearest `f64`
+//! (Clinger, "How to Read Floating Point Numbers Accurately", 1990). The standard library converts all others.
 //!
-//! `fast-float2` does the same for all decimals. On the six decimals of usual files it takes 1.5 times as long (133 ns a
-//! number against 90 ns, on one noisy machine; 2 million numbers), saves 0.7 kB of gzipped WebAssembly, and accepts "nan"
-//! and "inf", which are not valid in a file.
+//! `fast-float2` does the same for all decimals. On the six decimals of usual files it takes 1.5 times as long (133 ns
+//! per number against 90 ns, on one noisy machine; 2 million numbers), saves 0.7 kB of gzipped WebAssembly, and accepts
+//! "nan" and "inf", which are invalid in a file.
 
 /// Powers of ten that are exact in `f64`.
 const EXACT_POWERS: [f64; 23] = [
@@ -15,10 +14,10 @@ const EXACT_POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// The number at the beginning of `text` and the count of bytes it takes: optional sign, digits with an
-/// optional point, optional exponent. `None` if there is none. The value is the nearest `f64`, infinite
-/// if it overflows; the caller checks what follows the number.
-// Two fifths of the time that opening a file takes are spent here: a call for each number costs a tenth of it.
+/// Parses the number at the start of `text` and returns it with its length in bytes: optional sign, digits with an
+/// optional point, optional exponent. `None` if there is no number. The value is the nearest `f64`, infinite if it
+/// overflows. The caller checks the text after the number.
+// Two fifths of the time to open a file are spent here; a function call for each number would cost a tenth of it.
 #[inline(always)]
 #[allow(clippy::inline_always)]
 pub(super) fn parse_prefix(text: &[u8]) -> Option<(f64, usize)> {
@@ -63,7 +62,7 @@ pub(super) fn parse_prefix(text: &[u8]) -> Option<(f64, usize)> {
     Some((value, at))
 }
 
-/// Appends the digits from `at` to the significand (modulo 2⁶⁴); gives their end.
+/// Appends the digits from `at` to the significand (modulo 2⁶⁴). Returns the end of the digits.
 fn take_digits(text: &[u8], mut at: usize, significand: &mut u64) -> usize {
     while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|&d| d < 10) {
         *significand = significand.wrapping_mul(10).wrapping_add(u64::from(digit));
@@ -72,7 +71,7 @@ fn take_digits(text: &[u8], mut at: usize, significand: &mut u64) -> usize {
     at
 }
 
-/// The exponent from `at`, saturated, and its end; `None` without a digit.
+/// Exponent that starts at `at`, saturated, and its end; `None` without a digit.
 fn exponent_at(text: &[u8], at: usize) -> Option<(i64, usize)> {
     let (sign, begin) = match text.get(at) {
         Some(b'-') => (-1, at + 1),

@@ -1,4 +1,4 @@
-//! Text to [`Bvh`].
+//! Parses text to [`Bvh`].
 
 use super::number::parse_prefix;
 use super::{
@@ -9,21 +9,21 @@ use crate::quotation::quotation;
 use std::borrow::Cow;
 use strut_core::note::{Note, NoteCode};
 
-/// Frame times that are milliseconds if the motion has small steps: 20 to 250 Hz.
+/// Frame times that are treated as milliseconds if the motion has small steps: 20 to 250 Hz.
 const MILLISECONDS: std::ops::RangeInclusive<f64> = 4.0..=50.0;
 
-/// Most characters of the file that a message quotes.
+/// Maximum number of characters of the file that a message quotes.
 const MOST_SHOWN: usize = 24;
 
-/// Reads a file. See the [module documentation](super) for what is accepted.
+/// Parses a file. See the [module documentation](super) for the accepted format.
 ///
 /// # Errors
-/// The first thing that is wrong, with its line; see [`BvhError`].
+/// Returns the first error, with its line; see [`BvhError`].
 pub fn parse(bytes: &[u8]) -> Result<Bvh, BvhError> {
     Ok(parse_noted(bytes)?.0)
 }
 
-/// Reads a file, with notes on what had to be guessed; a file without faults gets none.
+/// Parses a file and returns notes on all guesses; empty for a file without faults.
 ///
 /// # Errors
 /// As [`parse`].
@@ -80,8 +80,8 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
     Ok((bvh, cursor.notes))
 }
 
-/// Reads what stands before the frames of a file, as it is sent before a stream of frames: what follows the joints is not
-/// read, and the only frame has 0 in every channel.
+/// Parses the part of a file before the frames, as it is sent before a stream of frames. The text after the joints is
+/// ignored, and the only frame has 0 in every channel.
 ///
 /// # Errors
 /// As [`parse`].
@@ -92,7 +92,7 @@ pub fn parse_hierarchy(bytes: &[u8]) -> Result<Bvh, BvhError> {
     Ok(Bvh { joints, added_positions: false, frame_time_secs: 1.0, frames: 1, values })
 }
 
-/// The file as UTF-8, but for names, and whether it was UTF-16.
+/// The file as UTF-8, except for names, and whether it was UTF-16.
 fn text_of(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), BvhError> {
     if bytes.len() > MAX_BYTES {
         return Err(BvhError::TooManyBytes { bytes: bytes.len() });
@@ -100,7 +100,7 @@ fn text_of(bytes: &[u8]) -> Result<(Cow<'_, [u8]>, bool), BvhError> {
     Ok(encoding::utf_8(bytes))
 }
 
-/// From `HIERARCHY` to after the root's closing brace.
+/// Parses from `HIERARCHY` to after the root's closing brace.
 fn beginning(text: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
     let mut cursor = Cursor { text, at: 0, line: 1, line_begin: 0, notes: Vec::new() };
     cursor.skip_blanks_and_lines();
@@ -115,7 +115,7 @@ fn beginning(text: &[u8]) -> Result<(Vec<Joint>, Cursor<'_>), BvhError> {
     Ok((joints, cursor))
 }
 
-/// From after `HIERARCHY` to after the root's closing brace.
+/// Parses from after `HIERARCHY` to after the root's closing brace.
 fn hierarchy(cursor: &mut Cursor) -> Result<Vec<Joint>, BvhError> {
     cursor.keyword("ROOT")?;
     let mut joints = vec![joint(cursor, None)?];
@@ -145,7 +145,7 @@ fn hierarchy(cursor: &mut Cursor) -> Result<Vec<Joint>, BvhError> {
     Ok(joints)
 }
 
-/// An end site from after its keyword on; of several in a joint the first one counts.
+/// Parses an end site after its keyword. If a joint has several, the first one is used.
 fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Result<(), BvhError> {
     if !cursor.at_line_end() && cursor.peek() != Some(b'{') {
         cursor.name()?;
@@ -170,7 +170,7 @@ fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Resul
     Ok(())
 }
 
-/// A joint from its name to its channels; its opening brace stays open.
+/// Parses a joint from its name to its channels; its opening brace stays open.
 fn joint(cursor: &mut Cursor, parent: Option<usize>) -> Result<Joint, BvhError> {
     let (name, name_bytes) = encoding::name(cursor.name()?);
     if name_bytes.is_some() {
@@ -213,14 +213,14 @@ fn channel_list(cursor: &mut Cursor) -> Result<Vec<Channel>, BvhError> {
     Ok(channels)
 }
 
-/// What stands after `Frame Time:`.
+/// Value of `Frame Time:`.
 struct FrameTime {
     /// Seconds, or milliseconds.
     value: f64,
     line: usize,
 }
 
-/// `MOTION`, `Frames:` and `Frame Time:`; ends before the first frame.
+/// Parses `MOTION`, `Frames:` and `Frame Time:`; stops before the first frame.
 fn motion_header(cursor: &mut Cursor) -> Result<(usize, FrameTime), BvhError> {
     cursor.keyword("MOTION")?;
     let begin = cursor.line;
@@ -235,27 +235,27 @@ fn motion_header(cursor: &mut Cursor) -> Result<(usize, FrameTime), BvhError> {
     if !FRAME_TIME_SECS.contains(&value) && !MILLISECONDS.contains(&value) {
         return Err(BvhError::FrameTime { line: cursor.line, secs: value });
     }
-    // Where all is on one line, so are the frames.
+    // If the header is on one line, the frames may be on it too.
     if !cursor.at_line_end() && cursor.line != begin {
         return Err(cursor.unexpected("the end of the line"));
     }
     Ok((frames as usize, FrameTime { value, line: cursor.line }))
 }
 
-/// The numbers of the frames.
+/// Numbers of the frames.
 struct Frames {
     values: Vec<f64>,
-    /// Numbers of a last frame that is not whole.
+    /// Number of values of an incomplete last frame.
     cut_off: usize,
 }
 
-/// Lines of `channels` numbers each, `frames` of them or as many as there are, then nothing that is a number. A line may also
-/// hold a part of a frame, or several whole ones.
+/// Parses lines of `channels` numbers each, up to the end of the frames; their number may differ from `frames`. A line
+/// may also contain a part of a frame, or several whole frames.
 fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<Frames, BvhError> {
-    // A value takes two bytes at least, so that a short file cannot reserve much memory.
+    // A value takes at least two bytes, so that a short file cannot reserve much memory.
     let most = (cursor.text.len() - cursor.at) / 2 + 1;
     let mut values = Vec::with_capacity(frames.saturating_mul(channels).min(most));
-    // The first line of another length, and the last line.
+    // First line of another length, and last line.
     let (mut uneven, mut last) = (None, 0);
     loop {
         cursor.skip_blanks_and_lines();
@@ -270,7 +270,7 @@ fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<F
         }
         let found = values.len() - before;
         if found == 0 {
-            // A mark that ends files stands between numbers.
+            // There is an end-of-file mark between numbers.
             return Err(cursor.unexpected("a number"));
         }
         if found != channels {
@@ -304,7 +304,7 @@ fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<F
     Ok(Frames { values, cut_off })
 }
 
-/// Whether what follows a brace is the beginning of a joint, not the rest of a name.
+/// Returns whether the text after a brace is the start of a joint, not the rest of a name.
 fn begins_joint(text: &[u8]) -> bool {
     let text = text.trim_ascii_start();
     let Some((word, rest)) = text.split_at_checked(text.iter().take_while(|b| b.is_ascii_alphabetic()).count()) else {
@@ -315,13 +315,14 @@ fn begins_joint(text: &[u8]) -> bool {
     (is(b"OFFSET") || is(b"CHANNELS")) && number.len() < rest.len() && number.first().is_some_and(|b| is_numeric(*b))
 }
 
-/// Whether a byte may be the first of a number.
+/// Returns whether a byte may be the first of a number.
 fn is_numeric(b: u8) -> bool {
     matches!(b, b'-' | b'+' | b'.' | b'0'..=b'9')
 }
 
-/// Whether a line after whole frames is one of them, damaged or not: it begins with a number or, where frames are missing, with
-/// a word with a digit in it; or it has as many words as a frame has numbers, or so many of them are numbers.
+/// Returns whether a line after whole frames is a frame, possibly a damaged one: it starts with a number or, if frames
+/// are missing, with a word that contains a digit; or it has as many words as a frame has numbers, or more than
+/// half as many numbers.
 fn is_frame(line: &[u8], channels: usize, is_short: bool) -> bool {
     let is = |word: &[u8]| line.get(..3).is_some_and(|w| w.eq_ignore_ascii_case(word));
     if line.first().is_some_and(|b| is_numeric(*b)) || is(b"nan") || is(b"inf") {
@@ -342,9 +343,9 @@ struct Cursor<'a> {
     at: usize,
     /// Counts from 1.
     line: usize,
-    /// Where the line begins in `text`.
+    /// Start of the line in `text`.
     line_begin: usize,
-    /// What had to be guessed so far.
+    /// Notes on guesses so far.
     notes: Vec<Note>,
 }
 
@@ -376,7 +377,8 @@ impl<'a> Cursor<'a> {
         self.line_begin = self.at;
     }
 
-    /// Whether the frames end here: with the file, or with text after whole frames that is none itself ([`is_frame`]).
+    /// Returns whether the frames end here: at the end of the file, or at text after whole frames that contains no
+    /// frame ([`is_frame`]).
     fn ends_or_has_text(&mut self, values: &[f64], channels: usize, announced: usize) -> bool {
         let rest = &self.text[self.at..];
         let Some(first) = rest.first() else { return true };
@@ -388,7 +390,7 @@ impl<'a> Cursor<'a> {
         if lines.any(|line| is_frame(line, channels, is_short)) {
             return false;
         }
-        // Marks at the end of a file say nothing.
+        // End-of-file marks need no note.
         if rest.iter().any(|b| !matches!(b, 0 | 0x1A | b' ' | b'\t' | b'\r' | b'\n')) {
             let line = self.line;
             self.notes.push(Note::new(
@@ -399,21 +401,21 @@ impl<'a> Cursor<'a> {
         true
     }
 
-    /// Notes what occurs many times in a file, the first time.
+    /// Adds a note only once, for faults that occur many times in a file.
     fn note_once(&mut self, code: NoteCode, text: impl FnOnce() -> Cow<'static, str>) {
         if self.notes.iter().all(|note| note.code != code) {
             self.notes.push(Note::new(code, text()));
         }
     }
 
-    /// Skips blanks; whether nothing else is left on the line. The marks that some programs end a file with end a line too.
+    /// Skips blanks and returns whether the line ends. The end-of-file marks of some programs also end a line.
     fn at_line_end(&mut self) -> bool {
         self.skip_blanks();
         matches!(self.peek(), None | Some(b'\n' | b'\r' | 0 | 0x1A))
     }
 
-    /// Skips blanks and lines; the bytes to the next blank, line end or brace, not consumed. A brace is a
-    /// token of its own.
+    /// Skips blanks and lines, and returns the bytes up to the next blank, line end or brace without consuming them. A
+    /// brace is a token of its own.
     fn token(&mut self) -> &'a [u8] {
         self.skip_blanks_and_lines();
         let rest = &self.text[self.at..];
@@ -424,7 +426,7 @@ impl<'a> Cursor<'a> {
         &rest[..length.unwrap_or(rest.len())]
     }
 
-    /// Consumes the next token if it is this word, in any case.
+    /// Consumes the next token if it is this word, in any case. Returns whether it did.
     fn take_keyword(&mut self, word: &str) -> bool {
         let token = self.token();
         let taken = token.eq_ignore_ascii_case(word.as_bytes());
@@ -438,7 +440,7 @@ impl<'a> Cursor<'a> {
         if self.take_keyword(word) { Ok(()) } else { Err(self.unexpected(word)) }
     }
 
-    /// Words and a colon, with or without blanks around it.
+    /// Parses words and a colon, with or without blanks around it.
     fn label(&mut self, words: &[&str], expected: &'static str) -> Result<(), BvhError> {
         self.skip_blanks_and_lines();
         for word in words {
@@ -457,8 +459,8 @@ impl<'a> Cursor<'a> {
         Ok(())
     }
 
-    /// The rest of the line without blanks around and opening braces at its end, where the joint may begin, also if it goes on
-    /// there: what is a name can be written and read again.
+    /// Parses a name: the rest of the line without surrounding blanks and without opening braces at its end, or up to a
+    /// brace after which the joint starts on the same line. A name in this form can be written and read again.
     fn name(&mut self) -> Result<&'a [u8], BvhError> {
         self.skip_blanks();
         let rest = &self.text[self.at..];
@@ -467,7 +469,7 @@ impl<'a> Cursor<'a> {
         let joint = (0..length).find(|&i| line[i] == b'{' && begins_joint(&line[i + 1..]));
         let line = line[..joint.unwrap_or(length)].trim_ascii_end();
         let begins = line.iter().rposition(|b| *b != b'{' && !b.is_ascii_whitespace()).map_or(0, |last| last + 1);
-        // In Shift-JIS a letter may end in the byte of a brace, where another one opens the joint.
+        // In Shift-JIS the second byte of a letter may have the value of a brace; another brace then opens the joint.
         let is_opened = || line.len() > begins + 1 || joint.is_some() || after.trim_ascii_start().starts_with(b"{");
         let is_letter = begins > 0 && encoding::leads(line[begins - 1]) && line.len() > begins && is_opened();
         let name = &line[..begins + usize::from(is_letter && line[begins] == b'{')];
@@ -485,7 +487,7 @@ impl<'a> Cursor<'a> {
         Ok(name)
     }
 
-    /// A whole number, saturated.
+    /// Parses a whole number, saturated.
     fn count(&mut self, expected: &'static str) -> Result<u64, BvhError> {
         let token = self.token();
         if token.is_empty() || !token.iter().all(u8::is_ascii_digit) {
@@ -504,7 +506,7 @@ impl<'a> Cursor<'a> {
         Ok(vector)
     }
 
-    /// The number here, at most [`MAX_ABS_VALUE`] in magnitude.
+    /// Parses a number of absolute value at most [`MAX_ABS_VALUE`].
     fn bounded_number(&mut self) -> Result<f64, BvhError> {
         let begin = self.at;
         let value = self.any_number("a number")?;
@@ -515,7 +517,7 @@ impl<'a> Cursor<'a> {
         Err(BvhError::TooLarge { line: self.line, column: self.column(), found: self.shown() })
     }
 
-    /// The number here, up to a blank, line end or brace.
+    /// Parses a number up to a blank, line end or brace.
     fn any_number(&mut self, expected: &'static str) -> Result<f64, BvhError> {
         let Some((value, length)) = parse_prefix(&self.text[self.at..]) else {
             return Err(self.unexpected(expected));
@@ -536,7 +538,7 @@ impl<'a> Cursor<'a> {
         self.at - self.line_begin + 1
     }
 
-    /// The next token as a message quotes it.
+    /// Next token in the form that a message quotes.
     fn shown(&mut self) -> String {
         let token = self.token();
         if token.is_empty() {
@@ -552,7 +554,7 @@ impl<'a> Cursor<'a> {
     }
 
     fn unexpected(&mut self, expected: &'static str) -> BvhError {
-        // First the token: finding it may lead to a further line.
+        // The token comes first: finding it may advance to a later line.
         let found = self.shown();
         BvhError::Unexpected { line: self.line, column: self.column(), found, expected }
     }

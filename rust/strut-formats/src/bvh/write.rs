@@ -1,9 +1,10 @@
-//! [`Bvh`] to text.
+//! Writes [`Bvh`] as text.
 
 use super::{Bvh, encoding};
 use std::fmt::Write;
 
-/// The file: [`write_text`] in UTF-8, but for names that were read in another encoding, which are written as they were.
+/// Writes the file: [`write_text`] in UTF-8, except for names that were read in another encoding, whose original bytes
+/// are written.
 pub fn write(bvh: &Bvh) -> Vec<u8> {
     let text = write_text(bvh);
     if bvh.joints.iter().any(|joint| joint.name_bytes.is_some()) {
@@ -13,11 +14,11 @@ pub fn write(bvh: &Bvh) -> Vec<u8> {
     }
 }
 
-/// The file as text, for programs that pass on text: each byte from 0x80 on of a name that is not UTF-8 is a character from
-/// U+10FE80 on, of a private area. LF line ends, tabs for indentation. Every number is printed with the fewest digits
-/// that read back as the same `f64`, so that `parse(write(b)) == b`.
+/// Writes the file as text, for programs that transfer text: each byte from 0x80 on of a name that is not UTF-8 is a
+/// character from U+10FE80 on, in a private-use area. LF line ends, tabs for indentation. Every number has the fewest
+/// digits that read back as the same `f64`, so that `parse(write(b)) == b`.
 pub fn write_text(bvh: &Bvh) -> String {
-    // About ten characters a value, one line of about 30 for each of five lines a joint.
+    // About ten characters for each value, one line of about 30 for each of five lines per joint.
     let mut out = String::with_capacity(bvh.values.len() * 11 + bvh.joints.len() * 150 + 100);
     out.push_str("HIERARCHY\n");
     write_joints(&mut out, bvh);
@@ -100,7 +101,7 @@ fn push_offset(out: &mut String, depth: usize, offset: [f64; 3]) {
     out.push('\n');
 }
 
-/// The shortest decimal that reads back as the same number; scientific where that would be mostly zeros.
+/// Appends the shortest decimal that reads back as the same number; in scientific notation if that would be mostly zeros.
 fn push_number(out: &mut String, value: f64) {
     let written = if value != 0.0 && value.abs() < 1e-5 { write!(out, "{value:e}") } else { write!(out, "{value}") };
     debug_assert!(written.is_ok(), "writing to a string cannot fail");

@@ -1,26 +1,25 @@
-//! The checksum of a whole file that contains it.
+//! Checksum of a whole file that contains the checksum.
 
 use super::Source;
 use super::crc32::Crc32;
 use std::ops::Range;
 
-/// The name of the metadata's field as it is in the file: JSON within a JSON string. Quotation marks in texts of the metadata
-/// are escaped twice, so that no text can match it.
+/// Name of the metadata's field in the form in which the file contains it: JSON within a JSON string. Quotation marks
+/// in texts of the metadata are escaped twice, so that no text can match it.
 const NAME: &[u8] = br#"\"checksum\""#;
-/// What begins a text of the metadata.
+/// Start of a text of the metadata.
 const QUOTATION_MARK: &[u8] = br#"\""#;
-/// What may stand between name, colon and value.
+/// Blanks that may occur between name, colon and value.
 const BLANKS: [&[u8]; 4] = [b" ", br"\n", br"\r", br"\t"];
-/// Digits of a checksum.
+/// Number of digits of a checksum.
 const DIGITS: usize = 8;
 /// Placeholder of the digits while the checksum is computed.
 pub(crate) const BLANK: &str = "00000000";
 
-/// Bytes summed per call. In WebAssembly a function is optimised once it has been called often, however long one call
-/// runs.
+/// Bytes summed per call. In WebAssembly a function is optimised once it has been called often, even if one call runs long.
 const PART: usize = 1 << 15;
 
-/// Position of the digits in the beginning of a file, if it has this checksum.
+/// Position of the digits in the header of a file, if it contains this checksum.
 fn digits(beginning: &[u8], checksum: &str) -> Option<Range<usize>> {
     let mut from = 0;
     loop {
@@ -34,7 +33,7 @@ fn digits(beginning: &[u8], checksum: &str) -> Option<Range<usize>> {
     }
 }
 
-/// What comes after the quotation mark of a text that is the value of a field.
+/// Text after the quotation mark that opens the value of a field.
 fn text_after_colon(after_name: &[u8]) -> Option<&[u8]> {
     let value = without_blanks(after_name).strip_prefix(b":")?;
     without_blanks(value).strip_prefix(QUOTATION_MARK)
@@ -47,8 +46,8 @@ fn without_blanks(mut text: &[u8]) -> &[u8] {
     text
 }
 
-/// The checksum that a file should have which has the one that is `found` in its beginning, up to the end of the header;
-/// lower-case hexadecimal. `None` if it is not there.
+/// Correct checksum of a file whose header contains the checksum `found`, as lower-case hexadecimal. `beginning` is the
+/// file up to the end of its header. `None` if the header does not contain `found`.
 pub(super) fn compute<S: Source + ?Sized>(beginning: &[u8], file: &S, found: &str) -> Option<String> {
     let digits = digits(beginning, found)?;
     let mut crc = Crc32::new();
@@ -63,7 +62,7 @@ pub(super) fn compute<S: Source + ?Sized>(beginning: &[u8], file: &S, found: &st
     Some(format!("{:08x}", crc.finish()))
 }
 
-/// Enters the checksum into a file whose metadata hold [`BLANK`] in its place.
+/// Writes the checksum into a file whose metadata contain [`BLANK`] in its place.
 pub(super) fn enter(file: &mut [u8]) {
     if let (Some(sum), Some(digits)) = (compute(file, file, BLANK), digits(file, BLANK)) {
         file[digits].copy_from_slice(sum.as_bytes());

@@ -1,16 +1,16 @@
 //! CRC-32 as in zlib and PNG (reflected, polynomial 0xEDB88320).
 //!
-//! Crates for it carry 16 kB of tables, which do not compress and which every visitor of the page would
-//! download; here they are computed when a sum begins, in microseconds.
+//! Crates for it contain 16 kB of tables, which do not compress and which every visitor of the page would download.
+//! Here the tables are computed when a sum starts, in microseconds.
 
 const POLYNOMIAL: u32 = 0xEDB8_8320;
-/// Bytes taken at once ("slicing by 8"): 1 GB/s and more.
+/// Bytes processed at once ("slicing by 8"): 1 GB/s and more.
 const STRIDE: usize = 8;
 
-/// A sum over bytes that arrive in parts.
+/// A sum of bytes that arrive in parts.
 pub(super) struct Crc32 {
     state: u32,
-    /// `tables[k][b]`: what byte b does to the state when k further bytes follow.
+    /// `tables[k][b]`: effect of byte b on the state if k further bytes follow.
     tables: [[u32; 256]; STRIDE],
 }
 
@@ -34,7 +34,7 @@ impl Crc32 {
         let tables = &self.tables;
         let (strides, rest) = bytes.as_chunks::<STRIDE>();
         for &[a, b, c, d, e, f, g, h] in strides {
-            // Written out, as the module is built for size and its loops are not unrolled.
+            // Unrolled by hand, because the module is built for size and its loops are not unrolled.
             let [w, x, y, z] = (self.state ^ u32::from_le_bytes([a, b, c, d])).to_le_bytes();
             let [w, x, y, z] = [
                 tables[7][usize::from(w)],
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn sums_are_those_of_the_standard() {
-        // The check value of every catalogue of CRCs.
+        // Check value in the catalogues of CRCs.
         assert_eq!(crc(&[b"123456789"]), 0xCBF4_3926);
         assert_eq!(crc(&[]), 0);
         assert_eq!(crc(&[b"The quick brown fox jumps over the lazy dog"]), 0x414F_A339);

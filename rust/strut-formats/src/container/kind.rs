@@ -5,9 +5,9 @@
 pub struct Kind {
     /// Name in messages.
     pub name: &'static str,
-    /// The metadata entry.
+    /// Name of the metadata entry.
     pub entry: &'static str,
-    /// Version that is written, major.minor; files of another major version are refused.
+    /// Version that is written, major.minor. Files of another major version are rejected.
     pub version: &'static str,
     /// First minor version whose files have a checksum.
     pub checksum_since: u32,

@@ -1,9 +1,8 @@
-//! The container of the files of databases and models: a
-//! [safetensors](https://github.com/huggingface/safetensors) file whose metadata have one entry, a JSON object with
-//! `version`, `generator` and `checksum`.
+//! Container of database and model files: a [safetensors](https://github.com/huggingface/safetensors) file whose
+//! metadata have one entry, a JSON object with `version`, `generator` and `checksum`.
 //!
-//! `checksum` is the CRC-32 (that of zlib and PNG) of the whole file, as eight hexadecimal digits in lower case. For its
-//! computation these digits are replaced by the character 0, so that every changed byte is detected. Files of models before
+//! `checksum` is the CRC-32 (as in zlib and PNG) of the whole file, as eight hexadecimal digits in lower case. For its
+//! computation these digits are replaced by the character 0, so that every changed byte is detected. Model files before
 //! version 1.1 have no checksum.
 
 mod checksum;

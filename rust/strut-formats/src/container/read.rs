@@ -1,4 +1,4 @@
-//! Bytes to metadata and tensors; checks everything.
+//! Reads metadata and tensors from bytes; checks everything.
 
 use super::tensor::Tensors;
 use super::{ContainerError, Kind, Source, checksum};
@@ -7,7 +7,7 @@ use safetensors::tensor::Metadata as Header;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-/// The part of the metadata common to all kinds.
+/// Part of the metadata that is common to all kinds.
 #[derive(Deserialize)]
 struct Common {
     version: String,
@@ -17,7 +17,7 @@ struct Common {
 /// Greatest number of characters of a text from the file in a message.
 const SHOWN: usize = 20;
 
-/// The metadata and the tensors of an undamaged file.
+/// Metadata and tensors of an undamaged file.
 pub(crate) fn open<M: DeserializeOwned, S: Source + ?Sized>(
     kind: Kind,
     file: &S,
@@ -53,7 +53,7 @@ pub(crate) fn open<M: DeserializeOwned, S: Source + ?Sized>(
     Ok((metadata, Tensors::new(kind, header, beginning.len(), file)))
 }
 
-/// The minor part of a version whose major part is the kind's.
+/// Minor version, if the major version is the kind's.
 fn minor_version(kind: Kind, version: &str) -> Option<u32> {
     let parts = |v: &str| {
         let (major, minor) = v.split_once('.').unwrap_or((v, "0"));
@@ -63,10 +63,10 @@ fn minor_version(kind: Kind, version: &str) -> Option<u32> {
     (Some(major) == parts(kind.version).map(|(major, _)| major)).then_some(minor)
 }
 
-/// Bytes that hold the length of the header.
+/// Number of bytes of the header's length.
 const LENGTH_BYTES: usize = 8;
 
-/// The file up to the end of its header, if it is that long.
+/// The file up to the end of its header; `None` if the file is shorter.
 fn beginning<S: Source + ?Sized>(file: &S) -> Option<Vec<u8>> {
     let mut length = [0; LENGTH_BYTES];
     if file.len() < LENGTH_BYTES {

@@ -1,6 +1,6 @@
-//! Where a file's bytes come from.
+//! Sources of a file's bytes.
 
-/// The bytes of a file, in memory or elsewhere, such as in the JavaScript heap, from where they are copied in parts.
+/// Bytes of a file, in memory or elsewhere, for example in the JavaScript heap, from which they are copied in parts.
 pub trait Source {
     /// Number of bytes.
     fn len(&self) -> usize;

@@ -1,4 +1,4 @@
-//! The tensors of an open file.
+//! Tensors of an open file.
 
 use super::{ContainerError, Kind, Source};
 use bytemuck::Pod;
@@ -11,7 +11,7 @@ use strut_core::math::Quat;
 pub(crate) struct Tensors<'a, S: ?Sized> {
     kind: Kind,
     header: Header,
-    /// Where the first begins.
+    /// Position of the first tensor.
     start: usize,
     file: &'a S,
 }
@@ -21,7 +21,7 @@ impl<'a, S: Source + ?Sized> Tensors<'a, S> {
         Self { kind, header, start, file }
     }
 
-    /// The tensor of this name; `None` in the shape stands for any length.
+    /// Tensor of this name. `None` in the shape matches any length.
     pub(crate) fn find(
         &self,
         name: &'static str,
@@ -44,22 +44,22 @@ impl<'a, S: Source + ?Sized> Tensors<'a, S> {
         Ok(Tensor { file: self.file, begin: self.start + begin, bytes: end - begin, shape: &info.shape })
     }
 
-    /// Rows of a tensor: its first dimension, 0 if it is absent.
+    /// Number of rows of a tensor: its first dimension, 0 if it is missing.
     pub(crate) fn rows(&self, name: &str) -> usize {
         self.header.info(name).and_then(|info| info.shape.first().copied()).unwrap_or_default()
     }
 
-    /// The finite numbers of an f32 tensor of this shape.
+    /// Numbers of an f32 tensor of this shape, all finite.
     pub(crate) fn finite(&self, name: &'static str, shape: &[usize]) -> Result<Vec<f32>, ContainerError> {
         self.all(name, shape, f32::is_finite, "a finite number")
     }
 
-    /// The same, above zero.
+    /// Same as [`Self::finite`], all above zero.
     pub(crate) fn positive(&self, name: &'static str, shape: &[usize]) -> Result<Vec<f32>, ContainerError> {
         self.all(name, shape, |v| v.is_finite() && v > 0.0, "a positive number")
     }
 
-    /// The same, within a range, which `expected` describes.
+    /// Same as [`Self::finite`], all within a range that `expected` describes.
     pub(crate) fn within(
         &self,
         name: &'static str,
@@ -107,11 +107,11 @@ pub(crate) struct Tensor<'a, S: ?Sized> {
     shape: &'a [usize],
 }
 
-// Bytes become numbers as they are.
+// Bytes are reinterpreted as numbers.
 const _: () = assert!(cfg!(target_endian = "little"), "files are little-endian");
 
 impl<S: Source + ?Sized> Tensor<'_, S> {
-    /// Lengths of its dimensions.
+    /// Shape of the tensor.
     pub(crate) fn shape(&self) -> &[usize] {
         self.shape
     }
@@ -127,7 +127,7 @@ impl<S: Source + ?Sized> Tensor<'_, S> {
         [self.part(0, half), self.part(half, half)]
     }
 
-    /// Copies numbers from number `first` of the tensor on, in groups; the range must exist.
+    /// Copies numbers in groups, from index `first` of the tensor on. The range must exist.
     pub(crate) fn copy<T: Pod>(&self, first: usize, to: &mut [T]) {
         let size = self.bytes / self.shape.iter().product::<usize>().max(1);
         self.file.copy(self.begin + first * size, bytemuck::cast_slice_mut(to));

@@ -51,7 +51,7 @@ fn other_files_are_refused_with_a_reason() {
     assert_eq!(error, "the sample has version 1.1; this Strut reads version 2.0");
 }
 
-/// As other programs write JSON: with blanks or lines between its tokens, and keys in another order.
+/// JSON as other programs write it: with blanks or lines between its tokens, and keys in another order.
 #[test]
 fn metadata_may_be_spelt_otherwise() {
     for json in [
@@ -63,7 +63,7 @@ fn metadata_may_be_spelt_otherwise() {
         let data: Vec<u8> = (0..6).flat_map(|i| (i as f32).to_le_bytes()).collect();
         let view = safetensors::tensor::TensorView::new(safetensors::Dtype::F32, vec![2, 3], &data).unwrap();
         let mut file = safetensors::serialize([("values", view)], Some(about)).unwrap();
-        // What a program in any language does: the sum with zeros in its place, then the sum there.
+        // The algorithm of any program: the sum with zeros in its place, then the sum is inserted.
         let sum = format!("{:08x}", crc32fast::hash(&file));
         let at = file.windows(8).rposition(|w| w == b"00000000").unwrap();
         let at =

@@ -1,4 +1,4 @@
-//! Files of models as version 1.0 wrote them.
+//! Model files in version 1.0, for tests.
 
 use super::Kind;
 use safetensors::SafeTensors;

@@ -1,4 +1,4 @@
-//! Metadata and tensors to bytes.
+//! Writes metadata and tensors as bytes.
 
 use super::{Kind, checksum};
 use safetensors::View;
@@ -6,8 +6,7 @@ use safetensors::tensor::Dtype;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// A tensor whose bytes are made when they are written, so that the file's size is not needed twice in a browser's
-/// memory.
+/// A tensor whose bytes are created when they are written, so that a browser does not need memory for the file twice.
 pub(crate) struct Written<'a> {
     dtype: Dtype,
     shape: Vec<usize>,
@@ -15,13 +14,13 @@ pub(crate) struct Written<'a> {
 }
 
 impl<'a> Written<'a> {
-    /// A tensor; `bytes` returns as many bytes as type and shape require.
+    /// A tensor. `bytes` returns the number of bytes that type and shape require.
     pub(crate) fn new(dtype: Dtype, shape: Vec<usize>, bytes: impl Fn() -> Vec<u8> + 'a) -> Self {
         Self { dtype, shape, bytes: Box::new(bytes) }
     }
 }
 
-/// A tensor of f32, as many as the shape says.
+/// A tensor of f32 with this shape.
 pub(crate) fn floats<'a, I: Iterator<Item = f32>>(shape: Vec<usize>, values: impl Fn() -> I + 'a) -> Written<'a> {
     let length = 4 * shape.iter().product::<usize>();
     Written::new(Dtype::F32, shape, move || {
@@ -31,7 +30,7 @@ pub(crate) fn floats<'a, I: Iterator<Item = f32>>(shape: Vec<usize>, values: imp
     })
 }
 
-/// The same, rounded from f64.
+/// A tensor of f32 with this shape, rounded from f64.
 pub(crate) fn rounded<'a, I: Iterator<Item = f64>>(shape: Vec<usize>, values: impl Fn() -> I + 'a) -> Written<'a> {
     floats(shape, move || values().map(|v| v as f32))
 }
@@ -54,10 +53,10 @@ impl View for &Written<'_> {
     }
 }
 
-/// A file; its metadata have a `checksum` that is [`checksum::BLANK`].
+/// Writes a file whose metadata contain a `checksum` equal to [`checksum::BLANK`].
 ///
 /// # Panics
-/// If two tensors have the same name, or a tensor has another number of bytes than its shape says.
+/// If two tensors have the same name, or the number of bytes of a tensor does not match its shape.
 pub(crate) fn write(kind: Kind, metadata: &impl Serialize, tensors: &[(&str, Written<'_>)]) -> Vec<u8> {
     let json = serde_json::to_string(metadata).expect("strings and numbers are JSON");
     let metadata = std::iter::once((kind.entry.to_owned(), json)).collect();

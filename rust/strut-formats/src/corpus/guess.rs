@@ -1,7 +1,7 @@
-//! Finds the pattern that a set of file names follows.
+//! Guesses the pattern of a set of file names.
 //!
-//! Names are split into columns at a delimiter, folders being columns too. A column whose values are known words for
-//! actions, or for styles, is most likely that label; a last column of numbers is the take. Where no word is known,
+//! Names are split into columns at a delimiter; folders are columns too. A column whose values are known words for
+//! actions, or for styles, is most likely that label; a last column of numbers is the take. Without known words,
 //! columns that vary are preferred, and the action comes before the style, as in most published sets.
 
 use super::pattern::{Pattern, without_extension};
@@ -9,10 +9,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Separators of the parts of a name, the usual one first.
 const DELIMITERS: [char; 4] = ['_', '-', ' ', '.'];
-/// Folders above a file that may hold a label.
+/// Number of folders above a file that may contain a label.
 const MAX_FOLDERS: usize = 2;
 
-/// Beginnings of words for actions; of two letters, whole words …
+/// Beginnings of words for actions; two letters are whole words …
 const ACTIONS: [&str; 44] = [
     "walk", "run", "jog", "sprint", "jump", "hop", "leap", "skip", "kick", "punch", "box", "fight", "slash", "throw",
     "catch", "dance", "wave", "bow", "greet", "call", "respond", "turn", "sit", "stand", "idle", "crawl", "climb",
@@ -83,7 +83,7 @@ const STYLES: [&str; 60] = [
     "style",
 ];
 
-/// The values of one column of the names.
+/// Values of one column of the names.
 struct Column<'a> {
     values: BTreeSet<&'a str>,
     names: usize,
@@ -99,7 +99,7 @@ impl Column<'_> {
         self.values.iter().all(|v| !v.is_empty() && v.bytes().all(|b| b.is_ascii_digit()))
     }
 
-    /// Share of the values with a word that begins as one of these.
+    /// Share of the values that contain a word with one of these beginnings.
     fn share_of(&self, beginnings: &[&str]) -> f32 {
         let known = |value: &&&str| {
             let lower = value.to_lowercase();
@@ -109,23 +109,24 @@ impl Column<'_> {
         self.values.iter().filter(known).count() as f32 / self.values.len() as f32
     }
 
-    /// Likelihood that the column holds the label that these words are for.
+    /// Likelihood that the column is the label to which these words belong.
     fn fits(&self, beginnings: &[&str]) -> f32 {
-        // Known words decide; then variation, but labels repeat; file names before folders, which often hold a whole set.
+        // Known words weigh most; then variation, but labels repeat; file names before folders, which often contain a
+        // whole set.
         let varies = if self.varies() { 0.3 } else { 0.0 };
         let repeats = 0.2 * (1.0 - self.values.len() as f32 / self.names as f32);
         self.share_of(beginnings) + varies + repeats - if self.is_folder { 0.1 } else { 0.0 }
     }
 }
 
-/// The most likely pattern of these paths; `None` if no delimiter gives both an action and a style.
+/// Most likely pattern of these paths; `None` if no delimiter results in both an action and a style.
 pub fn guess_pattern<P: AsRef<str>>(paths: &[P]) -> Option<Pattern> {
     let best = DELIMITERS.into_iter().filter_map(|delimiter| candidate(paths, delimiter));
-    // The first of equals: the more usual delimiter.
+    // Of equal candidates the first one is chosen: the more common delimiter.
     best.reduce(|a, b| if b.0 > a.0 { b } else { a }).map(|(_, pattern)| pattern)
 }
 
-/// The pattern for one delimiter and how good it is.
+/// Pattern for one delimiter, and its score.
 fn candidate<P: AsRef<str>>(paths: &[P], delimiter: char) -> Option<(f32, Pattern)> {
     let cut: Vec<(Vec<&str>, Vec<&str>)> = paths.iter().map(|path| columns_of(path.as_ref(), delimiter)).collect();
     let mut counts: BTreeMap<(usize, usize), usize> = BTreeMap::new();
@@ -177,7 +178,7 @@ fn candidate<P: AsRef<str>>(paths: &[P], delimiter: char) -> Option<(f32, Patter
     Some((score + 2.0 * share, (text + ".bvh").parse().ok()?))
 }
 
-/// The folders next above a file and the parts of its name.
+/// Folders directly above a file, and the parts of its name.
 fn columns_of(path: &str, delimiter: char) -> (Vec<&str>, Vec<&str>) {
     let mut components = without_extension(path).rsplit('/');
     let parts = components.next().unwrap_or_default().split(delimiter).collect();
@@ -221,7 +222,7 @@ mod tests {
         assert_eq!(guessed(&["x{y_{style_1.bvh", "z_w_2.bvh"]), "{action}_{style}_{take}.bvh");
     }
 
-    /// Names of many parts, such as hashes and dates, are many columns; each is judged once.
+    /// Names of many parts, such as hashes and dates, have many columns; each is evaluated once.
     #[test]
     fn names_of_many_parts_take_no_more_than_their_length() {
         const FILES: usize = 200;

@@ -1,8 +1,8 @@
-//! Labelled BVH files as the clips of a build: which action, style and take a file is, and its motion on the body that
-//! all clips of a database share.
+//! Labelled BVH files as the clips of a build: action, style and take of each file, and its motion on the common body
+//! of a database's clips.
 //!
-//! The command line reads files from disk on all processors, the page from archives one after another. Labels, order and
-//! body are decided here, so that both build the same database from the same files.
+//! The command line reads files from disk on all CPUs, the page reads archives sequentially. Labels, order and body are
+//! determined here, so that both build the same database from the same files.
 
 mod guess;
 mod pattern;
@@ -24,7 +24,7 @@ use thiserror::Error;
 
 /// Default pattern of file names.
 pub const DEFAULT_PATTERN: &str = "{action}_{style}_{take}.bvh";
-/// Names of the files beside clips that hold their licence.
+/// Names of licence files in the folders of clips.
 pub const LICENCE_NAMES: [&str; 4] = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
 /// Greatest length of a licence's title, characters.
 const MAX_TITLE_CHARS: usize = 100;
@@ -36,25 +36,25 @@ pub struct Clip {
     pub file: Bvh,
     /// Its motion, in the file's units.
     pub motion: Motion,
-    /// Its skeleton as humanoid.
+    /// Mapping of its skeleton to the humanoid.
     pub binding: Binding,
-    /// What had to be guessed of the text, and what may be wrong with the binding; empty for a clean file.
+    /// Notes on guesses about the text and on possible errors of the binding; empty for a clean file.
     pub notes: Vec<Note>,
 }
 
-/// Why bytes are not a clip; the messages are shown to users.
+/// Reason why bytes are not a clip. The messages are shown to users.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ClipError {
-    /// Not a BVH file.
+    /// The file is not a BVH file.
     #[error(transparent)]
     Bvh(#[from] BvhError),
-    /// Its skeleton is not a humanoid.
+    /// The skeleton is not a humanoid.
     #[error(transparent)]
     Bind(#[from] BindError),
 }
 
 impl Clip {
-    /// The clip in these bytes.
+    /// Parses a clip.
     ///
     /// # Errors
     /// See [`ClipError`].
@@ -62,7 +62,7 @@ impl Clip {
         Self::with_binding(bytes, Binding::detect)
     }
 
-    /// The clip in these bytes, read as a person says.
+    /// Parses a clip with user-specified reading options.
     ///
     /// # Errors
     /// See [`ClipError`].
@@ -70,7 +70,7 @@ impl Clip {
         Self::with_binding(bytes, |motion| reading.bind(motion))
     }
 
-    /// The clip in these bytes, bound by `bind` instead of by detection.
+    /// Parses a clip, bound by `bind` instead of by detection.
     ///
     /// # Errors
     /// See [`ClipError`].
@@ -86,19 +86,19 @@ impl Clip {
     }
 }
 
-/// A file with its labels, before it is read.
+/// A file with its labels, before it is parsed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Path with `/`; for a file in an archive the archive's path, then the path in it.
     pub path: String,
-    /// Name of the action.
+    /// Labels of the file.
     pub labels: Labels,
-    /// Title of its licence, empty if unknown.
+    /// Title of the licence, empty if unknown.
     pub licence: String,
 }
 
 impl Entry {
-    /// The clip read from this file, for a build, named after the file; see [`name_apart`].
+    /// Source clip of a build, made from this file's parsed clip and named after the file; see [`name_apart`].
     pub fn source_clip(&self, clip: &Clip, body: &Proportions) -> SourceClip {
         SourceClip {
             name: stem(&self.path).to_owned(),
@@ -113,8 +113,8 @@ impl Entry {
     }
 }
 
-/// Numbers clips without a take within their class, in the order given: that of the paths. A clip's number is its place in
-/// the class, or the next one that no other clip of the class has.
+/// Numbers clips without a take within their class, in the given order, which is that of the paths. A clip's number is
+/// its position in the class, or the next number that no other clip of the class has.
 pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
     let mut classes: BTreeMap<(String, String), Vec<&mut Option<u32>>> = BTreeMap::new();
     for labels in labels {
@@ -130,8 +130,8 @@ pub fn count_takes<'a>(labels: impl IntoIterator<Item = &'a mut Labels>) {
     }
 }
 
-/// The order in which files, given in the order of their paths, are tried for the body of the database: the skeleton of
-/// the first readable one is that of the database. Files in the neutral style come first.
+/// Order in which files, given in the order of their paths, are tried for the body of the database: it has the skeleton
+/// of the first readable file. Files in the neutral style come first.
 pub fn body_order(styles: &[&str], neutral: Option<&str>) -> Vec<usize> {
     let is_neutral = |style: &str| match neutral {
         Some(name) => style == name,
@@ -142,7 +142,7 @@ pub fn body_order(styles: &[&str], neutral: Option<&str>) -> Vec<usize> {
     order
 }
 
-/// Names clips that share a name by their paths, so that reports can tell them apart.
+/// Renames clips with equal names after their paths, so that reports can distinguish them.
 pub fn name_apart(clips: &mut [SourceClip]) {
     let mut count: HashMap<String, usize> = HashMap::new();
     for clip in &*clips {
@@ -153,7 +153,7 @@ pub fn name_apart(clips: &mut [SourceClip]) {
     }
 }
 
-/// First line of a licence's text, if it is short enough to be a title; else empty.
+/// First line of a licence's text if it is short enough to be a title; otherwise empty.
 pub fn licence_title(text: &[u8]) -> String {
     let text = std::str::from_utf8(text).unwrap_or_default();
     let line = text.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or_default();

@@ -12,11 +12,11 @@ pub struct Labels {
     pub action: String,
     /// Name of the style.
     pub style: String,
-    /// Number of the take, where there is one.
+    /// Number of the take, if there is one.
     pub take: Option<u32>,
 }
 
-/// Why a file has no labels.
+/// Reason why a file has no labels.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum LabelError {
     /// The name does not match the pattern.
@@ -30,13 +30,13 @@ pub enum LabelError {
     NotListed,
 }
 
-/// Why a text is not a valid pattern.
+/// Reason why a text is not a valid pattern.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum PatternError {
-    /// A field without closing brace.
+    /// A field has no closing brace.
     #[error("a '{{' has no '}}'")]
     Unclosed,
-    /// Two fields without text between them.
+    /// There is no text between two fields.
     #[error("'{{{0}}}' follows another field; text between them was expected")]
     Adjacent(String),
     /// A label is missing or occurs twice.
@@ -59,11 +59,11 @@ enum Part {
     Field(Field),
 }
 
-/// Fields with text between. A field stands for one or more characters up to the text that follows it;
-/// `{action}`, `{style}` and `{take}` do not contain the text before them either, so that
-/// `{action}_{style}` does not take `walk_old_001` for the style `old_001`.
+/// Fields with text between them. A field matches one or more characters up to the text that follows it. `{action}`,
+/// `{style}` and `{take}` do not match the text before them either, so that `{action}_{style}` does not read `old_001`
+/// as the style in `walk_old_001`.
 ///
-/// A pattern with `/` is compared with as many folders of a path; `.bvh` at its end may be left out.
+/// A pattern with `/` is compared with the same number of folders of a path. `.bvh` at its end may be omitted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pattern {
     text: String,
@@ -112,7 +112,7 @@ impl FromStr for Pattern {
 }
 
 impl Pattern {
-    /// The labels of a file.
+    /// Labels of a file.
     ///
     /// # Errors
     /// If its name does not match the pattern.
@@ -150,17 +150,17 @@ impl Pattern {
     }
 }
 
-/// The number of a take.
+/// Number of a take.
 pub(super) fn parse_take(text: &str) -> Result<u32, LabelError> {
     text.parse().map_err(|_| LabelError::Take(quotation(text, 40)))
 }
 
-/// The end of a path from the last but `slashes` folder on.
+/// End of a path, including the last `slashes` folders.
 fn tail(path: &str, slashes: usize) -> &str {
     path.rmatch_indices('/').nth(slashes).map_or(path, |(at, _)| &path[at + 1..])
 }
 
-/// The path without `.bvh` at its end, in any case.
+/// Path without `.bvh` at its end, in any case.
 pub(super) fn without_extension(path: &str) -> &str {
     let stem =
         path.len().checked_sub(4).filter(|&at| path.is_char_boundary(at) && path[at..].eq_ignore_ascii_case(".bvh"));

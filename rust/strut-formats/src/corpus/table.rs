@@ -5,7 +5,7 @@ use crate::quotation::quotation;
 use std::collections::HashMap;
 use thiserror::Error;
 
-/// The header of a table; the take may be left out.
+/// Header of a table; the take may be omitted.
 const HEADER: [&str; 4] = ["file", "action", "style", "take"];
 
 /// A table of labels.
@@ -21,34 +21,34 @@ struct Row {
     labels: Labels,
 }
 
-/// Why a table cannot be used.
+/// Reason why a table is invalid.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum TableError {
-    /// Other columns.
+    /// The columns are wrong.
     #[error("line 1 is '{0}'; 'file,action,style' or 'file,action,style,take' was expected")]
     Header(String),
-    /// A row of another length.
+    /// A row has another number of columns than the header.
     #[error("line {line} has {found} columns; {expected} were expected")]
     Columns {
         /// Line in the file, from 1.
         line: u64,
-        /// Columns of the row.
+        /// Number of columns of the row.
         found: u64,
-        /// Columns of the header.
+        /// Number of columns of the header.
         expected: u64,
     },
-    /// Not UTF-8.
+    /// The table is not UTF-8.
     #[error("line {0} is not UTF-8 text")]
     NotText(u64),
-    /// An empty cell.
+    /// A cell is empty.
     #[error("line {line} has no {column}; a name was expected")]
     Empty {
         /// Line in the file, from 1.
         line: u64,
-        /// The column's name.
+        /// Name of the column.
         column: &'static str,
     },
-    /// A take that is not a number.
+    /// A take is not a number.
     #[error("line {line}: {error}")]
     Take {
         /// Line in the file, from 1.
@@ -56,26 +56,26 @@ pub enum TableError {
         /// The reason.
         error: LabelError,
     },
-    /// A row does not name one input.
+    /// A row does not identify exactly one input.
     #[error("line {line} names '{file}', {fault}")]
     File {
         /// Line in the file, from 1.
         line: u64,
-        /// Name in the row.
+        /// File name in the row.
         file: String,
         /// The reason.
         fault: &'static str,
     },
-    /// Not a CSV file.
+    /// The file is not CSV.
     #[error("{0}")]
     Csv(String),
 }
 
 impl Table {
-    /// The table in a CSV file.
+    /// Parses a CSV file.
     ///
     /// # Errors
-    /// With the line and what was expected in it.
+    /// Returns the line and the expected content.
     pub fn parse(bytes: &[u8]) -> Result<Self, TableError> {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(bytes);
         let headers = reader.headers().map_err(|e| csv_error(&e))?;
@@ -103,11 +103,11 @@ impl Table {
     }
 }
 
-/// The labels of every path, or why it has none. The table, each of whose rows must name exactly one of the paths, takes
-/// precedence over the pattern.
+/// Labels of every path, or the reason why there are none. Each row of the table must identify exactly one of the
+/// paths. The table takes precedence over the pattern.
 ///
 /// # Errors
-/// If a row of the table names no input, several, or one that another row names.
+/// If a row of the table identifies no input, several, or the same one as another row.
 pub fn assign(
     paths: &[String],
     pattern: Option<&Pattern>,
@@ -133,7 +133,7 @@ pub fn assign(
     Ok(paths.iter().enumerate().map(label).collect())
 }
 
-/// Whether the last components of `path` are those of `end`.
+/// Returns whether the last components of `path` are those of `end`.
 fn ends_with_path(path: &str, end: &str) -> bool {
     let end = end.strip_prefix("./").unwrap_or(end);
     path.strip_suffix(end).is_some_and(|before| before.is_empty() || before.ends_with('/'))

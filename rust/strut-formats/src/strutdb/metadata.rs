@@ -1,4 +1,4 @@
-//! The metadata of a database file.
+//! Metadata of a database file.
 
 use crate::container;
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,7 @@ use strut_core::search::Plan;
 /// The JSON object of the metadata entry `strut`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Metadata {
-    /// Version of the format, major.minor; a reader refuses another major version.
+    /// Version of the format, major.minor; another major version is rejected.
     pub version: String,
     /// CRC-32 of the file; see [`container`].
     pub checksum: String,
@@ -19,7 +19,7 @@ pub struct Metadata {
     pub generator: String,
     /// Frames per second of every clip.
     pub rate_hz: f32,
-    /// The humanoid that the tensors' joints belong to.
+    /// Humanoid of the tensors' joints.
     pub skeleton: SkeletonInfo,
     /// Meaning of each column of `pose`.
     pub pose_columns: Vec<String>,
@@ -31,7 +31,7 @@ pub struct Metadata {
     pub neutral: String,
     /// Clips in order of their frames.
     pub clips: Vec<ClipInfo>,
-    /// [`Plan::VERSION`] of the search index; none in files without one.
+    /// [`Plan::VERSION`] of the search index; missing in files without one.
     #[serde(default)]
     pub search_version: Option<u32>,
 }
@@ -64,14 +64,14 @@ pub struct ClipInfo {
     pub frames: usize,
     /// Row of its first frame.
     pub first_frame: usize,
-    /// Where the clip comes from.
+    /// Origin of the clip.
     pub source: String,
-    /// Its licence; empty if unknown.
+    /// Licence, empty if unknown.
     pub licence: String,
 }
 
 impl Metadata {
-    /// The metadata of a database; the checksum is left blank.
+    /// Metadata of a database, with a blank checksum.
     pub(super) fn of(db: &Database, generator: &str) -> Self {
         let clips = db.clips.iter().map(|c| ClipInfo {
             name: c.name.clone(),
@@ -99,7 +99,7 @@ impl Metadata {
     }
 }
 
-/// Greatest component of a bone's offset, cm: lengths far beyond it overflow when they are squared.
+/// Greatest component of a bone offset, cm. Much greater lengths overflow when they are squared.
 pub(super) const MAX_OFFSET_CM: f64 = 10_000.0;
 
 impl SkeletonInfo {
@@ -113,7 +113,7 @@ impl SkeletonInfo {
         }
     }
 
-    /// The bone offsets, if the joints are those of the canonical humanoid in its order, at most [`MAX_OFFSET_CM`] apart.
+    /// Bone offsets if the joints are those of the canonical humanoid in its order, at most [`MAX_OFFSET_CM`] apart.
     pub(crate) fn proportions(&self) -> Option<Proportions> {
         let mut proportions = Proportions::default();
         let expected = Self::of(&proportions);

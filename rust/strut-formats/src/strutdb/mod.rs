@@ -1,4 +1,4 @@
-//! The database file, `.strutdb`: a [container](crate::container).
+//! Database file, `.strutdb`: a [container](crate::container).
 //!
 //! Tensors are little-endian. There are N frames of all clips, D = 67 degrees of freedom ([`DOFS`]) and J = 21 joints
 //! ([`JOINTS`]). S styles have M ≤ 8 counterparts each. The search index has W windows and bases of L = 3900 numbers
@@ -18,14 +18,14 @@
 //! | `search_basis` | 2, L | f32 | mean and principal directions of windows by both metrics; may be absent |
 //! | `search_points` | 2, W, 40 | i16 | coordinates of the windows along these directions; may be absent |
 //!
-//! The last three are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the time
-//! to build the index; search results do not depend on them.
+//! The last three are a [`Plan`] of the search index, of the version `search_version` of the metadata. They save the
+//! time of building the index; search results do not depend on them.
 //!
-//! A row of `pose` begins with three numbers w for each joint, in the order of the skeleton. The rotation of the joint relative
-//! to its parent is q · exp(w), with q the joint's row of `chart`. The length of w is the angle in radians. The rotation of the
-//! hips is without the heading. Four numbers follow: the height of the hips (m), their velocity to the left and forward in the
-//! frame of the heading (m/s), and the rate of the heading (rad/s). The rate is positive to the left. The axis +Y is up, and a
-//! body whose heading is 0 faces +Z with its left at +X.
+//! A row of `pose` starts with three numbers w for each joint, in the order of the skeleton. The rotation of the joint
+//! relative to its parent is q · exp(w), with q the joint's row of `chart`. The length of w is the angle in radians.
+//! The rotation of the hips does not include the heading. Four numbers follow: the height of the hips (m), their
+//! velocity to the left and forward in the frame of the heading (m/s), and the turn rate of the heading (rad/s),
+//! positive to the left. The axis +Y is up, and a body whose heading is 0 faces +Z with its left at +X.
 //!
 //! Further tensors are ignored. The metadata entry `strut` is a JSON object; see [`Metadata`] for its fields.
 //! `examples/python/strutdb_file.py` reads a file without Strut.
@@ -55,7 +55,7 @@ pub const KIND: Kind = Kind {
     entry: "strut",
     version: "1.0",
     checksum_since: 0,
-    // As many as packages for JavaScript can count.
+    // The largest size that the JavaScript packages can represent.
     max_bytes: u32::MAX as usize,
 };
 
@@ -63,20 +63,20 @@ const fn megabytes(bytes: u64) -> u64 {
     bytes / 1_000_000
 }
 
-/// Why bytes are not a database.
+/// Reason why bytes are not a database.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs)]
 pub enum StrutdbError {
-    /// Not a container of this kind, or a damaged one.
+    /// The container is of another kind or damaged.
     #[error(transparent)]
     File(#[from] ContainerError),
-    /// Not packed motions ([`packed`]).
+    /// The file does not contain packed motions ([`packed`]).
     #[error("these are no packed motions, or their beginning is damaged")]
     NotPacked,
-    /// The skeleton is not the canonical humanoid, or the columns of `pose` are others.
+    /// The skeleton is not the canonical humanoid, or the columns of `pose` differ.
     #[error("the database's {0} differ from those of this Strut")]
     Layout(&'static str),
-    /// To style with it would take more bytes than the caller allows, or than there are.
+    /// Styling would take more memory than the caller allows or than is available.
     #[error(
         "the database has {frames} frames: to style with them takes {} MB of memory, of which {} can be had",
         megabytes(*needed), most.map_or("less".to_owned(), |most| format!("{} MB", megabytes(most)))

@@ -1,4 +1,4 @@
-//! Bytes to [`Database`]; checks every value.
+//! Reads [`Database`] from bytes; checks every value.
 
 use super::metadata::{Metadata, pose_columns};
 use super::{KIND, MAX_CLIPS, StrutdbError};
@@ -16,13 +16,13 @@ use strut_core::search::{Plan, PlanSource};
 pub struct Contents {
     /// The database.
     pub database: Database,
-    /// The plan of its search index; `None` if there is none of this version. [`Catalogue::with_plan`] checks whether it
-    /// fits the database.
+    /// Plan of its search index; `None` if the file has none of this version. [`Catalogue::with_plan`] checks whether
+    /// it matches the database.
     pub plan: Option<Plan>,
 }
 
 impl Contents {
-    /// The database made ready to style with; the search index is built if there is no plan for it.
+    /// Prepares the database for styling; the search index is built if there is no plan for it.
     pub fn into_catalogue(self) -> Catalogue {
         Catalogue::with_plan(self.database, self.plan)
     }
@@ -31,7 +31,7 @@ impl Contents {
 /// Reads a file.
 ///
 /// # Errors
-/// [`StrutdbError`] for anything but an undamaged database of this major version.
+/// [`StrutdbError`] unless the file is an undamaged database of this major version.
 pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     let (metadata, tensors) = open(file)?;
     let (parts, LongTensors { pose, point_cloud, plan }) = parts_of(metadata, &tensors)?;
@@ -44,9 +44,9 @@ pub fn read<S: Source + ?Sized>(file: &S) -> Result<Contents, StrutdbError> {
     Ok(Contents { database: Database::new(parts)?, plan })
 }
 
-/// Reads a file to style with: the same as [`Contents::into_catalogue`], in less memory. With `most_bytes` it is made sure
-/// before that it and the targets of [`STYLES`] styles take no more, and that there is room to open it: in WebAssembly,
-/// running out of memory ends the program.
+/// Reads a file for styling: the same as [`Contents::into_catalogue`], with less memory. With `most_bytes` it first
+/// checks that the database and the targets of [`STYLES`] styles take no more, and that there is memory to open it: in
+/// WebAssembly, running out of memory terminates the program.
 ///
 /// # Errors
 /// As [`read`], and [`StrutdbError::Memory`].
@@ -70,14 +70,14 @@ pub fn read_catalogue(file: &dyn Source, most_bytes: Option<u64>) -> Result<Cata
     })
 }
 
-/// Styles whose targets find room beside a database that is opened to style with: three, the neutral one, and one that was
-/// in use before.
+/// Number of styles whose targets must fit in memory together with an opened database: three, the neutral one, and one
+/// that was in use before.
 pub const STYLES: u64 = 5;
 
-/// What is allocated at once to find out whether memory is to be had, bytes: half of what 32 bits allow.
+/// Size of each trial allocation, bytes: a quarter of the 32-bit address space.
 const TRIAL: u64 = 1 << 30;
 
-/// Whether a database can be opened with `most_bytes`.
+/// Checks that a database can be opened with `most_bytes`.
 fn check_memory(
     metadata: &Metadata,
     tensors: &Tensors<'_, dyn Source + '_>,
@@ -94,7 +94,7 @@ fn check_memory(
     if is_available(opening) { Ok(()) } else { Err(refused(None)) }
 }
 
-/// Whether so many bytes can be allocated now. In WebAssembly they are then the program's.
+/// Returns whether this number of bytes can be allocated now. In WebAssembly the memory then belongs to the program.
 fn is_available(bytes: u64) -> bool {
     let mut trials: Vec<Vec<u8>> = Vec::new();
     let mut left = bytes;
@@ -105,13 +105,13 @@ fn is_available(bytes: u64) -> bool {
             return false;
         }
         left -= part;
-        // Compilers remove allocations that nothing is done with.
+        // Compilers remove allocations that are not used.
         trials.push(std::hint::black_box(trial));
     }
     true
 }
 
-/// Tensors that need not be in memory as a whole.
+/// Tensors that need not be in memory completely.
 struct LongTensors<'a, S: ?Sized> {
     pose: Tensor<'a, S>,
     point_cloud: Tensor<'a, S>,
@@ -124,7 +124,7 @@ struct PlanTensors<'a, S: ?Sized> {
     points: Tensor<'a, S>,
 }
 
-/// A database without its poses and point clouds, and these.
+/// A database without its poses and point clouds, and the tensors of these.
 fn parts_of<'a, S: Source + ?Sized>(
     metadata: Metadata,
     tensors: &'a Tensors<'_, S>,
@@ -173,7 +173,7 @@ fn parts_of<'a, S: Source + ?Sized>(
     Ok((parts, LongTensors { pose, point_cloud, plan }))
 }
 
-/// The plan of the search index, if there is one of this version.
+/// Plan of the search index, if there is one of this version.
 fn plan_of<'a, S: Source + ?Sized>(metadata: &Metadata, tensors: &'a Tensors<'_, S>) -> Option<PlanTensors<'a, S>> {
     metadata.search_version.filter(|&version| version == Plan::VERSION)?;
     let order: Vec<u32> = tensors.find("search_order", Dtype::U32, &[None]).ok()?.numbers();
@@ -182,10 +182,10 @@ fn plan_of<'a, S: Source + ?Sized>(metadata: &Metadata, tensors: &'a Tensors<'_,
     Some(PlanTensors { order, bases, points })
 }
 
-/// Reads the metadata alone, after checking version and checksum.
+/// Reads only the metadata, after checking version and checksum.
 ///
 /// # Errors
-/// [`StrutdbError`] for a damaged file, one of another version, or none at all.
+/// [`StrutdbError`] if the file is damaged, of another version or not a database.
 pub fn read_metadata<S: Source + ?Sized>(file: &S) -> Result<Metadata, StrutdbError> {
     Ok(open(file)?.0)
 }
@@ -214,7 +214,7 @@ fn clips(metadata: &Metadata) -> Result<Vec<Clip>, StrutdbError> {
     metadata.clips.iter().map(clip).collect()
 }
 
-/// Frames of all clips.
+/// Number of frames of all clips.
 pub(super) fn frames_of(clips: &[Clip]) -> Result<usize, StrutdbError> {
     let frames = clips.iter().try_fold(0_usize, |n, c| n.checked_add(c.frames).filter(|&n| n <= MAX_FRAMES));
     frames.ok_or_else(|| invalid(format!("more than {MAX_FRAMES} frames")))
@@ -229,10 +229,10 @@ fn invalid(message: String) -> StrutdbError {
     DatabaseError::Invalid(message).into()
 }
 
-/// Rows that are copied at once, on the stack.
+/// Number of rows copied at once, on the stack.
 const ROWS: usize = 32;
 
-/// Copies rows of degrees of freedom from number `first` on. Their padding is left as it is.
+/// Copies rows of degrees of freedom, from index `first` on. Their padding is not changed.
 fn copy_rows<S: Source + ?Sized>(tensor: &Tensor<'_, S>, first: usize, to: &mut [PoseRow]) {
     let mut rows = [[0.0_f32; DOFS]; ROWS];
     for (i, to) in to.chunks_mut(ROWS).enumerate() {

@@ -1,4 +1,4 @@
-//! [`Database`] to bytes.
+//! Writes [`Database`] as bytes.
 
 use super::KIND;
 use super::metadata::Metadata;
@@ -10,11 +10,11 @@ use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::DOFS;
 use strut_core::search::Plan;
 
-/// The file of a database and of the plan of its search index, [`Index::plan`](strut_core::search::Index::plan);
-/// `generator` names the program and version that made it.
+/// Writes the file of a database and of the plan of its search index, [`Index::plan`](strut_core::search::Index::plan).
+/// `generator` is the name and version of the program.
 ///
 /// # Panics
-/// Never for a [`Database`], whose shapes were checked when it was made.
+/// Never for a [`Database`], whose shapes were checked when it was created.
 pub fn write(db: &Database, plan: &Plan, generator: &str) -> Vec<u8> {
     let (n, styles) = (db.frames(), db.styles.len());
     let tensors = [

@@ -1,12 +1,12 @@
-//! The bytes of a message: its address, the types of its arguments, and those.
+//! Encoding of a message: its address, the types of its arguments, and the arguments.
 
 use super::error::{MAX_NESTING, PacketError};
 use rosc::{OscArray, OscColor, OscMessage, OscMidiMessage, OscTime, OscType};
 
-/// Texts and blobs are padded to multiples of this.
+/// Texts and blobs are padded to multiples of this, bytes.
 const ALIGNMENT: usize = 4;
 
-/// The message of these bytes; `None` if they are no message, or if it has an argument of a type whose size is not known.
+/// Parses a message; `None` if the bytes are not a message, or if it has an argument of a type whose size is unknown.
 ///
 /// # Errors
 /// [`PacketError::TooDeep`].
@@ -16,7 +16,7 @@ pub(super) fn read_message(bytes: &[u8]) -> Result<Option<OscMessage>, PacketErr
     let types = if bytes.0.is_empty() { Some(String::new()) } else { bytes.text() };
     let Some(types) = types.filter(|types| types.is_empty() || types.starts_with(',')) else { return Ok(None) };
     let mut args = Vec::new();
-    // The arguments before each array that is open.
+    // Arguments before each open array.
     let mut outside: Vec<Vec<OscType>> = Vec::new();
     for kind in types.bytes().skip(1) {
         let arg = match kind {
@@ -37,11 +37,11 @@ pub(super) fn read_message(bytes: &[u8]) -> Result<Option<OscMessage>, PacketErr
     Ok(outside.is_empty().then_some(OscMessage { addr, args }))
 }
 
-/// Bytes that are still to be read.
+/// Bytes that are not yet read.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    /// An argument of a type.
+    /// Reads an argument of a type.
     fn argument(&mut self, kind: u8) -> Option<OscType> {
         Some(match kind {
             b'i' => OscType::Int(i32::from_be_bytes(self.chunk()?)),
@@ -83,13 +83,13 @@ impl<'a> Bytes<'a> {
         Some(*chunk)
     }
 
-    /// A text up to its zero.
+    /// Reads a text up to its terminating zero.
     fn text(&mut self) -> Option<String> {
         let length = self.0.iter().position(|&byte| byte == 0)?;
         String::from_utf8(self.padded(length, length + 1)?.to_vec()).ok()
     }
 
-    /// The first bytes of so many that are padded; the padding at the end of a message may be left out.
+    /// Reads `length` bytes, which are padded. The padding at the end of a message may be missing.
     fn padded(&mut self, length: usize, with_end: usize) -> Option<&'a [u8]> {
         let found = self.0.get(..length)?;
         let next = with_end.checked_next_multiple_of(ALIGNMENT)?;

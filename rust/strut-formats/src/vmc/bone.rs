@@ -1,17 +1,17 @@
-//! Bones by Unity's names.
+//! Bones with Unity's names.
 
 use crate::bvh::HUMANOID_NAMES;
 use strut_core::humanoid::Role;
 
-/// Number of bones that Strut knows: those of the canonical humanoid and the upper chest.
+/// Number of bones that Strut uses: those of the canonical humanoid and the upper chest.
 pub const BONES: usize = Role::ALL.len() + 1;
 
-/// A bone of Unity's humanoid that has a role here.
+/// A bone of Unity's humanoid that has a role in Strut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bone {
-    /// That of a role.
+    /// Bone of a role.
     Of(Role),
-    /// `UpperChest`, between chest and neck; where it is sent, it is the one with the role of the chest.
+    /// `UpperChest`, between chest and neck. If it is sent, it has the role of the chest.
     UpperChest,
 }
 
@@ -31,7 +31,7 @@ impl Bone {
         }
     }
 
-    /// The bone that it hangs on.
+    /// Parent bone.
     pub const fn parent(self) -> Option<Bone> {
         match self {
             Self::UpperChest => Some(Self::Of(Role::Chest)),
@@ -43,7 +43,7 @@ impl Bone {
         }
     }
 
-    /// The role whose motion it shows.
+    /// Role whose motion it represents.
     pub const fn role(self) -> Role {
         match self {
             Self::Of(role) => role,
@@ -59,7 +59,7 @@ impl Bone {
         }
     }
 
-    /// The bone of Unity's name; `None` for fingers, eyes and others without a role.
+    /// Bone of Unity's name; `None` for fingers, eyes and others without a role.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::all().find(|bone| bone.name() == name)
     }

@@ -1,27 +1,27 @@
-//! Limits of packets, and why one is dropped.
+//! Limits of packets, and reasons why a packet is dropped.
 
 use thiserror::Error;
 
-/// Largest packet that is read, bytes: what UDP holds.
+/// Largest packet that is read, bytes: the maximum of UDP.
 pub const MAX_PACKET_BYTES: usize = 65_507;
-/// How deep bundles, and arrays of arguments, may lie in each other.
+/// Greatest nesting depth of bundles, and of arrays of arguments.
 pub const MAX_NESTING: usize = 4;
-/// Most messages of a packet.
+/// Maximum number of messages in a packet.
 pub const MAX_MESSAGES: usize = 256;
 
-/// Why a packet is dropped.
+/// Reason why a packet is dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum PacketError {
-    /// Too many bytes.
+    /// The packet has too many bytes.
     #[error("the packet has more than {MAX_PACKET_BYTES} bytes")]
     TooLarge,
-    /// Bundles or arrays in too many others.
+    /// Bundles or arrays are nested too deeply.
     #[error("its bundles or arrays lie in more than {MAX_NESTING} others")]
     TooDeep,
-    /// Too many messages.
+    /// The packet contains too many messages.
     #[error("it has more than {MAX_MESSAGES} messages")]
     TooMany,
-    /// Not Open Sound Control.
+    /// The packet is not Open Sound Control.
     #[error("it is no Open Sound Control packet")]
     NotOsc,
 }

@@ -1,36 +1,37 @@
-//! Messages ↔ frames: which messages belong together.
+//! Conversion between messages and frames: groups the messages of a frame.
 
 use super::bone::{BONES, Bone};
 use super::message::Message;
 use super::place::{Place, RootPlace};
 use strut_core::humanoid::Role;
 
-/// A frame without a time ends when nothing more of it has come for so long, seconds.
+/// A frame without a time ends after this time without messages, seconds.
 const SILENCE_SECS: f64 = 0.004;
-/// A bone that is not sent for so long returns to rest, seconds …
+/// A bone that has not been sent for this time returns to its rest rotation, seconds …
 const HELD_SECS: f64 = 1.0;
-/// … and takes so long for it, seconds.
+/// … within this time, seconds.
 const RETURN_SECS: f64 = 0.2;
 
-/// A frame of a performer.
+/// A frame of a sender.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Frame {
-    /// Where the model stands.
+    /// Position of the model.
     pub root: RootPlace,
-    /// Each bone relative to its parent by [`Bone::index`]; `None` if it was never sent.
+    /// Each bone relative to its parent, by [`Bone::index`]; `None` if it was never sent.
     pub bones: [Option<Place>; BONES],
-    /// Bones that this frame did not bring: they are as they were last sent.
+    /// Bones that are missing in this frame; they keep their last transform.
     pub held: [bool; BONES],
-    /// How far each bone is at rest, 0–1: one that is not sent any more is held where it was, and returns after a while.
+    /// Interpolation factor from each bone's last transform to rest, 0–1. A bone that is no longer sent is held and
+    /// then returns to rest.
     pub rest_shares: [f32; BONES],
-    /// The sender's time, seconds, if it is sent.
+    /// The sender's time, seconds, if it was sent.
     pub sent_secs: Option<f64>,
-    /// When its last message arrived, seconds.
+    /// Arrival time of the last message, seconds.
     pub arrived_secs: f64,
 }
 
 impl Frame {
-    /// Each bone in the world; a bone that is not sent is where its parent is.
+    /// World transform of each bone. A bone that is not sent has its parent's transform.
     pub fn world(&self) -> [Place; BONES] {
         let mut world = [self.root.place; BONES];
         for bone in Bone::all() {
@@ -40,29 +41,29 @@ impl Frame {
         world
     }
 
-    /// The messages of the frame, without its time.
+    /// Messages of the frame, without its time.
     pub fn messages(&self) -> impl Iterator<Item = Message> {
         let bones = Bone::all().filter_map(|bone| Some(Message::Bone(bone, self.bones[bone.index()]?)));
         std::iter::once(Message::Root(self.root)).chain(bones)
     }
 }
 
-/// Puts messages together to frames. A time ends a frame, as do the hips of the next one and, where the frame before did not
-/// end with its time, a moment of silence.
+/// Groups messages into frames. A frame ends with its time, with the hips of the next one or, if the previous frame did
+/// not end with its time, after a short silence.
 ///
-/// A frame that lacks a bone which the frame before had is dropped: a packet of it was lost, or it is the first of which
-/// only the end was heard.
+/// A frame without a bone that the previous frame had is dropped: one of its packets was lost, or it is the first
+/// frame, of which only the end was received.
 #[derive(Clone, Debug, Default)]
 pub struct FrameReader {
     frame: Frame,
-    /// Bones of the frame that goes on, and of the one before.
+    /// Bones received for the current frame (a bit each), and for the previous one.
     has: u32,
     had: Option<u32>,
-    /// When each bone last came, seconds.
+    /// Time at which each bone was last received, seconds.
     heard_secs: [f64; BONES],
-    /// Where the model stands in the next frame, if that came before this one ended.
+    /// Position of the model in the next frame, if it was received before this frame ended.
     next_root: Option<RootPlace>,
-    /// A time that came before the bones of its frame, or after it had ended.
+    /// A time that was received before the bones of its frame, or after the frame ended.
     time: Option<f64>,
     /// Whether the last frame ended with its time.
     ended_with_time: bool,
@@ -71,7 +72,7 @@ pub struct FrameReader {
 }
 
 impl FrameReader {
-    /// Takes a message; gives the frame that ends with it.
+    /// Processes a message. Returns the frame that ends with it.
     pub fn push(&mut self, message: &Message, arrived_secs: f64) -> Option<Frame> {
         match message {
             Message::Bone(bone, place) => {
@@ -84,7 +85,7 @@ impl FrameReader {
                 ended
             }
             Message::Root(root) => {
-                // It comes before the bones of its frame.
+                // The root is sent before the bones of its frame.
                 if self.has == 0 || self.ended_with_time {
                     self.frame.root = *root;
                 } else {
@@ -104,17 +105,17 @@ impl FrameReader {
         }
     }
 
-    /// When the frame that goes on ends if nothing more comes, seconds.
+    /// Time at which the current frame ends if no more messages arrive, seconds.
     fn ends_secs(&self) -> Option<f64> {
         (self.has != 0 && !self.ended_with_time).then_some(self.frame.arrived_secs + SILENCE_SECS)
     }
 
-    /// The frame that has ended by now in silence.
+    /// Returns the current frame if it has ended by silence.
     pub fn silence(&mut self, now_secs: f64) -> Option<Frame> {
         if self.ends_secs().is_some_and(|end| now_secs >= end) { self.end(false) } else { None }
     }
 
-    /// Frames dropped because they were not whole.
+    /// Number of frames dropped because they were incomplete.
     pub fn partial(&self) -> u64 {
         self.partial
     }
@@ -127,7 +128,7 @@ impl FrameReader {
         ended
     }
 
-    /// The frame that ends, if it is whole.
+    /// Ends the frame, and returns it if it is complete.
     fn whole(&mut self, with_time: bool) -> Option<Frame> {
         self.ended_with_time = with_time;
         let has = std::mem::take(&mut self.has);
@@ -138,7 +139,7 @@ impl FrameReader {
         }
         let is_whole = had.is_some_and(|had| had & !has == 0) && has & bit(Bone::Of(Role::Hips)) != 0;
         if !is_whole {
-            // Of the first frame nobody knows whether it is.
+            // Whether the first frame is complete cannot be known.
             self.partial += u64::from(had.is_some());
             return None;
         }

@@ -1,4 +1,4 @@
-//! One message: a bone, the root, the time, a style, or something to pass on.
+//! A message: a bone, the root, the time, a style, or a message that is passed on.
 
 use super::bone::Bone;
 use super::place::{Place, RootPlace};
@@ -11,31 +11,31 @@ const ROOT: &str = "/VMC/Ext/Root/Pos";
 const TIME: &str = "/VMC/Ext/T";
 const OK: &str = "/VMC/Ext/OK";
 const STYLE: &str = "/strut/style";
-/// Beyond this from the origin nothing is a place, metres.
+/// Greatest valid coordinate, metres.
 const MAX_COORDINATE: f32 = 1e4;
-/// Squares of the lengths of what counts as a unit quaternion.
+/// Range of squared lengths that count as a unit quaternion.
 const SQUARED_LENGTH: std::ops::RangeInclusive<f32> = 0.25..=4.0;
 
-/// A message that is understood, or one that is passed on. Lengths in metres, in the axes of [`strut_core`].
+/// A message that Strut interprets, or one that is passed on. Lengths in metres, in the axes of [`strut_core`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Message {
     /// A bone relative to its parent.
     Bone(Bone, Place),
-    /// Where the model stands.
+    /// Position and rotation of the model.
     Root(RootPlace),
     /// The sender's time, seconds; it ends a frame.
     Time(f64),
-    /// Whether the sender's model is there.
+    /// Whether the sender's model is loaded.
     Loaded(bool),
     /// Weight of a style.
     Style(String, f32),
-    /// Expressions, fingers, eyes and whatever else.
+    /// Expressions, fingers, eyes and all others.
     Other(OscMessage),
 }
 
 impl Message {
-    /// What a message says; `None` if its arguments are too few, texts where numbers are, or not finite. More arguments than
-    /// known ones are ignored, as are those that are neither text nor number.
+    /// Parses a message; `None` if arguments are missing, not finite, or texts in place of numbers. Extra arguments are
+    /// ignored, as are those that are neither text nor number.
     pub(super) fn read(message: OscMessage) -> Option<Self> {
         if !matches!(message.addr.as_str(), BONE | ROOT | TIME | OK | STYLE) {
             return Some(Self::Other(message));
@@ -66,7 +66,7 @@ impl Message {
         }
     }
 
-    /// The message as it is sent.
+    /// Encodes the message.
     pub(super) fn write(&self) -> OscMessage {
         let message = |addr: &str, args: Vec<OscType>| OscMessage { addr: addr.to_owned(), args };
         match self {
@@ -84,7 +84,7 @@ impl Message {
     }
 }
 
-/// An argument that says something.
+/// An argument that can be interpreted.
 #[derive(Clone, Copy)]
 enum Arg<'a> {
     Text(&'a str),
@@ -92,7 +92,7 @@ enum Arg<'a> {
 }
 
 impl<'a> Arg<'a> {
-    /// Senders write numbers as whichever type their language has; true is 1, false and nil are 0.
+    /// Senders use any number type of their language; true is 1, false and nil are 0.
     fn read(arg: &'a OscType) -> Option<Self> {
         match arg {
             OscType::String(text) => Some(Self::Text(text)),
@@ -114,7 +114,7 @@ fn text<'a>(args: &[Arg<'a>]) -> Option<&'a str> {
     }
 }
 
-/// The first numbers, all finite.
+/// The first `N` numbers, all finite.
 fn numbers<const N: usize>(args: &[Arg<'_>]) -> Option<[f64; N]> {
     let mut numbers = [0.0; N];
     for (number, arg) in numbers.iter_mut().zip(args.get(..N)?) {
@@ -126,13 +126,13 @@ fn numbers<const N: usize>(args: &[Arg<'_>]) -> Option<[f64; N]> {
     Some(numbers)
 }
 
-/// The first numbers, all finite in single precision.
+/// The first `N` numbers, all finite in single precision.
 fn floats<const N: usize>(args: &[Arg<'_>]) -> Option<[f32; N]> {
     let floats = numbers(args)?.map(|number| number as f32);
     floats.iter().all(|number| number.is_finite()).then_some(floats)
 }
 
-/// Position and rotation of seven numbers in Unity's axes.
+/// Position and rotation from seven numbers in Unity's axes.
 fn place(args: &[Arg<'_>]) -> Option<Place> {
     let [x, y, z, i, j, k, w] = floats(args)?;
     let rotation = mirrored(Quat::from_xyzw(i, j, k, w));
@@ -147,7 +147,7 @@ fn place_args(name: &str, place: &Place) -> Vec<OscType> {
     std::iter::once(OscType::String(name.to_owned())).chain(numbers).collect()
 }
 
-/// The rotation in the mirror at x = 0.
+/// Mirrors a rotation at x = 0.
 fn mirrored(q: Quat) -> Quat {
     Quat::from_xyzw(q.x, -q.y, -q.z, q.w)
 }

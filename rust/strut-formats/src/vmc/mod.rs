@@ -1,9 +1,9 @@
-//! Virtual Motion Capture: the messages by which motion capture programs and avatars send a body's bones to each other, as
-//! Open Sound Control 1.0 over UDP (`../shared/spec/live-driving.md` §8).
+//! Virtual Motion Capture: the messages by which motion capture programs and avatars exchange a body's bones, as Open
+//! Sound Control 1.0 over UDP (`docs/live.md`).
 //!
-//! Bytes ↔ [`Message`]s ([`decode`], [`encode`]) ↔ [`Frame`]s ([`FrameReader`], [`Frame::messages`]) ↔ poses of a canonical
-//! humanoid ([`Performer`]). Unity's axes are left-handed with +Y up, facing +Z with the right along +X; here the left is
-//! along +X, so that points and rotations are mirrored at x = 0 on their way in and out.
+//! Bytes ↔ [`Message`]s ([`decode`], [`encode`]) ↔ [`Frame`]s ([`FrameReader`], [`Frame::messages`]) ↔ poses of a
+//! canonical humanoid ([`Performer`]). Unity's axes are left-handed with +Y up, facing +Z with the right along +X. Here
+//! the left is along +X, so that points and rotations are mirrored at x = 0 when they are read and written.
 
 mod arguments;
 mod bone;
@@ -21,7 +21,7 @@ pub use message::Message;
 pub use packet::{PACKET_BYTES, decode, encode};
 pub use performer::{Calibration, Performer};
 pub use place::{Place, RootPlace};
-/// A message of Open Sound Control as it is.
+/// An Open Sound Control message.
 pub use rosc::OscMessage;
 
 #[cfg(test)]

@@ -1,27 +1,27 @@
-//! Packets of Open Sound Control: bytes that anybody may have sent.
+//! Packets of Open Sound Control: untrusted bytes.
 
 use super::arguments::read_message;
 use super::error::{MAX_MESSAGES, MAX_NESTING, MAX_PACKET_BYTES, PacketError};
 use super::message::Message;
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime};
 
-/// Largest packet that is sent unless one message is larger, bytes: what networks carry in one piece.
+/// Largest packet that is sent unless a message is larger, bytes: the size that networks transmit without fragmentation.
 pub const PACKET_BYTES: usize = 1_400;
 
-/// The address of a bundle; its time follows.
+/// Address of a bundle, followed by its time.
 const BUNDLE: &[u8] = b"#bundle\0";
 const TIME_BYTES: usize = 8;
 const BUNDLE_HEADER_BYTES: usize = BUNDLE.len() + TIME_BYTES;
-/// Bytes of a length.
+/// Number of bytes of a length.
 const LENGTH_BYTES: usize = 4;
-/// "At once".
+/// The time "immediately".
 const NOW: OscTime = OscTime { seconds: 0, fractional: 1 };
 
-/// Reads the messages of a packet, in their order, after those that are in `messages` already. Gives the number of messages
-/// that were dropped: for their arguments, or as they could not be read. The others of their bundle are read nevertheless.
+/// Appends the messages of a packet to `messages` in order. Returns the number of messages that were dropped because
+/// their arguments were invalid or they could not be parsed. The other messages of their bundle are read nevertheless.
 ///
 /// # Errors
-/// [`PacketError`]; nothing is read then.
+/// [`PacketError`]; then no message is appended.
 pub fn decode(packet: &[u8], messages: &mut Vec<Message>) -> Result<usize, PacketError> {
     if packet.len() > MAX_PACKET_BYTES {
         return Err(PacketError::TooLarge);
@@ -34,7 +34,7 @@ pub fn decode(packet: &[u8], messages: &mut Vec<Message>) -> Result<usize, Packe
     Ok(all - (messages.len() - before))
 }
 
-/// The messages of a packet or of a part of a bundle, which lies in `depth` others; `None` for one that cannot be read.
+/// Messages of a packet or of an element of a bundle at nesting depth `depth`; `None` for one that cannot be parsed.
 fn collect(part: &[u8], depth: usize, found: &mut Vec<Option<OscMessage>>) -> Result<(), PacketError> {
     let Some(bundle) = part.strip_prefix(BUNDLE) else {
         let message = read_message(part)?;
@@ -52,7 +52,7 @@ fn collect(part: &[u8], depth: usize, found: &mut Vec<Option<OscMessage>>) -> Re
     }
     let mut rest = bundle.get(TIME_BYTES..).unwrap_or_default();
     while let Some((length, after)) = rest.split_first_chunk::<LENGTH_BYTES>() {
-        // A length that is too large ends the bundle, as does what only pads it.
+        // A length that is too large ends the bundle, as does padding.
         let length = u32::from_be_bytes(*length) as usize;
         let Some((element, next)) = after.split_at_checked(length).filter(|_| length > 0) else { break };
         collect(element, depth + 1, found)?;
@@ -61,7 +61,7 @@ fn collect(part: &[u8], depth: usize, found: &mut Vec<Option<OscMessage>>) -> Re
     Ok(())
 }
 
-/// Packets of bundles of these messages, in their order, each of at most [`PACKET_BYTES`] or one message.
+/// Packets of bundles of these messages, in order, each of at most [`PACKET_BYTES`] or one message.
 pub fn encode(messages: &[Message]) -> Vec<Vec<u8>> {
     let mut packets = Vec::new();
     let mut content = Vec::new();

@@ -1,4 +1,4 @@
-//! The body of a performer: bones ↔ poses of a canonical humanoid.
+//! Body of a sender: conversion between bones and poses of a canonical humanoid.
 
 use super::bone::{BONES, Bone};
 use super::frame::Frame;
@@ -8,40 +8,40 @@ use strut_core::kinematics::{WorldPose, world_from_local};
 use strut_core::math::{Quat, Vec3};
 use strut_core::pose_vector::heading_of;
 
-/// Height of the lowest joint, the balls of the feet, above the ground, as a share of that of the hips above it.
+/// Height of the lowest joint, the ball of the foot, above the ground, as a share of the hips' height above it.
 const SOLE_SHARE: f32 = 0.037;
-/// Bones shorter than this in all say nothing about the body, metres.
+/// If the bones' total length is less than this, they are no measure of the body, metres.
 const LEAST_BODY: f32 = 0.2;
-/// Heights of hips that are believed, metres.
+/// Plausible heights of the hips, metres.
 const HIP_HEIGHTS: std::ops::RangeInclusive<f32> = 0.2..=3.0;
 
-/// Offsets of one body differ by less than this share of the height of its hips from frame to frame.
+/// Two frames have the same body if offsets differ by less than this share of the height of the hips.
 const SAME_BODY: f32 = 0.05;
 
-/// A performer's body and the rotations of its bones in the T-pose.
+/// Body of a sender, and the rotations of its bones in the T-pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performer {
     proportions: Proportions,
-    /// Rotation of each bone in the world in the T-pose facing +Z.
+    /// World rotation of each bone in the T-pose facing +Z.
     pub(super) rest: [Quat; BONES],
     /// Bones that are sent.
     pub(super) has: [bool; BONES],
 }
 
 impl Performer {
-    /// The body of the bones that a frame brought: their offsets, or the default humanoid at the height of the hips where there
-    /// are none.
-    /// Without a calibration all bones are unturned in the T-pose, as those of VRM 0 are.
+    /// Body from the bones of a frame: their offsets, or the default humanoid at the height of the hips if there are
+    /// none. Without a calibration all bones have the identity rotation in the T-pose, as in VRM 0.
     pub fn new(frame: &Frame, calibration: Option<&Calibration>) -> Self {
         let rest = calibration.and_then(Calibration::rest).unwrap_or([Quat::IDENTITY; BONES]);
-        // A bone that was sent before is another avatar's, or not sent for a while: then the body has it as soon as it is.
+        // A bone that was sent before belongs to another avatar, or is missing for a while; it is added when it is sent
+        // again.
         let frame = &with_bones(frame, |i| !frame.held[i]);
         let hips_height = frame.world()[0].position.y;
         let proportions = body(frame, &rest).unwrap_or_else(|| default_body(hips_height));
         Self { proportions, rest, has: frame.bones.map(|bone| bone.is_some()) }
     }
 
-    /// A body whose bones are all sent and unturned in the T-pose.
+    /// Body of which all bones are sent, with the identity rotation in the T-pose.
     pub fn of_body(proportions: &Proportions) -> Self {
         let mut has = [true; BONES];
         has[Bone::UpperChest.index()] = false;
@@ -53,8 +53,8 @@ impl Performer {
         &self.proportions
     }
 
-    /// Whether the bones of a frame are those of this body: of another avatar they have other lengths, or there is one that this
-    /// body lacks. Bones that are sent without lengths fit every body.
+    /// Returns whether the bones of a frame belong to this body. The bones of another avatar have other lengths, or
+    /// include one that this body lacks. Bones without lengths match every body.
     pub fn has_body_of(&self, frame: &Frame) -> bool {
         if (0..BONES).any(|i| frame.bones[i].is_some() && !frame.held[i] && !self.has[i]) {
             return false;
@@ -67,15 +67,15 @@ impl Performer {
             .is_none_or(|theirs| apart(theirs) <= SAME_BODY * self.proportions.offsets[0].y)
     }
 
-    /// Whether a frame says where its body is: hips that are sent as zero do not.
+    /// Returns whether a frame contains the position of its body: hips at zero do not count.
     pub fn has_root(frame: &Frame) -> bool {
         frame.bones[0].is_some_and(|hips| hips.position != Vec3::ZERO)
     }
 
-    /// The pose of a frame on this body.
+    /// Pose of a frame on this body.
     pub fn pose(&self, frame: &Frame) -> Pose {
         let world = self.returning(frame).world();
-        // Rotations relative to the T-pose: R = G · G₀⁻¹. A later bone of a role (the upper chest) counts.
+        // Rotations relative to the T-pose: R = G · G₀⁻¹. The later bone of a role (the upper chest) is used.
         let mut turns = [Quat::IDENTITY; JOINTS];
         for bone in Bone::all() {
             if bone != Bone::UpperChest || self.has[bone.index()] {
@@ -91,7 +91,7 @@ impl Performer {
         pose
     }
 
-    /// The frame with the bones of this body, of which those that are not sent any more are on their way to rest.
+    /// The frame with the bones of this body. Bones that are no longer sent are interpolated towards rest.
     fn returning(&self, frame: &Frame) -> Frame {
         let mut frame = with_bones(frame, |i| self.has[i]);
         for bone in Bone::all() {
@@ -104,8 +104,8 @@ impl Performer {
         frame
     }
 
-    /// A pose on this body as a frame of the bones that are sent, where the model stands as in `like`. Positions of bones
-    /// other than the hips are those of `like`, or else the body's.
+    /// A pose on this body as a frame of the bones that are sent, with the model's position in `like`. Positions of
+    /// bones other than the hips are those of `like`, or else the body's.
     pub fn frame(&self, pose: &Pose, like: &Frame) -> Frame {
         let turns = world_from_local(&self.proportions, pose).rotations;
         let mut frame = *like;
@@ -113,7 +113,7 @@ impl Performer {
         for bone in Bone::all() {
             let i = bone.index();
             let parent = bone.parent().map_or(like.root.place.rotation, |parent| world[parent.index()]);
-            // One that is not sent is turned as what it hangs on.
+            // A bone that is not sent has its parent's rotation.
             world[i] = if self.has[i] { turns[bone.role().index()] * self.rest[i] } else { parent };
             let position = match bone {
                 Bone::Of(Role::Hips) => {
@@ -128,14 +128,13 @@ impl Performer {
     }
 }
 
-/// The frame with those of its bones alone whose number is one of `these`.
+/// The frame with only the bones whose index `these` selects.
 fn with_bones(frame: &Frame, these: impl Fn(usize) -> bool) -> Frame {
     let bones = std::array::from_fn(|i| frame.bones[i].filter(|_| these(i)));
     Frame { bones, ..*frame }
 }
 
-/// The body that a frame's bones have, given their rotations in the T-pose; `None` if they have no lengths, or no
-/// plausible ones.
+/// Body of a frame's bones, given their rotations in the T-pose; `None` if they have no lengths or implausible ones.
 fn body(frame: &Frame, rest: &[Quat; BONES]) -> Option<Proportions> {
     let mut positions = [Vec3::ZERO; BONES];
     let mut length = 0.0;
@@ -148,7 +147,7 @@ fn body(frame: &Frame, rest: &[Quat; BONES]) -> Option<Proportions> {
     if length < LEAST_BODY {
         return None;
     }
-    // The chest is the upper one where that is sent; where not, both are at the same place.
+    // The chest is the upper chest if that is sent; otherwise both are at the same position.
     let upper_chest = positions[Bone::UpperChest.index()];
     positions[Role::Chest.index()] = upper_chest;
     let mut offsets: [Vec3; JOINTS] = std::array::from_fn(|i| positions[i]);
@@ -172,17 +171,18 @@ fn default_body(hips_height: f32) -> Proportions {
     body
 }
 
-/// Averages a T-pose that the performer holds: the rotations G₀ that bones have in it, however the sender turns them.
+/// Averages a T-pose that the performer holds: the rotations G₀ of the bones in it, whatever rest rotations the sender
+/// uses.
 #[derive(Clone, Debug, Default)]
 pub struct Calibration {
-    /// Sums of the bones' rotations in the world.
+    /// Sums of the bones' world rotations.
     sums: Option<[Quat; BONES]>,
-    /// The last frame: where the joints are says which way the performer faces.
+    /// Last frame: its joint positions determine which direction the performer faces.
     last: Frame,
 }
 
 impl Calibration {
-    /// Takes a frame of the T-pose.
+    /// Adds a frame of the T-pose.
     pub fn push(&mut self, frame: &Frame) {
         let world = frame.world().map(|place| place.rotation);
         self.sums = Some(match self.sums {
@@ -195,13 +195,13 @@ impl Calibration {
         self.last = *frame;
     }
 
-    /// The rotations of the bones in the T-pose facing +Z; `None` without frames.
+    /// Rotations of the bones in the T-pose facing +Z; `None` without frames.
     fn rest(&self) -> Option<[Quat; BONES]> {
         let mean = self.sums?.map(Quat::normalized);
         let world = self.last.world();
         let joints =
             WorldPose { positions: std::array::from_fn(|i| world[i].position), rotations: [Quat::IDENTITY; JOINTS] };
-        // Joints that are all in one place face no way: then it is +Z.
+        // Joints that are all at one position have no facing direction; +Z is then used.
         let facing = Quat::from_rotation_y(heading_of(&joints).unwrap_or(0.0));
         Some(mean.map(|q| facing.inv_mul(q)))
     }

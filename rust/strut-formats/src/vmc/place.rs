@@ -1,4 +1,4 @@
-//! Where a bone is.
+//! Transform of a bone.
 
 use strut_core::math::{Quat, Vec3};
 
@@ -11,7 +11,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// A place that is relative to this one, relative to what this one is.
+    /// Composes two transforms: `self * place`, where `place` is relative to this one.
     pub fn then(&self, place: &Self) -> Self {
         let position = self.position + self.rotation * place.position;
         Self { position, rotation: (self.rotation * place.rotation).normalized() }
@@ -24,11 +24,11 @@ impl Place {
     }
 }
 
-/// Where the model stands.
+/// Position and rotation of the model.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootPlace {
-    /// In the world.
+    /// World transform.
     pub place: Place,
-    /// Scale and offset for mixed reality as they came, if they did; Strut does not use them.
+    /// Received scale and offset for mixed reality, if any; Strut does not use them.
     pub scale_and_offset: Option<[f32; 6]>,
 }

@@ -70,7 +70,7 @@ proptest! {
         has_upper_chest in any::<bool>(),
         facing in -3.0f32..3.0,
     ) {
-        // A sender whose bones are turned somehow in the T-pose.
+        // A sender whose bones have arbitrary rotations in the T-pose.
         let mut theirs = Performer::of_body(&Proportions::default());
         theirs.rest.copy_from_slice(&rest);
         if has_upper_chest {
@@ -107,7 +107,7 @@ proptest! {
     }
 }
 
-/// The bones of a body as they hang on each other in the T-pose, with a rest rotation each.
+/// Bones of a body relative to their parents in the T-pose, with a rest rotation each.
 fn offsets_in(performer: &Performer) -> [Option<Place>; BONES] {
     let mut bones = [None; BONES];
     for bone in Bone::all().filter(|bone| performer.has[bone.index()]) {
@@ -115,7 +115,7 @@ fn offsets_in(performer: &Performer) -> [Option<Place>; BONES] {
             bone.parent().filter(|parent| performer.has[parent.index()]).or(bone.parent().and_then(Bone::parent));
         let turned = parent.map_or(Quat::IDENTITY, |parent| performer.rest[parent.index()]);
         let offset = match bone {
-            // It is where the chest is: the neck's offset counts from it.
+            // It is at the position of the chest: the neck's offset is relative to it.
             Bone::UpperChest => Vec3::ZERO,
             Bone::Of(role) => performer.proportions().offsets[role.index()],
         };
@@ -124,7 +124,7 @@ fn offsets_in(performer: &Performer) -> [Option<Place>; BONES] {
     bones
 }
 
-/// A walk's frame in the packets of a sender.
+/// Packets of a sender for a frame of a walk.
 fn packets() -> Vec<Vec<u8>> {
     let body = Performer::of_body(&Proportions::default());
     let mut messages: Vec<Message> = body.frame(&Pose::default(), &Frame::default()).messages().collect();
@@ -139,7 +139,7 @@ fn packets() -> Vec<Vec<u8>> {
     encode(&messages)
 }
 
-/// Changes bytes, lengths and order of packets. More cases: `STRUT_MUTATIONS=1000000`.
+/// Changes bytes, lengths and order of packets. For more cases: `STRUT_MUTATIONS=1000000`.
 #[test]
 fn mutated_packets_never_panic() {
     let cases = std::env::var("STRUT_MUTATIONS").ok().and_then(|cases| cases.parse().ok()).unwrap_or(20_000);
@@ -190,7 +190,7 @@ fn what_nests_deeply_or_holds_too_much_is_dropped_before_it_is_read() {
     assert_eq!(read(&nested(MAX_NESTING)), Ok(0));
     assert_eq!(read(&nested(MAX_NESTING + 1)), Err(PacketError::TooDeep));
     assert_eq!(read(&bundle((0..=MAX_MESSAGES).map(|_| message()).collect())), Err(PacketError::TooMany));
-    // Bundles to the last byte, and arrays: the decoder alone would call itself thousands of times.
+    // Bundles nested to the last byte, and arrays: the decoder alone would recurse thousands of times.
     let mut deep = Vec::new();
     for left in (0..3_000_u32).rev() {
         deep.extend(b"#bundle\0\0\0\0\0\0\0\0\x01");
@@ -247,7 +247,7 @@ fn messages_with_other_arguments_are_dropped_and_unknown_ones_passed_on() {
     assert!(matches!(read("/VMC/Ext/Blend/Apply", vec![]), (0, Some(Message::Other(_)))));
 }
 
-/// A message's bytes from the text of its types and the bytes of its arguments.
+/// Bytes of a message with the text of its types and the bytes of its arguments.
 fn raw(addr: &str, types: &str, args: &[u8]) -> Vec<u8> {
     let text = |text: &str| {
         let mut bytes = text.as_bytes().to_vec();
@@ -279,7 +279,7 @@ fn numbers_may_be_of_any_type() {
     assert_eq!(read("/VMC/Ext/Bone/Pos", mixed.clone()), Some(Message::Bone(Bone::Of(Role::Hips), expected)));
     let root = RootPlace { place: expected, scale_and_offset: None };
     assert_eq!(read("/VMC/Ext/Root/Pos", mixed), Some(Message::Root(root)));
-    // The time of day in seconds: as a single it would be exact to two minutes.
+    // The time of day in seconds: in single precision its resolution would be two minutes.
     let secs = 1_764_393_600.25;
     assert_eq!(read("/VMC/Ext/T", vec![OscType::Double(secs)]), Some(Message::Time(secs)));
     assert_eq!(read("/VMC/Ext/T", vec![OscType::Int(7)]), Some(Message::Time(7.0)));
@@ -289,7 +289,7 @@ fn numbers_may_be_of_any_type() {
     }
     let weight = read("/strut/style", vec!["old".into(), OscType::Int(1)]);
     assert_eq!(weight, Some(Message::Style("old".into(), 1.0)));
-    // What is neither text nor number is passed over, wherever it stands.
+    // Arguments that are neither text nor number are skipped at any position.
     let others = [OscType::Inf, OscType::Blob(vec![1, 2, 3]), OscType::Char('x'), OscType::Time(OscTime::from((1, 2)))];
     let time = others.into_iter().chain([OscType::Double(2.5)]).collect();
     assert_eq!(read("/VMC/Ext/T", time), Some(Message::Time(2.5)));
@@ -324,7 +324,7 @@ fn a_message_with_a_type_that_nobody_knows_does_not_hide_the_others_of_its_bundl
     }
 }
 
-/// What becomes of messages that arrive so.
+/// Frames that result from messages with these arrival times.
 fn frames(arrivals: &[(f64, Message)]) -> Vec<Frame> {
     let mut reader = FrameReader::default();
     let mut frames = Vec::new();
@@ -347,7 +347,7 @@ fn a_time_the_next_hips_or_silence_end_a_frame() {
         .flat_map(|i| [hips(i as f32), spine.clone(), Message::Time(f64::from(i))].map(|m| (f64::from(i) * 0.001, m)))
         .collect();
     let found = frames(&timed);
-    // Nobody knows whether the first frame is whole.
+    // Whether the first frame is complete cannot be known.
     assert_eq!(found.iter().map(|f| f.sent_secs).collect::<Vec<_>>(), [1.0, 2.0, 3.0].map(Some));
     let untimed: Vec<(f64, Message)> = timed.into_iter().filter(|(_, m)| !matches!(m, Message::Time(_))).collect();
     assert_eq!(frames(&untimed).len(), 3);
@@ -384,7 +384,7 @@ fn a_root_belongs_to_the_bones_that_come_after_it() {
 fn silence_does_not_cut_the_frames_of_those_who_send_times() {
     let frame = |i: u8| {
         let messages = [bone_at(Role::Hips, 0.0), bone_at(Role::Spine, 0.0), Message::Time(f64::from(i))];
-        // The sender is held up in the middle of the later ones.
+        // The sender is delayed in the middle of the later frames.
         let step = if i < 2 { 0.0 } else { 0.01 };
         messages.into_iter().enumerate().map(move |(n, message)| (f64::from(i) + n as f64 * step, message))
     };
@@ -408,14 +408,14 @@ fn a_frame_without_one_of_its_packets_is_dropped() {
     };
     assert_eq!(times(&[3]), [1.0, 2.0, 4.0, 5.0]);
     assert_eq!(times(&[0]), [1.0, 2.0, 3.0, 4.0, 5.0]);
-    // A bone that stays away is not sent any more.
+    // A bone that is missing once is not sent from then on.
     assert_eq!(times(&[3, 4, 5]), [1.0, 2.0, 4.0, 5.0]);
 }
 
 #[test]
 fn a_bone_that_is_not_sent_any_more_returns_to_rest_and_follows_at_once_when_it_is() {
     let mut theirs = Performer::of_body(&Proportions::default());
-    // Bones that are turned in the T-pose, as a calibration finds them.
+    // Bones with rest rotations, as a calibration determines them.
     theirs.rest = std::array::from_fn(|i| exp(Vec3::new(0.1 * i as f32, 0.5, -0.3)));
     let arm = Role::LeftUpperArm.index();
     let mut pose = Pose { root: Vec3::Y, ..Pose::default() };
@@ -425,7 +425,7 @@ fn a_bone_that_is_not_sent_any_more_returns_to_rest_and_follows_at_once_when_it_
     let mut turns = Vec::new();
     for i in 0..240 {
         let secs = f64::from(i) / 60.0;
-        // The arm is sent in the first second, and again from the fourth on; one frame is held up.
+        // The arm is sent in the first second, and again from the fourth on; one frame is delayed.
         let is_sent = |message: &Message| match message {
             Message::Bone(bone, _) => *bone != Bone::Of(Role::LeftUpperArm) || !(60..180).contains(&i),
             _ => true,
@@ -481,12 +481,12 @@ fn another_avatar_has_no_bone_of_the_one_before() {
     for turn in body.pose(&next).rotations {
         assert!(turn.angle() < 2e-3, "{turn:?}");
     }
-    // Back to the first one, even in the size of the other: it has a bone more.
+    // Back to the first avatar, even in the size of the other: it has one more bone.
     let mut small = without.clone();
     small.has = with_upper_chest.has;
     let again = (6..9).filter_map(|i| send(&mut reader, &small, &straight, &Frame::default(), 0.01 * f64::from(i)));
     assert!(!body.has_body_of(&again.last().unwrap()));
-    // A bone that is not sent for a while is no other body.
+    // A body with a bone that is not sent for a while is the same body.
     let mut lacking = next;
     lacking.held[Role::LeftHand.index()] = true;
     assert!(body.has_body_of(&lacking) && body.has_body_of(&next));

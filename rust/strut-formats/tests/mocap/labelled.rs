@@ -1,4 +1,4 @@
-//! Clips whose file names say what they are of.
+//! Clips whose labels are in their file names.
 
 use std::path::PathBuf;
 use strut_core::database::build::SourceClip;

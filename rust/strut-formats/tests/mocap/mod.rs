@@ -1,14 +1,14 @@
-//! Where real motion capture lies; it is no part of the repository.
-#![allow(dead_code)] // Each test file uses its part.
+//! Location of real motion capture, which is not part of the repository.
+#![allow(dead_code)] // Each test file uses a part of the module.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// The clips that tests read, as `SET/NAME.bvh`, sorted: another file beside them changes no test.
+/// Clips that tests read, as `SET/NAME.bvh`, sorted. An additional file in the folder changes no test.
 const CLIPS: &str = include_str!("clips.txt");
 
-/// The folder of real motion capture: `$STRUT_MOCAP`, else `shared/data` beside the repository. Without it prints that the
-/// test is skipped.
+/// Folder of real motion capture: `$STRUT_MOCAP`, else `shared/data` beside the repository. If it is missing, prints
+/// that the test is skipped.
 pub(crate) fn folder() -> Option<PathBuf> {
     let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
     let folder = std::env::var_os("STRUT_MOCAP").map_or(beside, PathBuf::from);
@@ -19,19 +19,19 @@ pub(crate) fn folder() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// The clips of all sets.
+/// Clips of all sets.
 pub(crate) fn clips() -> Option<Vec<PathBuf>> {
     folder().map(|folder| clips_of(&folder, ""))
 }
 
-/// The clips of the set of this name; of all sets if it is empty.
+/// Clips of the set of this name; of all sets if it is empty.
 pub(crate) fn clips_of(folder: &Path, set: &str) -> Vec<PathBuf> {
     let of_set = |clip: &&str| set.is_empty() || clip.split('/').next() == Some(set);
     CLIPS.lines().filter(of_set).map(|clip| folder.join(clip)).collect()
 }
 
-/// Says why a test is skipped.
+/// Prints why a test is skipped.
 pub(crate) fn skip(reason: &str) {
-    // Not `println!`, whose output cargo shows of failed tests only.
+    // Not `println!`, whose output cargo shows only for failed tests.
     let _ = writeln!(std::io::stderr(), "skipped: {reason}");
 }

@@ -1,9 +1,9 @@
-//! How far two readings of one performance are apart.
+//! Distance between two readings of a performance.
 
 use strut_core::humanoid::{HumanoidMotion, JOINTS};
 use strut_core::kinematics::world_from_local;
 
-/// The greatest distance between the same joint of two motions in the same frame, metres.
+/// Greatest distance between the same joint of two motions in the same frame, metres.
 pub(crate) fn apart(a: &HumanoidMotion, b: &HumanoidMotion) -> f32 {
     assert_eq!(a.poses.len(), b.poses.len());
     let mut most = 0.0_f32;

@@ -1,4 +1,4 @@
-//! A style from one clip: the clip joins a database as a style of its own.
+//! Adds a clip to a database as a new style.
 
 use super::prepare::{encode, headings};
 use super::report::Refusal;
@@ -9,11 +9,11 @@ use crate::registration::{self, Addition, Counterparts, Example, Job, MAX_COUNTE
 use std::fmt;
 use thiserror::Error;
 
-/// Clips that fit an action cost less to warp to it (squared feature distance a frame). With the built-in database
+/// A clip fits an action if its warps cost less than this (squared feature distance per frame). With the built-in database
 /// recorded walks cost 75 to 166 and runs 118 to 189, a jump of three strides 215, walking backwards 325 to 355.
 const MAX_COST: f32 = 200.0;
 
-/// Minimum length of a clip, seconds. A shorter piece of a walk would fit part of any non-cyclic action.
+/// Minimum length of a clip, seconds. A shorter part of a walk would fit part of any non-cyclic action.
 const MIN_SECS: f32 = 1.0;
 
 /// A database with a new style.
@@ -21,25 +21,25 @@ const MIN_SECS: f32 = 1.0;
 pub struct AddedStyle {
     /// The database with the clip as its last style.
     pub database: Database,
-    /// The action that the clip shows.
+    /// Action that the clip shows.
     pub action: u16,
-    /// Mean cost of its warps to the clips of the action (squared feature distance a frame).
+    /// Mean cost of its warps to the clips of the action (squared feature distance per frame).
     pub cost: f32,
-    /// Why it may look wrong, where the action was given and the clip moves too differently from those of it.
+    /// Warning if the action was given and the clip moves too differently from the clips of that action.
     pub doubt: Option<Doubt>,
 }
 
-/// A clip is unlike those of the action that it was said to show.
+/// Warning that a clip is unlike the clips of the action that was given for it.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("it moves too differently from the clips of '{given}' to look right{better}")]
 pub struct Doubt {
-    /// The action that was given.
+    /// The given action.
     pub given: String,
-    /// The action that it fits.
+    /// Action that the clip fits better.
     pub better: Better,
 }
 
-/// The action that a clip fits in place of the one that was given, if there is one.
+/// Action that a clip fits better than the given one, if there is one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Better(pub Option<String>);
 
@@ -49,51 +49,51 @@ impl fmt::Display for Better {
     }
 }
 
-/// Why a clip cannot become a style of a database.
+/// Reason why a clip cannot become a style of a database.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AddStyleError {
-    /// The database has a style of this name.
+    /// The database already has a style of this name.
     #[error("the database has a style '{0}' already")]
     Exists(String),
-    /// The clip cannot be used at all.
+    /// The clip is invalid.
     #[error(transparent)]
     Clip(#[from] Refusal),
-    /// It is too short to show an action.
+    /// The clip is too short to show an action.
     #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {MIN_SECS:.1} s, was expected")]
     Brief(f32),
-    /// It shows none of the actions; with the reason for the one that it comes nearest to.
+    /// The clip fits none of the actions. Contains the reason for the nearest action.
     #[error("it fits none of the database's actions ({actions}): {reason}")]
     NoAction {
         /// Names of the actions.
         actions: String,
-        /// Why it was refused for that action: of an action of the same kind if there is one, and of several the one for which
-        /// most was in order.
+        /// Reason why the clip was rejected for the nearest action: an action of the same kind if there is one, and
+        /// among several the one for which most checks passed.
         reason: Refusal,
     },
-    /// It cannot be registered with the clips of the action that was given.
+    /// The clip cannot be registered with the clips of the given action.
     #[error("it does not fit '{given}': {reason}{better}")]
     NotGiven {
-        /// The action that was given.
+        /// The given action.
         given: String,
-        /// Why it was refused.
+        /// Reason of the rejection.
         reason: Refusal,
-        /// The action that it fits.
+        /// Action that the clip fits.
         better: Better,
     },
-    /// It is unlike all actions of the database.
+    /// The clip is unlike all actions of the database.
     #[error("it fits none of the database's actions ({actions}): it moves too differently from all of them")]
     Unlike {
         /// Names of the actions.
         actions: String,
     },
-    /// The whole is too large, or holds values outside every reasonable range.
+    /// The resulting database is too large, or contains values out of range.
     #[error("the database with the clip would not be valid: {0}")]
     Database(#[from] DatabaseError),
 }
 
-/// Adds a clip as a style of its own. It is registered with the clips of the action that it fits best, in the time that
-/// one clip takes; the correspondence of all others is kept. The clip's `action` and `script` are ignored; its motion is
-/// on the database's proportions.
+/// Adds a clip as a new style. It is registered with the clips of the action that it fits best, which takes the time of
+/// one clip; the correspondence of all others is kept. The clip's `action` and `script` are ignored; its motion has the
+/// database's proportions.
 ///
 /// # Errors
 /// See [`AddStyleError`].
@@ -106,8 +106,8 @@ pub fn add_style(
     add_style_of(db, clip, None, options, executor)
 }
 
-/// [`add_style`] for a clip whose action is known, an index of the database's; `None` for the one that fits best. A clip that
-/// moves too differently from those of the action that was given is registered nevertheless, with a [`Doubt`].
+/// [`add_style`] for a clip whose action is known, an index of the database's; `None` selects the one that fits best. A
+/// clip that moves too differently from those of the given action is registered nevertheless, with a [`Doubt`].
 ///
 /// # Errors
 /// See [`AddStyleError`].
@@ -159,8 +159,8 @@ pub fn add_style_of(
     }
 }
 
-/// The action that a clip fits best among some, and how it is registered there; and why the one that it comes nearest to refuses
-/// it, if one does.
+/// Action that a clip fits best among those selected, and its registration there; and the reason of the nearest action
+/// that rejects it, if one does.
 fn best_of(
     db: &Database,
     example: &Example,
@@ -190,7 +190,7 @@ fn best_of(
     (best, refusal)
 }
 
-/// How much of a clip was in order before it was refused for an action: the order of the checks of [`Job::run_last`].
+/// Number of checks of [`Job::run_last`] that a clip passed before it was rejected for an action.
 fn nearness(refusal: &registration::Refusal) -> u8 {
     use registration::Refusal as R;
     match refusal {
@@ -201,7 +201,7 @@ fn nearness(refusal: &registration::Refusal) -> u8 {
     }
 }
 
-/// The clip as registration sees it, in the database's chart.
+/// The clip in the form that registration reads, in the database's chart.
 fn example_of(db: &Database, clip: &SourceClip) -> Result<Example, Refusal> {
     let motion = &clip.motion;
     if !(motion.rate_hz.is_finite() && motion.rate_hz > 0.0) {
@@ -225,7 +225,7 @@ fn clips_of(db: &Database, action: u16) -> impl Iterator<Item = usize> + '_ {
     db.classes().iter().filter(move |c| c.action == action).flat_map(|c: &Class| c.clips.clone())
 }
 
-/// A clip of the database as registration sees it.
+/// A clip of the database in the form that registration reads.
 fn existing(db: &Database, clip: &Clip) -> Example {
     let rows = clip.rows();
     Example {
@@ -237,7 +237,7 @@ fn existing(db: &Database, clip: &Clip) -> Example {
     }
 }
 
-/// The database's parts with the clip behind those of its action, and its style behind the others.
+/// Parts of the database with the clip inserted after those of its action, and its style after the others.
 fn joined(db: &Database, clip: &SourceClip, action: u16, example: &Example, found: &Addition) -> DatabaseParts {
     let of_action: Vec<usize> = clips_of(db, action).collect();
     let at = of_action.last().map_or(0, |&i| i + 1);
@@ -305,7 +305,8 @@ fn insert<T: Clone>(all: &mut Vec<T>, at: usize, new: &[T]) {
     all.splice(at..at, new.iter().cloned());
 }
 
-/// Canonical times of the clip's frames: those of their neutral counterparts.
+/// Canonical times of the clip's frames: those of their neutral counterparts. A frame without counterpart repeats the
+/// last time.
 fn canonical_times(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
     let at =
         |frame: &Vec<f32>| frame.iter().find(|row| **row >= 0.0).map(|row| db.canonical_time[row.round() as usize]);
@@ -317,10 +318,10 @@ fn canonical_times(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
     neutral.iter().map(held).collect()
 }
 
-/// Seconds of the clip per canonical frame: its pace through the neutral rows, and theirs through canonical time.
-/// Where counterparts change between two frames, the pace is unknown.
+/// Seconds of the clip per canonical frame, from its pace through the neutral rows and the pace of those through
+/// canonical time. Where counterparts change between two frames, the previous pace is kept.
 fn durations(db: &Database, neutral: &[Vec<f32>]) -> Vec<f32> {
-    /// Fastest pace through the rows of another clip, frames a frame.
+    /// Fastest plausible pace through the rows of another clip, frames per frame.
     const FASTEST: f32 = 10.0;
     let frames_at = |row: f32| 1.0 / (db.time_step[row.round() as usize] * db.rate_hz);
     let mut pace = 1.0;

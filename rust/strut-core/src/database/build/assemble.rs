@@ -1,4 +1,4 @@
-//! From registered clips to the tensors of a database.
+//! Assembles the tensors of a database from registered clips.
 
 use super::options::BuildOptions;
 use super::prepare::Labels;
@@ -8,16 +8,16 @@ use crate::pose_vector::PoseChart;
 use crate::registration::{self, Counterpart, Example, Registered};
 use std::borrow::Borrow;
 
-/// A clip that enters the database.
+/// A clip that is part of the database.
 pub(super) struct Kept {
     /// Index into the sorted source clips.
     source: usize,
     example: Example,
-    /// Counterparts refer to kept clips.
+    /// Correspondence; counterparts refer to kept clips.
     registered: Registered,
 }
 
-/// Appends the registered clips of one action; `indices` are their numbers among the source clips.
+/// Appends the registered clips of one action; `indices` are their indices among the source clips.
 pub(super) fn keep(
     kept: &mut Vec<Kept>,
     indices: Vec<usize>,
@@ -43,7 +43,7 @@ pub(super) fn keep(
     }
 }
 
-/// The database's parts. Labels without clips are dropped.
+/// Parts of the database. Labels without clips are dropped.
 pub(super) fn parts<C: Borrow<SourceClip>>(
     clips: &[C],
     kept: &[Kept],
@@ -105,7 +105,7 @@ pub(super) fn parts<C: Borrow<SourceClip>>(
                     c.map_or(-1.0, |c| {
                         let target = &kept[c.example as usize].example;
                         let row = first_rows[c.example as usize] as f32;
-                        // The sum is rounded to f32 and might leave the clip.
+                        // The sum is rounded to f32 and could exceed the end of the clip.
                         (row + c.frame).min(row + (target.frames() - 1) as f32)
                     })
                 }));

@@ -1,10 +1,10 @@
-//! Why a build gives no database.
+//! Errors of a build.
 
 use super::report::Refusal;
 use crate::database::{DatabaseError, MAX_FRAMES};
 use thiserror::Error;
 
-/// Why nothing could be built.
+/// Reason why a build failed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BuildError {
     /// No clip was given.
@@ -13,35 +13,35 @@ pub enum BuildError {
     /// The rate is out of range.
     #[error("the database's rate is {0} Hz; 10 to 480 was expected")]
     Rate(f32),
-    /// No clip has the neutral style asked for.
+    /// No clip has the requested neutral style.
     #[error("no usable clip has the neutral style '{wanted}'; the styles are {styles}")]
     Neutral {
-        /// Name asked for.
+        /// Requested name.
         wanted: String,
-        /// Names there are.
+        /// Available names.
         styles: String,
     },
-    /// Every clip was refused.
+    /// Every clip was rejected.
     #[error("every clip was refused; '{name}' because {reason}")]
     NothingLeft {
         /// Name of the first clip.
         name: String,
-        /// Why it was refused.
+        /// Reason of its rejection.
         reason: Refusal,
     },
-    /// More labels than an index can tell apart.
+    /// More labels than an index can represent.
     #[error("{0} styles or actions; at most 65535 are supported")]
     TooManyLabels(usize),
     /// More frames than a database may have.
     #[error("the clips have {0} frames; at most {MAX_FRAMES} are supported")]
     TooManyFrames(usize),
-    /// A build is asked for its next step after it has failed, or for its database before its last step.
+    /// The next step of a failed build, or the database of an unfinished one, was requested.
     #[error("the build has failed, or has steps left")]
     Unfinished,
-    /// The progress function asked to stop.
+    /// The progress function cancelled the build.
     #[error("cancelled")]
     Cancelled,
-    /// A clip holds values outside every reasonable range.
+    /// A clip contains values out of range.
     #[error("the clips make no valid database: {0}")]
     Database(#[from] DatabaseError),
 }

@@ -1,4 +1,4 @@
-//! A build as an incremental job: preparation, then the registration of one action after the other.
+//! A build as an incremental job: preparation, then the registration of each action.
 
 use super::assemble::{self, Kept};
 use super::error::BuildError;
@@ -14,10 +14,10 @@ use crate::registration::{self, Example, Registration};
 use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
-/// How far a build has come.
+/// Progress of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// The stage.
+    /// Current stage.
     pub stage: Stage,
     /// Clips done in this stage.
     pub done: usize,
@@ -28,14 +28,14 @@ pub struct Progress {
 /// A stage of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Resampling, contacts, degrees of freedom.
+    /// Resampling, contacts and degrees of freedom are computed.
     Preparing,
-    /// Finding the clips' correspondence.
+    /// The clips' correspondence is computed.
     Registering,
 }
 
 impl Stage {
-    /// Its name for progress messages.
+    /// Name of the stage in progress messages.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Preparing => "preparing",
@@ -44,7 +44,7 @@ impl Stage {
     }
 }
 
-/// Builds a database: [`Build`] from beginning to end.
+/// Builds a database: runs [`Build`] from start to end.
 ///
 /// `progress` is called after every batch of clips and may cancel.
 ///
@@ -59,10 +59,10 @@ pub fn build(
     Build::new(clips.iter().collect(), options)?.run(executor, progress)?.ok_or(BuildError::Cancelled)
 }
 
-/// A build in steps. The result does not depend on when they are taken. `C` is a [`SourceClip`] or a reference to one.
+/// A build in steps. The result does not depend on when they are executed. `C` is a [`SourceClip`] or a reference to one.
 ///
-/// Clips are sorted by action, style, take and name. A clip that cannot be used is refused with a reason
-/// and reported, and the others are built without it.
+/// Clips are sorted by action, style, take and name. An invalid clip is rejected and reported with a reason, and the
+/// database is built without it.
 pub struct Build<C> {
     options: BuildOptions,
     report: BuildReport,
@@ -83,23 +83,23 @@ struct Registering<C> {
     labels: Labels,
     chart: PoseChart,
     kept: Vec<Kept>,
-    /// The action that is being registered, and the numbers of its examples among the clips.
+    /// Action that is being registered: the indices of its examples among the clips, and its registration.
     current: Option<(Vec<usize>, Registration)>,
-    /// Actions that are left; the next one is the last.
+    /// Remaining actions; the next one is the last.
     rest: Vec<ActionExamples>,
-    /// Examples of the actions that are finished.
+    /// Number of examples of the finished actions.
     done: usize,
     total: usize,
 }
 
-/// The examples of an action, and their numbers among the clips.
+/// Examples of an action, and their indices among the clips.
 struct ActionExamples {
     indices: Vec<usize>,
     examples: Vec<Example>,
 }
 
 impl<C: Borrow<SourceClip> + Sync> Build<C> {
-    /// A build of these clips.
+    /// Creates a build of these clips.
     ///
     /// # Errors
     /// If there are none, they are too long, or the rate is out of range.
@@ -110,7 +110,7 @@ impl<C: Borrow<SourceClip> + Sync> Build<C> {
         if !RATES_HZ.contains(&options.rate_hz) {
             return Err(BuildError::Rate(options.rate_hz));
         }
-        // Clips that are too long by themselves are refused later, with a reason.
+        // A single clip that is too long is rejected later, with a reason.
         let frames = clips.iter().filter_map(|c| c.borrow().motion.frames_at(options.rate_hz).ok()).sum();
         if frames > MAX_FRAMES {
             return Err(BuildError::TooManyFrames(frames));
@@ -125,7 +125,7 @@ impl<C: Borrow<SourceClip> + Sync> Build<C> {
         Ok(Self { options: options.clone(), report, phase })
     }
 
-    /// The clips in the order of the database; none after an error.
+    /// Clips in the order of the database; empty after an error.
     pub fn clips(&self) -> &[C] {
         match &self.phase {
             Phase::Preparing(preparation) => preparation.clips(),
@@ -134,7 +134,7 @@ impl<C: Borrow<SourceClip> + Sync> Build<C> {
         }
     }
 
-    /// The examples that can be used, action by action.
+    /// Usable examples, grouped by action.
     fn registering(&mut self, prepared: Prepared<C>) -> Registering<C> {
         let Prepared { clips, labels, chart, examples } = prepared;
         let mut total = 0;
@@ -170,7 +170,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
     type Output = (Database, BuildReport);
     type Error = BuildError;
 
-    /// Goes on by a batch of clips. After an error there is none.
+    /// Processes a batch of clips. After an error it returns the error `Unfinished`.
     fn step(&mut self, executor: &impl ParallelMap) -> Result<Option<Progress>, BuildError> {
         match std::mem::replace(&mut self.phase, Phase::Failed) {
             Phase::Preparing(mut preparation) => {
@@ -214,12 +214,12 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
 }
 
 impl<C> Registering<C> {
-    /// Examples of the actions that are finished, and those of the present one that are done.
+    /// Number of examples of the finished actions and of the current one that are done.
     fn done(&self) -> usize {
         self.done + self.current.as_ref().map_or(0, |(_, registration)| registration.done())
     }
 
-    /// Begins an action, goes on with it, or finishes it; whether there was anything to do.
+    /// Starts, continues or finishes the registration of an action. Returns whether there was work left.
     fn step(&mut self, options: &BuildOptions, report: &mut BuildReport, executor: &impl ParallelMap) -> bool {
         let Some((indices, mut registration)) = self.current.take() else {
             let Some(ActionExamples { indices, examples }) = self.rest.pop() else { return false };
@@ -258,7 +258,7 @@ fn empty_report(clip: &SourceClip) -> ClipReport {
     }
 }
 
-/// Enters what registration found on one action; `indices` are the action's clips in the report.
+/// Adds the registration results of one action to the report; `indices` are the action's clips in the report.
 fn describe(report: &mut BuildReport, indices: &[usize], outcome: &registration::Outcome, rate_hz: f32) {
     for (&i, found) in indices.iter().zip(&outcome.clips) {
         let entry = &mut report.clips[i];

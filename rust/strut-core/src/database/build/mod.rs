@@ -1,7 +1,7 @@
 //! Builds a database from labelled clips: preparation, registration, assembly (`docs/methods/mar.md` §2–§4).
 //!
-//! Offline and deterministic: the result is a function of the clips and options alone, whatever executor
-//! computes it and in whatever order the clips are given.
+//! The build is offline and deterministic: the result depends on the clips and options alone, not on the executor or
+//! the order of the clips.
 
 mod add_style;
 mod assemble;

@@ -1,4 +1,4 @@
-//! From labelled clips to the data that registration and the database need.
+//! Computes from labelled clips the data for registration and for the database.
 
 use super::error::BuildError;
 use super::options::BuildOptions;
@@ -16,12 +16,12 @@ use crate::registration::Example;
 use std::borrow::Borrow;
 use std::collections::BTreeSet;
 
-/// Clips per batch; a step of the job is one batch.
+/// Clips per batch. A step of the job processes one batch.
 const BATCH: usize = 24;
-/// The chart's means are computed from about this many neutral poses at most; more would change nothing.
+/// The chart's means are computed from at most about this many neutral poses; more would change nothing.
 const CHART_POSES: usize = 4096;
 
-/// Names of styles and actions in order, and the neutral style.
+/// Sorted names of styles and actions, and the neutral style.
 pub(super) struct Labels {
     pub(super) actions: Vec<String>,
     pub(super) styles: Vec<String>,
@@ -33,7 +33,7 @@ pub(super) struct Prepared<C> {
     pub(super) clips: Vec<C>,
     pub(super) labels: Labels,
     pub(super) chart: PoseChart,
-    /// One entry a clip, in the clips' order.
+    /// One entry for each clip, in the clips' order.
     pub(super) examples: Vec<Result<Example, Refusal>>,
 }
 
@@ -47,14 +47,14 @@ struct Resampled {
 pub(super) struct Preparation<C> {
     clips: Vec<C>,
     options: BuildOptions,
-    /// A clip with the proportions of most.
+    /// Index of a clip with the most common proportions.
     usual: usize,
-    /// Of the clips so far.
+    /// Results for the clips so far.
     resampled: Vec<Result<Resampled, Refusal>>,
 }
 
 impl<C: Borrow<SourceClip>> Preparation<C> {
-    /// The preparation of these clips.
+    /// Prepares these clips.
     pub(super) fn new(clips: Vec<C>, options: BuildOptions) -> Self {
         let usual = most_common(clips.iter().map(|clip| &clip.borrow().motion.proportions));
         Self { clips, options, usual, resampled: Vec::new() }
@@ -67,7 +67,7 @@ impl<C: Borrow<SourceClip>> Preparation<C> {
 }
 
 impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
-    /// Number of clips that are resampled.
+    /// Number of clips resampled so far.
     type Progress = usize;
     type Output = Prepared<C>;
     type Error = BuildError;
@@ -107,7 +107,8 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Preparation<C> {
     }
 }
 
-/// The first of those that most are equal to; of two that equally many are, the one that comes first. 0 if there are none.
+/// Index of the first occurrence of the most common value. Of equally common values the first one counts. 0 if there
+/// are none.
 fn most_common<T: PartialEq>(all: impl Iterator<Item = T>) -> usize {
     let mut counts: Vec<(T, usize, usize)> = Vec::new();
     for (i, value) in all.enumerate() {
@@ -152,14 +153,14 @@ fn resample(clip: &SourceClip, usual: &SourceClip, rate_hz: f32) -> Result<Resam
     Ok(Resampled { motion, headings, script })
 }
 
-/// The smoothed heading of every frame.
+/// Smoothed heading of every frame.
 pub(crate) fn headings(motion: &HumanoidMotion) -> Vec<f32> {
     let mut filter = HeadingFilter::default();
     let dt = 1.0 / motion.rate_hz;
     motion.poses.iter().map(|p| filter.update(&world_from_local(&motion.proportions, p), dt)).collect()
 }
 
-/// Frame values at another rate, as [`HumanoidMotion::resampled`] does with poses.
+/// Values per frame at another rate, as [`HumanoidMotion::resampled`] does for poses.
 fn resampled_times(times: &[f32], from_hz: f32, to_hz: f32) -> Vec<f32> {
     let step = f64::from(from_hz) / f64::from(to_hz);
     let last = times.len() - 1;
@@ -174,7 +175,8 @@ fn resampled_times(times: &[f32], from_hz: f32, to_hz: f32) -> Vec<f32> {
         .collect()
 }
 
-/// A clip at the database's rate as registration sees it, without a script. `headings` has one entry a frame.
+/// A clip at the database's rate in the form that registration reads, without a script. `headings` has one entry for
+/// each frame.
 pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, chart: &PoseChart) -> Example {
     let mut previous = None;
     let mut pose: Vec<PoseRow> = Vec::with_capacity(motion.poses.len());
@@ -193,7 +195,7 @@ pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, char
     Example { style, pose, point_cloud: clouds, contact: contact::label(motion), script: None }
 }
 
-/// Labels of the clips that can be used.
+/// Labels of the usable clips.
 fn labels<C: Borrow<SourceClip>>(
     clips: &[C],
     resampled: &[Result<Resampled, Refusal>],

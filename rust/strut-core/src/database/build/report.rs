@@ -1,4 +1,4 @@
-//! Report of a build on actions, styles and each clip, for messages and for the command line's JSON.
+//! Report on a build's actions, styles and clips, for messages and for the command line's JSON output.
 
 use crate::database::TwoManners;
 use crate::humanoid::TooManyFrames;
@@ -8,34 +8,34 @@ use thiserror::Error;
 /// Results of a build by action, clip and style.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildReport {
-    /// One entry an action that entered the database, in the database's order.
+    /// One entry for each action of the database, in the database's order.
     pub actions: Vec<ActionReport>,
-    /// One entry a clip, refused ones included, sorted by action, style and take.
+    /// One entry for each clip, rejected ones included, sorted by action, style and take.
     pub clips: Vec<ClipReport>,
-    /// Styles whose clips are performed in two manners in an action, in the database's order.
+    /// Bimodal styles, in the database's order.
     pub two_manners: Vec<TwoManners>,
 }
 
 impl BuildReport {
-    /// The clips that entered the database.
+    /// Clips of the database.
     pub fn accepted(&self) -> impl Iterator<Item = &ClipReport> {
         self.clips.iter().filter(|c| c.refused.is_none())
     }
 
-    /// The clips that did not enter the database.
+    /// Rejected clips.
     pub fn refused(&self) -> impl Iterator<Item = &ClipReport> {
         self.clips.iter().filter(|c| c.refused.is_some())
     }
 }
 
-/// How an action was registered.
+/// Registration of an action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ActionReport {
     /// Name of the action.
     pub action: String,
-    /// How the clips' correspondence was found.
+    /// Method that computed the clips' correspondence.
     pub method: registration::Method,
-    /// Name of the clip that the action's canonical timeline comes from.
+    /// Name of the clip that defines the action's canonical timeline.
     pub reference_clip: String,
     /// Length of the canonical timeline, in frames at the database's rate.
     pub canonical_frames: f32,
@@ -52,45 +52,45 @@ pub struct ClipReport {
     pub style: String,
     /// Number of the take.
     pub take: u32,
-    /// Frames at the database's rate; 0 if the clip could not be read that far.
+    /// Number of frames at the database's rate; 0 if the clip was rejected before they were counted.
     pub frames: usize,
-    /// Whole gait cycles.
+    /// Number of whole gait cycles.
     pub cycles: usize,
     /// Mean duration of a whole gait cycle, seconds; `None` without cycles.
     pub mean_cycle_secs: Option<f32>,
     /// Change of heading from the start to the end, radians, positive to the left.
     pub turn: f32,
-    /// Mean registration cost of the counterparts (squared feature distance a frame, over all styles); high
-    /// for a clip that resembles no other. `None` where correspondence was known or the clip was refused.
+    /// Mean registration cost of the counterparts (squared feature distance per frame, over all styles). It is high for
+    /// a clip that is unlike all others. `None` if the correspondence was known or the clip was rejected.
     pub registration_cost: Option<f32>,
-    /// Stretches of the clip that are no proper gait cycle. They stay in the database, registered on their own.
+    /// Ranges of the clip that are not a regular gait cycle. They stay in the database and are registered separately.
     pub faulty_cycles: Vec<FaultyCycle>,
-    /// Why the clip did not enter the database; `None` if it did.
+    /// Reason why the clip was rejected; `None` if it is in the database.
     pub refused: Option<Refusal>,
 }
 
-/// Why a clip did not enter the database.
+/// Reason why a clip was rejected.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refusal {
-    /// A NaN or an infinity; the frame at the clip's own rate.
+    /// A value is NaN or infinite. Contains the frame at the clip's own rate.
     #[error("frame {0} holds a value that is not a finite number")]
     NotFinite(usize),
-    /// The rate is no positive number of frames per second.
+    /// The frame rate is not finite or not positive.
     #[error("its rate is {0} Hz; a positive number was expected")]
     Rate(f32),
-    /// Too many frames at the database's rate.
+    /// The clip has too many frames at the database's rate.
     #[error(transparent)]
     TooLong(#[from] TooManyFrames),
-    /// Too few frames at the database's rate.
+    /// The clip has too few frames at the database's rate.
     #[error("it has only {0} frames; at least {min} are needed", min = super::source::MIN_CLIP_FRAMES)]
     TooShort(usize),
-    /// Other bone lengths than most clips: clips must be retargeted to common proportions first.
+    /// The bone lengths differ from those of most clips: clips must be retargeted to common proportions first.
     #[error("its bone lengths differ from those of most clips")]
     Proportions,
-    /// The script has not one finite, strictly increasing time per frame; the first offending frame.
+    /// The script does not have one finite, strictly increasing time per frame. Contains the first invalid frame.
     #[error("its script has no finite time that increases at frame {0}")]
     Script(usize),
-    /// It does not fit the other clips of its action.
+    /// The clip does not fit the other clips of its action.
     #[error(transparent)]
     Registration(#[from] registration::Refusal),
 }

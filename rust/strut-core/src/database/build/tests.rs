@@ -23,7 +23,7 @@ fn clip(action: &str, style: &str, take: u32, motion: HumanoidMotion) -> SourceC
     }
 }
 
-/// The left arm rises and falls once a second of script time, performed at `pace` script seconds a second.
+/// The left arm rises and falls once per second of script time, performed at `pace` script seconds per second.
 fn waving(style: &str, pace: f32, secs: f32) -> SourceClip {
     let frames = (secs / pace * 30.0) as usize + 1;
     let time: Vec<f32> = (0..frames).map(|f| f as f32 / 30.0 * pace).collect();
@@ -40,8 +40,8 @@ fn waving(style: &str, pace: f32, secs: f32) -> SourceClip {
     SourceClip { script: Some(Script { id: 1, time }), ..clip("wave", style, 1, motion) }
 }
 
-/// Left, right, left: legs swing in antiphase, knees bend in the swing, the hips travel, and the path turns by
-/// `turn` radians in all. `bend` leans the trunk: a style.
+/// Walk left, right, left: legs swing in antiphase, knees bend in the swing, the hips travel, and the path turns by
+/// `turn` radians in total. `bend` leans the trunk, as a style.
 fn walking(style: &str, take: u32, cycle_secs: f32, bend: f32, turn: f32) -> SourceClip {
     let frames = 300_u16;
     let mut root = crate::math::Vec3::new(0.0, 0.94, 0.0);
@@ -74,7 +74,7 @@ fn two_styles() -> Vec<SourceClip> {
     (1..=3).flat_map(|take| [walking("neutral", take, 1.0, 0.0, 0.0), walking("old", take, 1.2, 0.5, 0.0)]).collect()
 }
 
-/// Styles of a gait, of which the last has one clip; and the database without it.
+/// Styles of a gait, the last of which has one clip; and the database without that style.
 fn with_and_without_the_last() -> (Vec<SourceClip>, Database) {
     let mut clips = two_styles();
     clips.extend((1..=2).map(|take| walking("sad", take, 1.1, 0.2, 0.0)));
@@ -94,7 +94,7 @@ fn a_style_added_later_has_nearly_the_counterparts_that_a_build_gives_it() {
         found.clips.iter().map(|c| &c.name).collect::<Vec<_>>(),
         whole.clips.iter().map(|c| &c.name).collect::<Vec<_>>()
     );
-    // What every row becomes in the new style, and what the new style's rows become in every other.
+    // Compares the targets of every row in the new style, and the targets of the new style's rows in every other.
     let style = found.style_index("weary").unwrap();
     let new_rows = found.clips[found.clips.len() - 1].rows();
     let catalogues = [found, &whole].map(|db| Arc::new(Catalogue::new(db.clone())));
@@ -176,7 +176,7 @@ fn a_clip_that_fits_no_action_is_told_the_reason_of_the_one_that_it_comes_neares
     clips.extend([0.8, 0.9].map(|pace| whirling("old", pace, 1.6)));
     let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
     assert_eq!(db.actions, ["walk", "whirl"]);
-    // It whirls, only the other way.
+    // The clip turns too, but in the opposite direction.
     let other = whirling("weary", 0.9, -1.6);
     let refused = add_style(&db, &other, &registration::Options::default(), &Sequential);
     let reason = refused.map(|_| ()).unwrap_err().to_string();
@@ -202,7 +202,7 @@ fn an_action_that_a_person_gives_is_the_one_that_is_tried() {
     assert!(refused.ends_with("; it fits 'wave'"), "{refused}");
 }
 
-/// Runs pieces in reverse order on as many threads as there are pieces.
+/// Runs tasks in reverse order on one thread per task.
 struct Backwards;
 
 impl ParallelMap for Backwards {
@@ -272,7 +272,7 @@ fn one_clip_of_other_proportions_does_not_refuse_all_others_wherever_it_stands()
         let refused: Vec<_> = report.refused().map(|c| (c.style.as_str(), c.refused.clone().unwrap())).collect();
         assert_eq!(refused, [("alpha", Refusal::Proportions)]);
     }
-    // Where no more have the one than the other, the first by action, style and take decides.
+    // If both proportions are equally common, the first clip by action, style and take decides.
     let (db, _) = build(&clips[..2], &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
     assert_eq!(db.styles, ["alpha"]);
 }
@@ -322,7 +322,7 @@ fn a_gait_is_registered_cycle_by_cycle() {
         assert!(clip.cycles >= 3 && clip.faulty_cycles.is_empty(), "{clip:?}");
         assert!((clip.mean_cycle_secs.unwrap() - secs).abs() < 0.02, "{clip:?}");
     }
-    // Registered frames show the same phase of the gait: the legs' angles, which no style changes, agree.
+    // Registered frames show the same phase of the gait: the angles of the legs, which no style changes, agree.
     let leg = 3 * Role::LeftUpperLeg.index();
     for row in 0..db.frames() {
         for style in 0..2 {
@@ -356,7 +356,7 @@ fn counterparts_are_of_the_same_action_and_the_wanted_style_and_advance_with_tim
                 }
             }
         }
-        // Within a cycle the counterparts come from the same segments and move on.
+        // Within a cycle the counterparts come from the same segments and advance.
         for row in clip.rows().skip(1) {
             let (before, after) = (db.canonical_time[row - 1], db.canonical_time[row]);
             assert!(after > before || before - after > 30.0, "row {row}: {before} to {after}");
@@ -399,14 +399,14 @@ fn every_warp_method_registers_a_gait() {
         };
         let (db, _) = build(&two_styles(), &options, &Sequential, &mut quiet).unwrap();
         let old = TargetTable::new(Arc::new(Catalogue::new(db.clone())), 1);
-        // Whole cycles: those at the ends of a clip are not warped where time is linear.
+        // Whole cycles only: those at the ends of a clip are not warped if time is linear.
         let rows = || db.clips.iter().filter(|c| c.style == 0).flat_map(|c| c.rows().skip(60).take(180));
         let mean = rows().map(|row| old.step_secs(row)).sum::<f32>() / rows().count() as f32;
         assert!((mean * 60.0 - 1.2).abs() < 0.03, "{warp:?}: {mean}");
     }
 }
 
-/// Time must not be gained or lost, also where no neutral cycle is whole and the canonical one is another style's.
+/// Time must not be gained or lost, even if no neutral cycle is whole and the canonical one belongs to another style.
 #[test]
 fn a_stretch_lasts_as_long_as_its_counterparts_advance() {
     let mut short = walking("neutral", 1, 1.0, 0.0, 0.0);
@@ -417,7 +417,7 @@ fn a_stretch_lasts_as_long_as_its_counterparts_advance() {
         let (db, _) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
         let rows = db.clips.iter().find(|c| c.style == 0).unwrap().rows();
         let counterparts: Vec<Vec<f32>> = rows.clone().map(|row| db.counterparts(row, 1).collect()).collect();
-        // The longest stretch in which every counterpart goes on.
+        // Longest range in which every counterpart advances.
         let goes_on = |i: usize| {
             let [from, to] = [&counterparts[i], &counterparts[i + 1]];
             from.len() == to.len() && from.iter().zip(to).all(|(a, b)| (0.0..4.0).contains(&(b - a)))
@@ -454,7 +454,7 @@ fn actions_without_steps_are_registered_as_whole_clips() {
     }
 }
 
-/// Stands, raises the arm along a curve of its own that no instant shares, and stands.
+/// Stands, raises the arm along an individual curve without shared instants, and stands.
 fn raising(style: &str, still_before: f32, raise_secs: f32, still_after: f32) -> SourceClip {
     let frames = ((still_before + raise_secs + still_after) * 60.0) as usize;
     let poses = (0..frames)
@@ -498,7 +498,7 @@ fn a_clip_unlike_the_others_has_the_greatest_residual() {
     let residuals = crate::database::residuals(&db);
     let worst = (0..residuals.len()).max_by(|&a, &b| residuals[a].total_cmp(&residuals[b])).unwrap();
     assert_eq!(db.clips[worst].name, odd, "{residuals:?}");
-    // Elsewhere the leaning trunk of the old walk, which lasts, is no residual.
+    // The leaning trunk of the old walk is constant, so it does not count as residual.
     let (even, _) = build(&two_styles(), &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
     assert!(crate::database::residuals(&even).iter().all(|r| *r < 0.02));
 }

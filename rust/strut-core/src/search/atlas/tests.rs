@@ -1,4 +1,4 @@
-//! Pictures against every distance.
+//! Tests of images against all distances.
 
 use super::*;
 use crate::fixtures::{self, BENT, Gait};
@@ -11,7 +11,7 @@ fn index() -> &'static Index {
     INDEX.get_or_init(|| Index::build(&fixtures::database()))
 }
 
-/// Windows of a walk that the database does not hold.
+/// Windows of a walk that is not in the database.
 fn columns() -> Vec<QueryWindow> {
     let db = fixtures::database();
     let (mut window, mut filter) = (QueryWindow::default(), HeadingFilter::default());
@@ -51,7 +51,7 @@ proptest! {
         let [first, last] = view.windows;
         prop_assert!(first < last && last <= atlas.ends.len() && view.height <= last - first);
         let mut out = vec![0.0; view.height];
-        // In any order: a column begins with what the last one found.
+        // The order is arbitrary: a column starts with the result of the last one.
         for column in (0..atlas.columns()).rev().chain([2, 0]) {
             atlas.draw(index(), column, &mut out);
             let all = every_distance(&mut atlas, column);
@@ -112,7 +112,7 @@ fn there_is_no_nearest_window_off_the_picture() {
     assert!(atlas.nearest(index(), atlas.columns(), 0).is_none());
     assert!(atlas.nearest(index(), 0, 1).is_none());
     assert_eq!(Atlas::new(index(), vec![QueryWindow::default()]).columns(), 0);
-    // Classes are filled up to whole tiles, which are on no line.
+    // Classes are padded to whole tiles; the padding is on no line.
     let lines = atlas.packed_lines();
     assert_eq!(lines.len(), atlas.packed(index()).windows.len());
     assert_eq!(lines.iter().filter(|line| **line == 0).count(), *atlas.firsts().last().unwrap());

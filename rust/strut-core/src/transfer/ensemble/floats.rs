@@ -1,9 +1,9 @@
-//! Predictions as numbers: an engine makes them in one thread, and performers use them in another.
+//! Predictions as numbers. An engine computes them in one thread, and performers use them in another.
 //!
-//! In this order: frames, styles, the neutral style, rate (Hz), whether frames last as long as predicted, whether feet are planted;
-//! the means of the chart (x y z w), bone offsets (x y z), the least and the greatest row that was observed; of each frame its
-//! row, place (x, z, heading), turn and the two likelihoods of contact; of each frame and style its row, duration and the two
-//! likelihoods.
+//! Order: number of frames, number of styles, the neutral style, rate (Hz), whether frames last as long as predicted,
+//! whether feet are planted; the means of the chart (x y z w), bone offsets (x y z), the least and the greatest row
+//! observed; for each frame its row, position (x, z, heading), turn and the two contact likelihoods; for each frame and
+//! style its row, duration and the two contact likelihoods.
 
 use super::{FADE_FRAMES, Predictions};
 use crate::humanoid::{JOINTS, Proportions};
@@ -12,22 +12,22 @@ use crate::pose_vector::{Placement, PoseChart, PoseRow, ROW};
 use crate::transfer::output::{Cue, Predicted};
 use thiserror::Error;
 
-/// Numbers of the head, of a frame, and of a style in it.
+/// Sizes of the header, of a frame, and of a style in a frame, in numbers.
 const HEAD: usize = 6;
 const FIXED: usize = HEAD + 4 * JOINTS + 3 * JOINTS + 2 * ROW;
 const OF_FRAME: usize = ROW + 6;
 const OF_STYLE: usize = ROW + 3;
 
-/// How far from 1 the squared length of a rotation may be.
+/// Tolerance of the squared length of a rotation, about 1.
 const UNIT: f32 = 1e-3;
 
-/// Numbers are no predictions.
+/// The numbers are not valid predictions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("these {0} numbers are no predictions of a motion in styles")]
 pub struct PredictionsError(usize);
 
 impl Predictions {
-    /// All of it as numbers, which [`Predictions::from_floats`] reads.
+    /// Encodes the predictions as numbers, which [`Predictions::from_floats`] reads.
     pub fn to_floats(&self) -> Vec<f32> {
         let flags = [self.timing, self.footplant].map(|flag| f32::from(u8::from(flag)));
         let counts = [self.frames(), self.styles, self.neutral].map(|count| count as f32);
@@ -45,10 +45,10 @@ impl Predictions {
         floats
     }
 
-    /// What [`Predictions::to_floats`] wrote.
+    /// Decodes the numbers of [`Predictions::to_floats`].
     ///
     /// # Errors
-    /// If the numbers are not that: too many or too few, not finite, of no style, of a body without limbs, means that are no
+    /// If the numbers are invalid: wrong count, not finite, no style, a body without limbs, means that are not
     /// rotations, or least values above greatest ones.
     pub fn from_floats(floats: &[f32]) -> Result<Self, PredictionsError> {
         read(floats).ok_or(PredictionsError(floats.len()))
@@ -96,13 +96,13 @@ fn read(floats: &[f32]) -> Option<Predictions> {
     })
 }
 
-/// Values of `N` numbers each; none if there are not `M` of them.
+/// Values of `N` numbers each; `None` if there are not `M` of them.
 fn chunks<T, const N: usize, const M: usize>(floats: &[f32], of: impl Fn([f32; N]) -> T) -> Option<[T; M]> {
     let values: Vec<T> = floats.as_chunks::<N>().0.iter().map(|chunk| of(*chunk)).collect();
     values.try_into().ok()
 }
 
-/// The row that numbers begin with, and the `N` that follow.
+/// Splits numbers into their first row and the `N` numbers after it.
 fn split<const M: usize, const N: usize>(floats: &[f32; M]) -> (PoseRow, &[f32; N]) {
     const { assert!(M == ROW + N) };
     let (row, rest) = floats.split_at(ROW);

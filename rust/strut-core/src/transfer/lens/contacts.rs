@@ -1,29 +1,29 @@
-//! Who says that a foot stands (`docs/methods/mar.md` §11).
+//! Neighbours that voted for a contact (`docs/methods/mar.md` §11).
 
 use super::Lens;
 use crate::transfer::contact_likelihood::voices;
 
-/// The vote of a frame; pairs are left and right.
+/// Vote of a frame; pairs are left and right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contacts {
-    /// P: share of the voices that say that the foot stands, of this frame alone.
+    /// P: share of the votes for a planted foot, of this frame alone.
     pub votes: [f32; 2],
     /// The same after smoothing over time.
     pub smoothed: [f32; 2],
-    /// Mean with the contacts of the registered targets, after smoothing: what feet are planted by.
+    /// Mean with the contacts of the registered targets, after smoothing. It decides which feet are planted.
     pub output: [f32; 2],
     /// Whether the foot is held.
     pub planted: [bool; 2],
-    /// The rows that vote.
+    /// Rows that vote.
     pub rows: Vec<usize>,
-    /// g: how much each of them counts.
+    /// g: weight of each vote.
     pub voices: Vec<[f32; 2]>,
-    /// c: whether the foot stands in each of them.
+    /// c: whether the foot is planted in each of the rows.
     pub contacts: Vec<[bool; 2]>,
 }
 
 impl Lens {
-    /// The vote on the frame that is looked at.
+    /// Vote on the current frame.
     pub fn contacts(&self) -> Contacts {
         let inside = self.stylizer.inside();
         let catalogue = self.model().catalogue();

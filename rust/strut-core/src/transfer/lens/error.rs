@@ -4,52 +4,52 @@ use crate::transfer::blend::StyleError;
 use crate::transfer::options::OptionsError;
 use thiserror::Error;
 
-/// Why a lens cannot show something.
+/// Reason why a lens cannot show something.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum LensError {
     /// The input has too few frames.
     #[error("the input has {frames} frames; {least} are needed at least")]
     TooShort {
-        /// How many.
+        /// Number of frames given.
         frames: usize,
-        /// How many there must be.
+        /// Least number of frames.
         least: usize,
     },
-    /// There is no such class, joint, degree of freedom or row.
+    /// The class, joint, degree of freedom or row does not exist.
     #[error("there is no {what} {index}; they are 0 to {last}")]
     NotThere {
-        /// Of which kind.
+        /// Kind of object.
         what: &'static str,
-        /// What was asked for.
+        /// Requested index.
         index: usize,
-        /// The last that there is.
+        /// Last valid index.
         last: usize,
     },
     /// A style without weight is not predicted.
     #[error("the style '{name}' has no weight")]
     NotActive {
-        /// Its name.
+        /// Name of the style.
         name: String,
     },
-    /// The options do not fit.
+    /// The options are invalid.
     #[error(transparent)]
     Options(#[from] OptionsError),
-    /// The style weights do not fit.
+    /// The style weights are invalid.
     #[error(transparent)]
     Style(#[from] StyleError),
     /// A number is not finite or outside its range.
     #[error("{what} is {value}; expected {expected}")]
     OutOfRange {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: f32,
-        /// What it may be.
+        /// Its valid range.
         expected: &'static str,
     },
 }
 
-/// An index below a count.
+/// Returns the index if it is below the count.
 pub(super) fn among(what: &'static str, index: usize, count: usize) -> Result<usize, LensError> {
     if index < count { Ok(index) } else { Err(LensError::NotThere { what, index, last: count.saturating_sub(1) }) }
 }

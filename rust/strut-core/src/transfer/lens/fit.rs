@@ -1,4 +1,4 @@
-//! The line that is fitted to one degree of freedom (Eq. 2), with settings of its own.
+//! Line fitted to one degree of freedom (Eq. 2), with its own settings.
 
 use super::error::{LensError, among};
 use super::{Lens, QueryChange, WeightedNeighbour};
@@ -13,19 +13,20 @@ use crate::transfer::options::{MAX_K, Options};
 use crate::transfer::regression::{Gathered, InputMoments, LaneMoments, Regressors, Samples, interpolate};
 use std::f32::consts::TAU;
 
-/// Which examples a line is fitted to, and how.
+/// Examples to which a line is fitted, and parameters of the fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitSettings {
-    /// Number of the degree of freedom among [`DOFS`].
+    /// Index of the degree of freedom among [`DOFS`].
     pub dof: usize,
     /// K, 1 to [`MAX_K`].
     pub k: usize,
     /// λ ≥ 0.
     pub lambda: f32,
-    /// Standard deviation ν of noise that is added to the targets, in the unit of the degree of freedom. It belongs to a
-    /// row: every fit sees the same.
+    /// Standard deviation ν of noise that is added to the targets, in the unit of the degree of freedom. The noise
+    /// depends on the row only: every fit has the same.
     pub noise: f32,
-    /// Whether neighbours weigh less the farther they are, as with [`Options::coherence`]; otherwise 1 as in the paper.
+    /// Whether the weight of neighbours decreases with their distance, as with [`Options::coherence`]; otherwise it is
+    /// 1 as in the paper.
     pub taper: bool,
 }
 
@@ -40,16 +41,16 @@ impl FitSettings {
         number("the noise", self.noise, "0 or more", self.noise.is_finite() && self.noise >= 0.0)
     }
 
-    /// The lane of the degree of freedom, and its place in it.
+    /// Lane of the degree of freedom, and its index in the lane.
     fn lane(&self) -> (usize, usize) {
         (self.dof / WIDTH, self.dof % WIDTH)
     }
 }
 
-/// A fitted line and its examples; rotations are in radians, lengths in metres, rates a second.
+/// A fitted line and its examples. Rotations are in radians, lengths in metres, rates per second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// The class of the examples.
+    /// Class of the examples.
     pub class: usize,
     /// The neighbours, nearest first.
     pub rows: Vec<usize>,
@@ -65,7 +66,7 @@ pub struct Fit {
     pub weights: Vec<f32>,
     /// β for xₜ₋₁, yₜ₋₁ and xₜ: a, b and c.
     pub beta: [f32; 3],
-    /// The same three of the query.
+    /// The same three regressors of the query.
     pub query: [f32; 3],
     /// Weighted means of xₜ₋₁, yₜ₋₁, xₜ and yₜ.
     pub means: [f32; 4],
@@ -80,7 +81,7 @@ pub struct Fit {
 }
 
 impl Lens {
-    /// The line of one degree of freedom in the heaviest class, for the style of the greatest weight.
+    /// Fits the line of one degree of freedom in the heaviest class, for the style of the greatest weight.
     ///
     /// # Errors
     /// If a setting is out of range.
@@ -123,7 +124,7 @@ impl Lens {
         })
     }
 
-    /// The style of the greatest weight.
+    /// Style of the greatest weight.
     pub fn greatest_style(&self) -> usize {
         let blend = self.stylizer.inside().blend;
         let weight = |style: &usize| blend.weight(crate::transfer::BodyPart::Legs, *style);
@@ -131,7 +132,7 @@ impl Lens {
         styles.max_by(|a, b| weight(a).total_cmp(&weight(b)).then(b.cmp(a))).unwrap_or(0)
     }
 
-    /// The examples of a fit at an input xₜ.
+    /// Examples of a fit at an input xₜ.
     pub(super) fn examples(
         &self,
         settings: &FitSettings,
@@ -171,7 +172,7 @@ impl Lens {
     }
 }
 
-/// What a fit of one lane starts from.
+/// Data from which one lane is fitted.
 pub(super) struct LaneExamples {
     pub(super) inputs: Gathered,
     pub(super) targets: Gathered,
@@ -180,11 +181,11 @@ pub(super) struct LaneExamples {
     pub(super) moments: InputMoments,
     pub(super) bias: Bias,
     pub(super) lane: LaneMoments,
-    /// yₜ₋₁ of a style that begins.
+    /// yₜ₋₁ of a style in its first frame.
     pub(super) start: PoseRow,
 }
 
-/// Rows with noise on one degree of freedom.
+/// Rows with noise added to one degree of freedom.
 struct NoisyRows<'a> {
     rows: ExampleRows<'a>,
     dof: usize,
@@ -203,7 +204,7 @@ impl Rows for NoisyRows<'_> {
     }
 }
 
-/// A draw from the standard normal distribution by a seed (Box and Muller).
+/// Sample of the standard normal distribution for a seed (Box and Muller).
 fn standard_normal(seed: u64) -> f32 {
     let mut random = SplitMix64::new(seed);
     // 24 bits, above 0.

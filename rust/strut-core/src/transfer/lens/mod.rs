@@ -1,7 +1,7 @@
-//! A look into one frame of the transfer: the numbers behind a prediction, for lessons.
+//! View into one frame of the transfer: the numbers behind a prediction, for lessons.
 //!
-//! A [`Lens`] runs a [`Stylizer`] up to a frame and reads the state that the frame came from. What it computes besides, with
-//! other neighbours, another ridge or a changed pose, goes through the functions that the stylizer itself calls.
+//! A [`Lens`] runs a [`Stylizer`] up to a frame and reads the state from which the frame was computed. Variations, with
+//! other neighbours, another ridge or a changed pose, are computed by the functions that the stylizer itself calls.
 
 mod contacts;
 mod error;
@@ -29,18 +29,18 @@ use crate::search::{MAX_WINDOW, Metric, Neighbour, Neighbours, Profile, QueryWin
 use error::among;
 use std::sync::{Arc, OnceLock};
 
-/// Frames before the one that is looked at which the stylizer is run on: what went before them is forgotten.
+/// Number of frames before the viewed one on which the stylizer is run; earlier frames are ignored.
 const WARM_UP: usize = 60;
 
-/// The first frame that can be looked at: the two before it give it a velocity and a previous output.
+/// First frame that can be viewed: the two before it provide a velocity and a previous output.
 const FIRST: usize = 2;
 
-/// A class of the database as a frame sees it.
+/// A class of the database, for a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClassDistance {
     /// λⱼ of Eq. 4, 0 to 1.
     pub weight: f32,
-    /// Dⱼ: mean squared distance of its K nearest windows, m². Of classes that the stylizer skips too.
+    /// Dⱼ: mean squared distance of its K nearest windows, m². Also given for classes that the stylizer skips.
     pub mean_square: f32,
 }
 
@@ -55,7 +55,7 @@ pub struct WeightedNeighbour {
     pub weight: f32,
 }
 
-/// An input and a frame of it, seen from inside.
+/// An input and one of its frames, with the stylizer's internal state.
 #[derive(Clone, Debug)]
 pub struct Lens {
     stylizer: Stylizer,
@@ -64,19 +64,19 @@ pub struct Lens {
     /// xₜ and xₜ₋₁.
     now: PoseRow,
     previous: PoseRow,
-    /// yₜ₋₁ of every style, where it is predicted.
+    /// yₜ₋₁ of every style; `None` if the style is not predicted.
     outputs_before: Vec<Option<PoseRow>>,
-    /// The windows of each length that was asked for.
+    /// Windows of each length that was requested.
     profiles: [OnceLock<Profile>; MAX_WINDOW],
     scratch: Scratch,
 }
 
 impl Lens {
-    /// A lens on an input that is on the database's proportions and at its rate, in these styles (one weight a style, as in
-    /// [`Stylizer::set_styles`]), at its first frame that can be looked at.
+    /// A lens on an input that has the database's proportions and rate, in these styles (one weight for each style, as
+    /// in [`Stylizer::set_styles`]), at the first frame that can be viewed.
     ///
     /// # Errors
-    /// If the input is too short, or the options or weights do not fit.
+    /// If the input is too short, or the options or weights are invalid.
     pub fn new(model: Arc<Model>, input: Vec<Pose>, options: Options, styles: &[f32]) -> Result<Self, LensError> {
         if input.len() <= FIRST {
             return Err(LensError::TooShort { frames: input.len(), least: FIRST + 1 });
@@ -99,7 +99,7 @@ impl Lens {
         Ok(lens)
     }
 
-    /// Looks at a frame; the nearest that can be looked at is taken.
+    /// Moves to a frame, or to the nearest that can be viewed.
     pub fn look_at(&mut self, frame: usize) {
         self.frame = frame.clamp(FIRST, self.input.len() - 1);
         self.stylizer.reset(None);
@@ -114,10 +114,10 @@ impl Lens {
         self.now = self.stylizer.inside().input.copied().unwrap_or([0.0; ROW]);
     }
 
-    /// Replaces the options and looks at the frame anew.
+    /// Replaces the options and computes the frame again.
     ///
     /// # Errors
-    /// If one is out of range; the former options then stay.
+    /// If one is out of range; the previous options are then kept.
     pub fn set_options(&mut self, options: Options) -> Result<(), LensError> {
         self.stylizer.set_options(options)?;
         self.scratch = self.model().index().scratch(options.k);
@@ -125,17 +125,17 @@ impl Lens {
         Ok(())
     }
 
-    /// Replaces the styles and looks at the frame anew.
+    /// Replaces the styles and computes the frame again.
     ///
     /// # Errors
-    /// If there is not one finite weight a style; the former weights then stay.
+    /// If the number of weights is wrong or one is not finite; the previous weights are then kept.
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), LensError> {
         self.stylizer.set_styles(weights)?;
         self.look_at(self.frame);
         Ok(())
     }
 
-    /// The frame that is looked at.
+    /// Index of the viewed frame.
     pub fn frame(&self) -> usize {
         self.frame
     }
@@ -155,33 +155,33 @@ impl Lens {
         [&self.now, &self.previous]
     }
 
-    /// The degrees of freedom of every frame of the input.
+    /// Degrees of freedom of every frame of the input.
     pub fn rows(&self) -> Vec<PoseRow> {
         Stream::new(self.model(), &self.input).collect()
     }
 
-    /// The pose of a row of the database above the origin, heading along +Z.
+    /// Pose of a row of the database above the origin, heading along +Z.
     ///
     /// # Errors
-    /// If there is no such row.
+    /// If the row does not exist.
     pub fn row_pose(&self, row: usize) -> Result<Pose, LensError> {
         let catalogue = self.model().catalogue();
         let row = among("row", row, catalogue.frames())?;
         Ok(catalogue.chart.decode(&catalogue.rows().get(row), Placement::default()))
     }
 
-    /// The class with the largest weight; `None` where no class has neighbours.
+    /// Class with the largest weight; `None` if no class has neighbours.
     pub fn heaviest_class(&self) -> Option<usize> {
         self.stylizer.inside().mixture.heaviest_classes().first().copied()
     }
 
-    /// The pose of a changed query.
+    /// Pose of a changed query.
     pub fn query_pose(&self, change: &QueryChange) -> Pose {
         let pose = self.input[self.frame];
         change.applied(&pose, pose.root)
     }
 
-    /// The last `length` frames, changed.
+    /// Window of the last `length` frames, changed.
     fn changed_window(&self, length: usize, change: &QueryChange) -> QueryWindow {
         let catalogue = self.model().catalogue();
         let mut window = QueryWindow::new(length);
@@ -213,11 +213,11 @@ impl Lens {
         weights.iter().enumerate().map(distance).collect()
     }
 
-    /// The `k` windows of `length` frames in a class that are nearest to the changed query, nearest first; fewer if there are
-    /// fewer.
+    /// The `k` windows of `length` frames in a class that are nearest to the changed query, nearest first; fewer if the
+    /// class has fewer.
     ///
     /// # Errors
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn neighbours(
         &self,
         class: usize,
@@ -241,11 +241,11 @@ impl Lens {
         Ok(nearest.as_slice().iter().zip(&weights).map(weighted).collect())
     }
 
-    /// D between the changed query and the window of `length` frames that ends at each row of a class, m²; NaN at rows where
-    /// none ends.
+    /// D between the changed query and the window of `length` frames that ends at each row of a class, m²; NaN at rows
+    /// where no window ends.
     ///
     /// # Errors
-    /// If there is no such class.
+    /// If the class does not exist.
     pub fn profile(&self, class: usize, length: usize, change: &QueryChange) -> Result<Vec<f32>, LensError> {
         let classes = self.model().catalogue().classes();
         let rows = classes[among("class", class, classes.len())?].rows.clone();
@@ -256,7 +256,7 @@ impl Lens {
         Ok(squares)
     }
 
-    /// Every window of `length` frames of a class with its distance from the changed query.
+    /// Visits every window of `length` frames of a class with its distance from the changed query.
     fn for_each_window(
         &self,
         class: usize,
@@ -268,7 +268,7 @@ impl Lens {
         let profile =
             self.profiles[length.clamp(1, MAX_WINDOW) - 1].get_or_init(|| Profile::new(self.model().index(), length));
         let window;
-        // The stylizer's own window where nothing is changed, so that distances are its distances to the last bit.
+        // Uses the stylizer's own window if nothing is changed, so that the distances are bit-identical to the stylizer's.
         let own = *change == QueryChange::default() && profile.window_length() == self.model().index().window_length();
         let query = if own {
             self.stylizer.inside().window
@@ -281,7 +281,7 @@ impl Lens {
     }
 }
 
-/// The rows of a stream of poses, as a stylizer makes them, each with the window that ends at it.
+/// Rows of a stream of poses, computed as in a stylizer, each with the window that ends at it.
 struct Stream<'a> {
     model: &'a Model,
     poses: std::slice::Iter<'a, Pose>,

@@ -1,13 +1,13 @@
-//! The query of a lens: the last frames of the input, changed as a lesson wishes.
+//! Query of a lens: the last frames of the input, with the changes that a lesson makes.
 
 use super::error::{LensError, among};
 use crate::humanoid::{JOINTS, Pose, Role};
 use crate::math::{Quat, Vec3, exp_map};
 
-/// How a query differs from the input.
+/// Changes of a query relative to the input.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QueryChange {
-    /// Joints that are turned, each by an axis times an angle, radians, about the axes of its parent.
+    /// Joints that are turned, each by a rotation vector (axis times angle, radians) in the axes of its parent.
     pub turns: Vec<(Role, Vec3)>,
     /// Turn about the vertical through the hips of the last frame, radians.
     pub heading: f32,
@@ -18,10 +18,10 @@ pub struct QueryChange {
 }
 
 impl QueryChange {
-    /// From numbers: for each turn the joint's number and three numbers.
+    /// Creates a change from numbers: for each turn the joint's index and three numbers.
     ///
     /// # Errors
-    /// If there is no such joint, or a number is not finite.
+    /// If a joint does not exist, or a number is not finite.
     pub fn new(
         turns: impl IntoIterator<Item = (usize, [f32; 3])>,
         heading: f32,
@@ -38,7 +38,7 @@ impl QueryChange {
         Ok(Self { turns, heading, shift, reversed })
     }
 
-    /// A pose with the joints turned.
+    /// Pose with the joints turned.
     pub fn turned(&self, pose: &Pose) -> Pose {
         let mut pose = *pose;
         for &(role, by) in &self.turns {
@@ -48,7 +48,7 @@ impl QueryChange {
         pose
     }
 
-    /// A pose with the joints turned, then turned and moved on the ground about a point.
+    /// Pose with the joints turned, then turned about a point and moved on the ground.
     pub fn applied(&self, pose: &Pose, about: Vec3) -> Pose {
         let mut pose = self.turned(pose);
         let turn = Quat::from_rotation_y(self.heading);

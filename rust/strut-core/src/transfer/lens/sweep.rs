@@ -1,4 +1,4 @@
-//! How the ridge changes the error of a free-running prediction.
+//! Error of a free-running prediction as a function of the ridge.
 
 use super::error::LensError;
 use super::{FitSettings, Lens, Stream, WeightedNeighbour};
@@ -8,13 +8,13 @@ use crate::search::{Metric, Neighbours};
 use crate::transfer::regression::Regressors;
 
 impl Lens {
-    /// For each λ the root mean square error of one degree of freedom, predicted over the whole input from its own previous
-    /// output, against `ideal`, the poses of the input's counterpart in the style of the greatest weight, one a frame. The
-    /// examples are those of the class that is the heaviest at the frame that is looked at; nothing smooths the prediction.
-    /// `settings.lambda` is not used.
+    /// For each λ the root mean square error of one degree of freedom. It is predicted over the whole input from its
+    /// own previous output, and compared with `ideal`: the poses of the input's counterpart in the style of the
+    /// greatest weight, one per frame. The examples are those of the class that is the heaviest at the viewed frame.
+    /// The prediction is not smoothed. `settings.lambda` is not used.
     ///
     /// # Errors
-    /// If a setting is out of range, or there is not one pose a frame.
+    /// If a setting is out of range, or the number of poses differs from the number of frames.
     pub fn sweep(&mut self, settings: &FitSettings, lambdas: &[f32], ideal: &[Pose]) -> Result<Vec<f32>, LensError> {
         let class = self.heaviest_class().unwrap_or(0);
         for &lambda in lambdas {

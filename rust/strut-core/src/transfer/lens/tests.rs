@@ -15,12 +15,12 @@ fn lens(options: Options) -> Lens {
     Lens::new(model, walk(&NEUTRAL, 150, 0.3).poses, options, &BENT_STYLE).unwrap()
 }
 
-/// One class alone, and nothing that changes the prediction of Eq. 7.
+/// One class only, and no option that changes the prediction of Eq. 7.
 fn plain() -> Options {
     Options { action: Some(0), input_style: Some(0), coherence: false, tempo: 0.0, ..Options::DEFAULT }
 }
 
-/// β and the prediction in double precision from the definition, the feedback limited as `regression` says.
+/// β and the prediction in double precision from the definition, with the feedback limited as in `regression`.
 fn dense(fit: &Fit, lambda: f64) -> ([f64; 3], f64) {
     let sum: f64 = fit.weights.iter().map(|&v| f64::from(v)).sum();
     let mean =
@@ -137,7 +137,7 @@ fn a_sweep_is_the_error_of_the_predictions_one_by_one() {
             sum += error * error;
         }
         let expected = (sum / 148.0).sqrt();
-        // The sweep begins two frames earlier.
+        // The sweep starts two frames earlier.
         assert!((f64::from(*error) - expected).abs() < 0.02 * expected, "λ {lambda}: {error} {expected}");
     }
     assert!(lens.sweep(&settings, &lambdas, &ideal[1..]).is_err());

@@ -1,4 +1,4 @@
-//! How long the neighbours say that a frame lasts (`docs/methods/mar.md` §9).
+//! Duration of a frame, estimated from the neighbours (`docs/methods/mar.md` §9).
 
 use super::Lens;
 use super::error::{LensError, among};
@@ -11,7 +11,7 @@ use crate::transfer::timing::{Kernel, Moment, duration};
 pub struct Timing {
     /// d: distance of each from the input and the output, in standard deviations.
     pub distances: Vec<f32>,
-    /// w: how long each lasts in the style, seconds.
+    /// w: duration of each in the style, seconds.
     pub durations: Vec<f32>,
     /// g: weight by the distance, relative to the nearest.
     pub kernel: Vec<f32>,
@@ -19,15 +19,15 @@ pub struct Timing {
     pub weights: Vec<f32>,
     /// h: the bandwidth.
     pub bandwidth: f32,
-    /// How long the frame lasts, seconds; `None` without neighbours.
+    /// Duration of the frame, seconds; `None` without neighbours.
     pub duration: Option<f32>,
 }
 
 impl Lens {
-    /// The durations of a style with a weight.
+    /// Durations in a style that has a weight.
     ///
     /// # Errors
-    /// If there is no such style, or it has no weight.
+    /// If the style does not exist or has no weight.
     pub fn timing(&self, style: usize) -> Result<Timing, LensError> {
         let model = self.model();
         let styles = &model.catalogue().styles;

@@ -1,4 +1,4 @@
-//! The clips of an action, compared as registration compared them when the database was built.
+//! Comparison of the clips of an action, as in the registration when the database was built.
 
 use super::error::{LensError, among};
 use crate::catalogue::Catalogue;
@@ -9,7 +9,7 @@ use crate::transfer::Model;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The clips of an action; clips are numbered as in the database.
+/// Clips of an action, with their indices in the database.
 #[derive(Clone, Debug)]
 pub struct Warps {
     model: Arc<Model>,
@@ -18,10 +18,10 @@ pub struct Warps {
 }
 
 impl Warps {
-    /// Computes the features of an action's clips, which takes a second for some minutes of motion.
+    /// Computes the features of an action's clips. This takes a second for some minutes of motion.
     ///
     /// # Errors
-    /// If there is no such action.
+    /// If the action does not exist.
     pub fn new(model: Arc<Model>, action: u16) -> Result<Self, LensError> {
         let catalogue = model.catalogue();
         among("action", action.into(), catalogue.actions.len())?;
@@ -37,18 +37,18 @@ impl Warps {
         &self.model
     }
 
-    /// The gait cycles of a clip: from one left heel strike to the next.
+    /// Gait cycles of a clip: from one left heel strike to the next.
     ///
     /// # Errors
-    /// If the clip is none of the action's.
+    /// If the clip does not belong to the action.
     pub fn cycles(&self, clip: usize) -> Result<Vec<Range<usize>>, LensError> {
         Ok(self.comparison.cycles(self.example(clip)?).collect())
     }
 
-    /// Compares two stretches.
+    /// Compares two ranges of frames.
     ///
     /// # Errors
-    /// If one of them is not there.
+    /// If one of them does not exist.
     pub fn compare(&self, a: &Stretch, b: &Stretch, by: WarpMethod) -> Result<Compared, LensError> {
         let own = |(clip, frames): &Stretch| Ok::<_, LensError>((self.example(*clip)?, frames.clone()));
         let not_there = || {
@@ -60,11 +60,11 @@ impl Warps {
         self.comparison.compare(&own(a)?, &own(b)?, by).ok_or_else(not_there)
     }
 
-    /// For every frame of a the frame of b, counted from its stretch's first, that the database holds as its counterpart:
-    /// exact where the clips have scripts. NaN where it is in another clip.
+    /// For every frame of `a` the frame of `b`, relative to the start of its range, that the database holds as its
+    /// counterpart: exact where the clips have scripts. NaN where it is in another clip.
     ///
     /// # Errors
-    /// If one of the clips is none of the action's.
+    /// If one of the clips does not belong to the action.
     pub fn recorded(&self, a: &Stretch, b: &Stretch) -> Result<Vec<f32>, LensError> {
         self.example(a.0)?;
         self.example(b.0)?;
@@ -87,7 +87,7 @@ impl Warps {
     }
 }
 
-/// A clip as registration sees it.
+/// A clip in the form that registration reads.
 fn example(catalogue: &Catalogue, clip: usize) -> Example {
     let clip = &catalogue.clips[clip];
     let pose: Vec<PoseRow> = clip.rows().map(|row| catalogue.rows().get(row)).collect();

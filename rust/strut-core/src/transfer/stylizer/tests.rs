@@ -1,4 +1,4 @@
-//! The stages together, on the synthetic walks.
+//! Tests of all stages together, on the synthetic walks.
 
 use super::*;
 use crate::catalogue::Catalogue;
@@ -73,7 +73,7 @@ fn skipped_classes_would_have_changed_nothing() {
     }
 }
 
-/// A window may be shorter than what the speed of a foot is measured over, also at the beginning of a clip.
+/// A window may be shorter than the frames over which the speed of a foot is measured, also at the start of a clip.
 #[cfg(feature = "baselines")]
 #[test]
 fn windows_of_any_length_style() {
@@ -81,7 +81,7 @@ fn windows_of_any_length_style() {
         let index = crate::search::Index::with_window(&database(), length);
         let model = Arc::new(Model::of(Catalogue::with_index(database(), index)));
         let mut s = stylizer(&model, 1.0);
-        // The beginning of a clip that the database holds finds that beginning.
+        // For the start of a clip of the database the search finds that start.
         for gait in [NEUTRAL, BENT] {
             s.reset(None);
             for frame in run(&mut s, &walk(&gait, 20, 0.0).poses) {
@@ -91,7 +91,7 @@ fn windows_of_any_length_style() {
     }
 }
 
-/// Every method of this build.
+/// All methods of this build.
 const METHODS: &[Method] = &[
     Method::Mar,
     Method::LocalAr,
@@ -123,7 +123,7 @@ fn every_method_styles() {
     }
 }
 
-/// Whatever an option decides, and whenever: nothing of the former options stays.
+/// Whichever option is changed, and whenever, nothing of the previous options remains.
 #[test]
 fn options_that_are_set_later_give_the_bits_of_a_new_stylizer() {
     let (model, input) = (model(), unseen_walk());
@@ -163,7 +163,7 @@ fn options_that_are_set_later_give_the_bits_of_a_new_stylizer() {
     }
 }
 
-/// A trained method keeps its memory in the stylizer and learns nothing new on the way.
+/// A trained method keeps its memory in the stylizer and is not trained further.
 #[cfg(feature = "baselines")]
 #[test]
 fn trained_methods_give_the_same_bits_and_allocate_nothing() {
@@ -349,7 +349,7 @@ fn coherence_smooths_foreign_input_and_leaves_known_input_alone() {
         s.set_styles(&[0.0, 1.0]).unwrap();
         run(&mut s, &walk(gait, 240, 0.15).poses)
     };
-    // Mean second difference of all rotations: how much the output trembles.
+    // Mean second difference of all rotations: a measure of jitter.
     let roughness = |frames: &[StyledFrame]| {
         let step = |a: &StyledFrame, b: &StyledFrame| {
             let pairs = a.pose.rotations.iter().zip(b.pose.rotations);
@@ -425,7 +425,7 @@ fn durations_of_classes_mix_like_their_poses() {
     assert!(fast < torn && torn < sure, "{fast} {torn} {sure}");
 }
 
-/// A style known from one clip of 80 frames, and input that neither clip resembles.
+/// A style with one clip of 80 frames, and input that is unlike both clips.
 #[test]
 fn sparse_data_and_foreign_input_do_not_diverge() {
     let full = database();
@@ -459,13 +459,13 @@ fn sparse_data_and_foreign_input_do_not_diverge() {
         for (frame, pose) in frames.iter().zip(&input.poses) {
             let pairs = frame.pose.rotations.iter().zip(&pose.rotations).skip(1);
             let apart = pairs.map(|(a, b)| a.inv_mul(*b).angle()).fold(0.0, f32::max);
-            // 1.27 rad was measured.
+            // The measured value was 1.27 rad.
             assert!(frame.pose.is_finite() && apart < 1.5, "{bent}: {apart} rad from the input");
         }
     }
 }
 
-/// The online footplant measures speeds in the time of the output, which the style stretches.
+/// The online footplant measures speeds in output time, which the style stretches.
 #[test]
 fn the_footplant_runs_in_output_time() {
     let model = model();

@@ -1,4 +1,4 @@
-//! The methods that are trained beforehand, as predictions of one target style; a stub where they are left out.
+//! Predictions of one target style by the methods with training; a stub if they are not compiled.
 
 #[cfg(feature = "baselines")]
 mod with_baselines;

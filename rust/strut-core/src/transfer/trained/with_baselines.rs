@@ -1,4 +1,4 @@
-//! The methods that are trained beforehand, as predictions of one target style.
+//! Predictions of one target style by the methods with training.
 
 use crate::baselines::{Now, Pairs, Predictor};
 use crate::pose_vector::PoseRow;
@@ -7,10 +7,10 @@ use crate::transfer::model::Model;
 use crate::transfer::options::Options;
 use std::sync::Arc;
 
-/// Stored frames that lead a predictor up to the first input.
+/// Number of stored frames on which a predictor is run before the first input.
 const RUN_UP: usize = 64;
 
-/// A predictor and what it remembers of the frames so far.
+/// A predictor and its state.
 #[derive(Clone, Debug)]
 pub(in crate::transfer) struct Trained {
     predictor: Arc<dyn Predictor>,
@@ -19,8 +19,8 @@ pub(in crate::transfer) struct Trained {
 }
 
 impl Trained {
-    /// For one style and the classes that `options` allow; `None` if the method needs no training. Takes up to a
-    /// second when the model has not trained it yet.
+    /// Predictor of one style for the classes that `options` allow; `None` if the method needs no training. Takes up to
+    /// a second if the model has not trained it yet.
     pub(in crate::transfer) fn new(model: &Model, options: &Options, classes: &[usize], style: usize) -> Option<Self> {
         let baseline = options.method.baseline()?;
         let table = model.target_table(style);
@@ -29,7 +29,7 @@ impl Trained {
         Some(Self { memory: vec![0.0; predictor.memory_len()], step_secs: 1.0 / model.catalogue().rate_hz, predictor })
     }
 
-    /// Begins as if the frames that led up to the row `nearest` had been the input so far.
+    /// Starts as if the input so far had been the stored frames up to the row `nearest`.
     pub(in crate::transfer) fn start(&mut self, model: &Model, nearest: Option<usize>) {
         let db = model.catalogue();
         let past: Vec<PoseRow> = nearest.map_or_else(Vec::new, |row| {
@@ -39,7 +39,7 @@ impl Trained {
         self.predictor.start(&mut self.memory, &past);
     }
 
-    /// The next row.
+    /// Predicts the next row.
     pub(in crate::transfer) fn predict(&mut self, input: Input<'_>, previous_output: &PoseRow) -> PoseRow {
         let now = Now { input: input.current, previous_input: input.previous, previous_output };
         let prediction = self.predictor.predict(&mut self.memory, now);
@@ -47,7 +47,7 @@ impl Trained {
         prediction.output
     }
 
-    /// How long the last predicted row lasts, seconds.
+    /// Duration of the last predicted row, seconds.
     pub(in crate::transfer) fn step_secs(&self) -> f32 {
         self.step_secs
     }

@@ -5,7 +5,7 @@ use crate::transfer::input::Input;
 use crate::transfer::model::Model;
 use crate::transfer::options::Options;
 
-/// A type without a value.
+/// A type without values.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transfer) enum Trained {}
 

@@ -1,7 +1,8 @@
-//! What is said of a set before its columns.
+//! Header of a set, before its columns.
 //!
-//! Numbers are in LEB128, floats four bytes, little-endian; a text is the number of its bytes and UTF-8, a list the number of
-//! its entries and these. No JSON: its reader would be a fifth of what styles the first frames of a page.
+//! Numbers are in LEB128, floats four bytes, little-endian. A text is the number of its bytes followed by UTF-8, a list
+//! the number of its entries followed by these. JSON is not used, because its parser would be a fifth of the code that
+//! styles the first frames of a page.
 //!
 //! | Content | Type |
 //! | --- | --- |
@@ -32,7 +33,7 @@ pub(super) struct Header {
     pub(super) actions: Vec<String>,
     pub(super) styles: Vec<String>,
     pub(super) neutral: u16,
-    /// Their actions and styles may be outside the lists, which [`Database::new`] finds.
+    /// Their actions and styles may be out of range; [`Database::new`] checks them.
     pub(super) clips: Vec<Clip>,
     pub(super) counterparts_per_style: usize,
     /// Motions on the database's humanoid and at its rate, in order.
@@ -47,7 +48,7 @@ pub(super) struct InputInfo {
     pub(super) frames: usize,
 }
 
-/// The header of a database and motions whose columns take `bytes`.
+/// Encodes the header of a database and motions whose columns take `bytes`.
 pub(super) fn write(db: &Database, inputs: &[InputInfo], bytes: usize) -> Vec<u8> {
     let mut header = Vec::new();
     write_floats(&mut header, [db.rate_hz]);
@@ -88,10 +89,10 @@ fn write_text(header: &mut Vec<u8>, text: &str) {
     header.extend(text.bytes());
 }
 
-/// Reads a header; the reader is left at the columns.
+/// Reads a header. The reader then is at the start of the columns.
 ///
 /// # Errors
-/// [`StrutdbError`] if it is cut short, or says what no database has.
+/// [`StrutdbError`] if the header is cut off or invalid.
 pub(super) fn read(from: &mut Reader<'_>) -> Result<Header, StrutdbError> {
     let rate_hz = float(from)?;
     let proportions = proportions(from)?;

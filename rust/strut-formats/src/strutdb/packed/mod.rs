@@ -1,7 +1,7 @@
-//! A database and a few motions in a tenth of the bytes: the format in which the page loads the built-in motions.
+//! A database and a few motions in a tenth of the size: the format in which the page loads the built-in motions.
 //!
-//! Derived data are left out (point clouds follow from rows), numbers become multiples of a step, and columns become
-//! second differences, most of which are small. The file is meant to be sent deflated:
+//! Derived data are omitted (point clouds follow from rows), numbers become multiples of a step, and columns become
+//! second differences, most of which are small. The file is intended to be sent compressed with Deflate:
 //!
 //! | Bytes | Content |
 //! | --- | --- |
@@ -12,14 +12,14 @@
 //! | | `canonical_time`, [`TIME_STEP`]; `time_step`, [`DURATION_STEP`]; `contact` by columns, 1 |
 //! | | `counterpart` by columns (style, then slot), [`ROW_STEP`]; −1 where there is none |
 //!
-//! A file may have several such sets, one after the other; its content is that of the last. Inputs and the beginnings of clips
-//! that were in the set before are recognised by their names, and their poses are not stored again. So the page shows the first
-//! set while the next one loads.
+//! A file may contain several such sets in sequence; its content is that of the last. Inputs, and the first frames of
+//! clips, that are in the previous set are identified by their names, and their poses are not stored again. So the page
+//! can show the first set while the next one loads.
 //!
 //! A column of integers x is stored as xₜ − 2 xₜ₋₁ + xₜ₋₂, with zeros before the first, each in zigzag LEB128.
 //!
-//! Rotations are off by at most 5e-5 rad, half a step an axis. Joints of the built-in database are off by at most 0.09 mm, those
-//! of the built-in inputs by at most 0.11 mm.
+//! The error of rotations is at most 5e-5 rad, half a step per axis. The error of joint positions is at most 0.09 mm in
+//! the built-in database, and at most 0.11 mm in the built-in inputs.
 
 mod header;
 mod numbers;
@@ -34,7 +34,7 @@ use strut_core::pose_vector::{DOFS, Placement, PoseChart, PoseRow, ROW, point_cl
 
 /// First bytes of packed motions.
 pub const MAGIC: [u8; 8] = *b"strutpk3";
-/// Step of rotations, radians, of lengths, metres, and of their rates a second.
+/// Step of rotations, radians, of lengths, metres, and of their rates per second.
 pub const STEP: f32 = 1.0 / 16_384.0;
 /// Step of canonical time, canonical frames.
 pub const TIME_STEP: f32 = 1.0 / 256.0;
@@ -43,7 +43,7 @@ pub const DURATION_STEP: f32 = 1.0 / 1_048_576.0;
 /// Step of counterparts, rows.
 pub const ROW_STEP: f32 = 1.0 / 256.0;
 
-/// Columns of an input: the root and a rotation vector a joint.
+/// Number of columns of an input: the root, and a rotation vector for each joint.
 const INPUT_COLUMNS: usize = 3 + 3 * JOINTS;
 
 /// A motion with a display name.
@@ -58,18 +58,19 @@ pub struct NamedMotion {
 /// Packs a database with motions on its humanoid and at its rate.
 ///
 /// # Panics
-/// Never for a [`Database`], whose shapes were checked when it was made.
+/// Never for a [`Database`], whose shapes were checked when it was created.
 pub fn write(db: &Database, inputs: &[NamedMotion]) -> Vec<u8> {
     let mut file = Vec::new();
     write_set(&mut file, db, inputs, &Known::default());
     file
 }
 
-/// Appends a set to packed motions: inputs of the same names are those of the last set, and clips begin with what it has of
-/// them.
+/// Appends a set to packed motions. Inputs with the names of inputs of the last set are taken from it, and clips start
+/// with the frames that it contains.
 ///
 /// # Errors
-/// [`StrutdbError`] if `file` is anything but packed motions, or if a clip of the same name is shorter or has another chart.
+/// [`StrutdbError`] if `file` does not contain packed motions, or if a clip of the same name is shorter or has another
+/// chart.
 pub fn append(file: &mut Vec<u8>, db: &Database, inputs: &[NamedMotion]) -> Result<(), StrutdbError> {
     let known = known_at_end(&sets(file)?)?;
     known.check(&db.clips, &db.chart)?;
@@ -104,19 +105,19 @@ fn columns_of(db: &Database, inputs: &[NamedMotion], known: &Known) -> Vec<u8> {
     bytes
 }
 
-/// Names of the motions beside the database.
+/// Names of the motions that are stored with the database.
 ///
 /// # Errors
-/// [`StrutdbError`] for anything but packed motions.
+/// [`StrutdbError`] if the bytes are not packed motions.
 pub fn input_names(bytes: &[u8]) -> Result<Vec<String>, StrutdbError> {
     let last = sets(bytes)?.pop();
     Ok(last.into_iter().flat_map(|set| set.header.inputs).map(|i| i.name).collect())
 }
 
-/// The motion of this name; `None` if there is none.
+/// Motion of this name; `None` if there is none.
 ///
 /// # Errors
-/// [`StrutdbError`] for anything but packed motions.
+/// [`StrutdbError`] if the bytes are not packed motions.
 pub fn read_input(bytes: &[u8], name: &str) -> Result<Option<HumanoidMotion>, StrutdbError> {
     let mut known = Known::default();
     for Set { header, mut columns } in sets(bytes)? {
@@ -134,10 +135,10 @@ pub fn read_input(bytes: &[u8], name: &str) -> Result<Option<HumanoidMotion>, St
     Ok(None)
 }
 
-/// The database.
+/// Reads the database.
 ///
 /// # Errors
-/// [`StrutdbError`] for anything but packed motions.
+/// [`StrutdbError`] if the bytes are not packed motions.
 pub fn read_database(bytes: &[u8]) -> Result<Database, StrutdbError> {
     let mut sets = sets(bytes)?;
     let last = sets.pop().ok_or(StrutdbError::NotPacked)?;
@@ -201,7 +202,7 @@ fn open(bytes: &[u8]) -> Result<(Set<'_>, &[u8]), StrutdbError> {
     Ok((Set { header, columns }, rest.rest))
 }
 
-/// What the next set need not store.
+/// Data that the next set need not store.
 #[derive(Default)]
 struct Known {
     inputs: Vec<InputInfo>,
@@ -220,12 +221,12 @@ impl Known {
         self.clips.iter().find(|clip| clip.name == name)
     }
 
-    /// Frames at the beginning of a clip.
+    /// Number of the clip's first frames that are known.
     fn frames_of(&self, name: &str) -> usize {
         self.clip(name).map_or(0, |clip| clip.frames)
     }
 
-    /// Refuses clips that are not what they are here.
+    /// Rejects clips that do not continue the known ones.
     fn check(&self, clips: &[Clip], chart: &PoseChart) -> Result<(), StrutdbError> {
         if self.chart.is_some_and(|known| known != *chart) {
             return Err(StrutdbError::Layout("joints"));
@@ -237,7 +238,7 @@ impl Known {
         }
     }
 
-    /// Reads the poses of the next set; `columns` are left at those after them.
+    /// Reads the poses of the next set. `columns` are then at the data after them.
     fn after(self, header: &Header, columns: &mut Reader<'_>) -> Result<Self, StrutdbError> {
         let Header { clips, chart, .. } = header;
         self.check(clips, chart)?;
@@ -260,7 +261,7 @@ impl Known {
     }
 }
 
-/// What is known after these sets.
+/// Data that are known after these sets.
 fn known_at_end(sets: &[Set<'_>]) -> Result<Known, StrutdbError> {
     let next = |known: Known, set: &Set<'_>| known.after(&set.header, &mut set.columns.clone());
     sets.iter().try_fold(Known::default(), next)

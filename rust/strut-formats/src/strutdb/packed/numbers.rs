@@ -23,14 +23,15 @@ pub(super) fn write_column(file: &mut Vec<u8>, step: f32, values: impl Iterator<
     }
 }
 
-/// Bytes not yet read.
+/// Bytes that are not yet read.
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'a> {
     pub(super) rest: &'a [u8],
 }
 
 impl<'a> Reader<'a> {
-    /// Refuses to allocate for more numbers than the remaining bytes can hold, at least one byte each.
+    /// Returns an error instead of allocating for more numbers than the remaining bytes can contain, at least one byte
+    /// each.
     pub(super) fn expect(&self, numbers: usize) -> Result<(), ContainerError> {
         if numbers > self.rest.len() { Err(ContainerError::Length) } else { Ok(()) }
     }
@@ -49,7 +50,7 @@ impl<'a> Reader<'a> {
         Ok(*bytes)
     }
 
-    /// One number, of at most 32 bits.
+    /// Next number, of at most 32 bits.
     pub(super) fn number(&mut self) -> Result<u32, ContainerError> {
         let mut number = 0;
         for shift in (0..32).step_by(7) {
@@ -92,7 +93,7 @@ impl<'a> Reader<'a> {
         Ok(rows)
     }
 
-    /// Passes over columns of `n` numbers.
+    /// Skips columns of `n` numbers.
     pub(super) fn skip(&mut self, n: usize, columns: usize) -> Result<(), ContainerError> {
         (0..n.min(MAX_FRAMES) * columns).try_for_each(|_| self.number().map(drop))
     }
