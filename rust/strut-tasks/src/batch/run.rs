@@ -99,7 +99,7 @@ pub fn run(request: &BatchRequest, on_progress: &OnProgress<'_>) -> Outcome<Batc
     Ok(report(&jobs, &pending, &manifest::latest(folder)?, begin.elapsed().as_secs_f64()))
 }
 
-/// Adds the number of remaining jobs to an error that ends a batch.
+/// Adds a hint with the number of finished jobs to an error that ends a batch.
 fn with_rest(error: TaskError, folder: &Path, jobs: &[Job]) -> TaskError {
     if !matches!(error.code, Code::Cancelled | Code::Io(_)) {
         return error;
