@@ -18,7 +18,7 @@ export interface Job {
 /** Messages to the page. */
 export type Message =
   | { kind: "progress"; what: string; done: number }
-  /** @property cardFault why the graphics processor could not be measured */
+  /** @property cardFault why the GPU could not be measured */
   | { kind: "report"; report: Report; cardFault?: string }
   | { kind: "failure"; reason: string };
 

@@ -19,7 +19,7 @@ use strut_tasks::weights::StyleWeights;
 /// Greatest number of printed problems; the manifest has all.
 const MOST_PRINTED: usize = 10;
 
-/// What is written where, and how a run ends.
+/// Help on the outputs and the exit codes.
 const LONG_HELP: &str = "\
 Outputs: DIR/VARIANT/PATH.bvh, where PATH is the input's below the folder or in the archive that was given. The variant of
 --style is what was typed, with + for commas. A table of --variants has the columns variant,style[,option…]; options have

@@ -20,7 +20,7 @@ impl Clip {
     /// are detected.
     ///
     /// # Errors
-    /// With the fault of the file. A skeleton that is not a humanoid is reported by [`Clip::fault`].
+    /// If the file is invalid. A skeleton that is not a humanoid is reported by [`Clip::fault`].
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], roles: Option<Vec<i32>>) -> Result<Self, EngineError> {
         let motion = bvh::parse(bytes).and_then(|file| file.to_motion()).map_err(EngineError::unusable_file)?;

@@ -32,7 +32,7 @@ impl KeyStyleClips {
     /// Creates the list of the clips of a `.strutdb` file or packed motions.
     ///
     /// # Errors
-    /// With the fault of the file.
+    /// If the file is invalid.
     #[wasm_bindgen(js_name = ofDatabase)]
     pub fn of_database(database: Uint8Array) -> Result<Self, EngineError> {
         Ok(Self { database: Some(read_database(database)?), files: Vec::new() })

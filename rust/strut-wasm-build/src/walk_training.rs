@@ -31,7 +31,7 @@ impl WalkTraining {
     /// Creates a training on a `.strutdb` file or packed motions.
     ///
     /// # Errors
-    /// With the fault of the file.
+    /// If the file is invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(database: Uint8Array) -> Result<Self, EngineError> {
         let database = read_database(database)?;

@@ -11,7 +11,7 @@ const HINT: &str = "Copy the file once more, or build the database again with 's
 /// Reads the database in a `.strutdb` file or in packed motions.
 ///
 /// # Errors
-/// With the fault of the bytes.
+/// If the bytes are invalid.
 pub fn read_database(bytes: Uint8Array) -> Result<Database, EngineError> {
     let mut beginning = [0; packed::MAGIC.len()];
     let is_packed = bytes.length() as usize >= beginning.len() && {

@@ -35,7 +35,7 @@ impl Yardstick {
     /// Opens the database of a `.strutdb` file on the fastest GPU.
     ///
     /// # Errors
-    /// If there is no GPU, the database does not fit on it, or with the fault of the bytes.
+    /// If there is no GPU, the database does not fit on it, or the bytes are invalid.
     pub async fn open(bytes: Vec<u8>) -> Result<Self, EngineError> {
         let database = strutdb::read(&bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
         let context = Context::open().await.map_err(graphics)?;

@@ -20,7 +20,7 @@ impl KeyStyleModel {
     /// Reads the model in a `.strutkeys` file.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
         Ok(Self::of(key_style_model::read(bytes).map_err(EngineError::unusable_file)?))

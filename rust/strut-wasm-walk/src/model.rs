@@ -19,7 +19,7 @@ impl WalkModel {
     /// Reads the model in a `.strutwalk` file.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
         let model = walk_model::read(bytes).map_err(EngineError::unusable_file)?;

@@ -18,7 +18,7 @@ impl Database {
     /// Reads the database of packed motions.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(motions: &PackedMotions) -> Result<Self, EngineError> {
         packed::read_database(motions.bytes()).map(Self::new).map_err(unpackable)

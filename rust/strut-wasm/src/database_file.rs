@@ -17,7 +17,7 @@ impl Database {
     /// Reads a `.strutdb` file. Builds the search index if the file has none.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
         read(&Bytes(bytes))
@@ -26,7 +26,7 @@ impl Database {
     /// Reads a `.strutdb` file of `bytes` bytes in slices, so that it need not be in memory as a whole.
     ///
     /// # Errors
-    /// With the fault of the bytes, or if some cannot be read.
+    /// If the bytes are invalid, or some cannot be read.
     #[wasm_bindgen(js_name = fromSlices)]
     pub fn from_slices(file: SlicedFile, bytes: f64) -> Result<Self, EngineError> {
         // The cast saturates; a file of that size is refused for its length.

@@ -35,8 +35,8 @@ impl Input {
     /// Reads an input of packed motions.
     ///
     /// # Errors
-    /// If there is no input with this name, or with the fault of the bytes; without the feature `files` also for a
-    /// database of another body.
+    /// If there is no input with this name, or the bytes are invalid; without the feature `files` also for a database of
+    /// another body.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(database: &Database, motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
         let motion = motions.input(name)?;
@@ -71,7 +71,7 @@ impl Input {
     /// `strut_formats::reading`.
     ///
     /// # Errors
-    /// With the fault of the bytes or of the options.
+    /// If the bytes or the options are invalid.
     #[wasm_bindgen(js_name = fromBvh)]
     pub fn from_bvh(database: &Database, bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         Self::from_file(database, InputFile::read_as(bytes, said)?)

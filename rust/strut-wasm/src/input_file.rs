@@ -61,7 +61,7 @@ impl InputFile {
     /// Reads a BVH file with explicit reading options.
     ///
     /// # Errors
-    /// With the fault of the bytes, of the options, or of the skeleton.
+    /// If the bytes, the options or the skeleton are invalid.
     pub(crate) fn read_as(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
         Self::of(bvh, notes, |skeleton| {
@@ -73,7 +73,7 @@ impl InputFile {
     /// Reads a BVH file without explicit options.
     ///
     /// # Errors
-    /// With the fault of the bytes or of the skeleton.
+    /// If the bytes or the skeleton are invalid.
     #[cfg(feature = "parity")]
     pub(crate) fn detect(bytes: &[u8]) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;

@@ -19,7 +19,7 @@ impl MotionFacts {
     /// Reads a BVH file; see `Input::from_bvh`.
     ///
     /// # Errors
-    /// With the fault of the bytes, of the options, or of the skeleton.
+    /// If the bytes, the options or the skeleton are invalid.
     #[wasm_bindgen(js_name = ofBvh)]
     pub fn of_bvh(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         let file = InputFile::read_as(bytes, said)?;
@@ -29,7 +29,7 @@ impl MotionFacts {
     /// Reads an input of packed motions.
     ///
     /// # Errors
-    /// If there is no input with this name, or with the fault of the bytes.
+    /// If there is no input with this name, or the bytes are invalid.
     #[wasm_bindgen(js_name = ofPacked)]
     pub fn of_packed(motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
         let motion = motions.input(name)?;

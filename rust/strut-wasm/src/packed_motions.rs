@@ -24,7 +24,7 @@ impl PackedMotions {
     /// Returns the names of the inputs, the default first.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     pub fn inputs(&self) -> Result<Vec<String>, EngineError> {
         packed::input_names(&self.bytes).map_err(unpackable)
     }
@@ -38,7 +38,7 @@ impl PackedMotions {
     /// Returns the input with this name.
     ///
     /// # Errors
-    /// If there is no input with this name, or with the fault of the bytes.
+    /// If there is no input with this name, or the bytes are invalid.
     pub(crate) fn input(&self, name: &str) -> Result<HumanoidMotion, EngineError> {
         let motion = packed::read_input(&self.bytes, name).map_err(unpackable)?;
         motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// Which jobs that ended otherwise than done are done again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[allow(missing_docs)] // Their names say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The names are self-explanatory, and comments would appear in the help.
 pub enum Retry {
     Failed,
     Skipped,

@@ -19,7 +19,7 @@ use strut_formats::corpus::Pattern;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
-#[allow(missing_docs)] // The fields of a request say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The fields of a request explain it, and comments would appear in the help.
 pub enum Protocol {
     Loo,
     OffDatabase,

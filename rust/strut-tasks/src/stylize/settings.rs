@@ -20,7 +20,7 @@ pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-do
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
-#[allow(missing_docs)] // Their names say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The names are self-explanatory, and comments would appear in the help.
 pub enum Switch {
     On,
     Off,

@@ -16,7 +16,7 @@ use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_formats::joints::Reading;
 
-/// What is parallelised, with the same result.
+/// Unit of parallel work; the result does not depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spread {
     /// The frames of a clip.

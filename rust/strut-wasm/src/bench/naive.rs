@@ -71,7 +71,7 @@ impl Naive {
     /// Opens the database of a `.strutdb` file, with a target style.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], style: u16) -> Result<Self, EngineError> {
         let db = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;

@@ -29,7 +29,7 @@ impl Workload {
     /// Reads a `.strutdb` file and removes some clips from it, which become the queries.
     ///
     /// # Errors
-    /// With the fault of the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = heldOutOf)]
     pub fn held_out_of(bytes: &[u8]) -> Result<Self, EngineError> {
         let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
