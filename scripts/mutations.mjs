@@ -107,7 +107,7 @@ const PATIENCE_MS = 40_000;
 
 const build = () => run(process.execPath, [vite, "build", "--logLevel", "error"]);
 
-/** Runs a test of a file. Returns whether it failed, and did not merely fail to be found. */
+/** Runs a test of a file. Returns whether it failed; throws a message if there is no such test. */
 function fails(spec, title) {
   const vitest = join(root, "node_modules", "vitest", "vitest.mjs");
   const pattern = title.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");

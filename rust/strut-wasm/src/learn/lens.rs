@@ -184,7 +184,7 @@ impl Lens {
         self.lens.model().catalogue().chart.means.iter().flat_map(|q| q.to_array()).collect()
     }
 
-    /// Returns the styled pose of the frame, before root integration.
+    /// Returns the styled pose of the frame.
     pub fn styled(&self) -> Vec<f32> {
         floats_of([self.lens.stylizer().frame().pose].iter())
     }
