@@ -102,7 +102,7 @@ const SHARED_VIEWS = ["synthesis"];
 
 // Tests may import anything: the rules apply only to what is shipped.
 
-/** What the core must not use. */
+/** APIs that the core must not use. */
 const FORBIDDEN_IN_CORE = /\bstd::(fs|net|thread|time|process|env|io)\b|\b(web_sys|js_sys|wasm_bindgen|rayon|wgpu)\b/;
 
 function* filesUnder(folder, endings) {

@@ -8,7 +8,7 @@ import { isKept, keepBuilt, takeBuilt } from "./build_cache.mjs";
 import { output, root } from "./steps.mjs";
 
 const RUST = join(root, "rust");
-/** Where lints and tests are compiled. */
+/** Target folder of lints and tests. */
 const TARGET = join(RUST, "target", "debug");
 /** File in the target with a hash of each compiled source, by the path below `rust/`. */
 const SOURCES = join(TARGET, "sources.json");

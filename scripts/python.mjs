@@ -9,7 +9,7 @@ import { main, root, run, Sentence, step } from "./steps.mjs";
 
 const PACKAGE = join(root, "rust", "strut-python");
 const TARGET = join(root, "rust", "target", "python");
-/** Where the wheel is. */
+/** Folder of the wheel. */
 export const WHEELS = join(TARGET, "wheels");
 const VENV = join(TARGET, "venv");
 /** The command, built by the Rust tests. */

@@ -13,7 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// that the user selected for the file; without it the most similar action is used.
 ///
 /// # Errors
-/// With the reason why the file cannot be added as a style, or if the database has no such action.
+/// If the file cannot be added as a style, with the reason, or if the database has no such action.
 #[wasm_bindgen(js_name = addStyle)]
 pub fn add_style(
     database: Uint8Array,

@@ -63,7 +63,7 @@ impl Builder {
     /// Adds a file. `roles` as for `Clip`.
     ///
     /// # Errors
-    /// With the reason why it cannot be used. The database can still be built from the other files.
+    /// If the file cannot be used, with the reason. The database can still be built from the other files.
     pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), EngineError> {
         let at = self.entries.binary_search_by(|e| e.path.as_str().cmp(path));
         let unknown = |_| EngineError::bad_input(format!("'{path}' is not among the files of this build"));

@@ -41,7 +41,7 @@ impl KeyStyleClips {
     /// Adds a BVH file. All clips are on the body of the first.
     ///
     /// # Errors
-    /// With the reason why it cannot be used.
+    /// If the file cannot be used, with the reason.
     #[wasm_bindgen(js_name = addFile)]
     pub fn add_file(&mut self, name: String, bytes: &[u8]) -> Result<(), EngineError> {
         let clip = Clip::parse(bytes).map_err(EngineError::unusable_file)?;
@@ -78,7 +78,7 @@ impl KeyStyleClips {
     /// Starts training on the clips with these indices. With `components` 0 their number is chosen automatically.
     ///
     /// # Errors
-    /// With the reason why no model can be trained.
+    /// If no model can be trained, with the reason.
     pub fn train(
         &self,
         clips: &[u32],

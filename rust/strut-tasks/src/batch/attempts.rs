@@ -70,7 +70,7 @@ impl Started {
     /// Undoes a start that was cancelled.
     pub(super) fn take_back(self) {
         let Self { path, before } = self;
-        // As above.
+        // A failure does no harm, as above.
         let _ = if before.is_empty() { fs::remove_file(path) } else { fs::write(path, before) };
     }
 }
