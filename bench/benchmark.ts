@@ -1,4 +1,4 @@
-/** The benchmark: the engine with and without SIMD and two yardsticks on the same motion, in one run. */
+/** The benchmark: the engine with and without SIMD and two reference implementations on the same motion, in one run. */
 import { EngineBench } from "./engine_bench";
 import type { Instances } from "./engines";
 import { NaiveTransfer } from "./naive";
@@ -7,17 +7,17 @@ import { readStrutdb } from "./strutdb";
 import type { Workload } from "./workload";
 import { YardstickBench } from "./yardstick_bench";
 
-/** Frames of the database that the paper's Table 2 was measured on. */
+/** Number of frames of the database of the paper's Table 2. */
 export const PAPER_FRAMES = 79_829;
 
 export interface Options {
   /** Name of the machine. */
   machine: string;
-  /** Hears what is being done and which share of the work is behind it. */
+  /** Receives the present work and the share of the work that is done. */
   onProgress?: (what: string, done: number) => void;
 }
 
-/** Runs it: minutes. Who wants to stop it ends its thread. */
+/** Runs the benchmark, which takes minutes. To stop it, end its thread. */
 export function benchmark(instances: Instances, workload: Workload, { machine, onProgress }: Options): Report {
   const report: Report = { machine, rows: [], agreement: [], memory: [] };
   const { glue } = instances.simd;
@@ -35,7 +35,7 @@ export function benchmark(instances: Instances, workload: Workload, { machine, o
     "js-naive": new YardstickBench(naive, "js-naive", instances.simd, database, report),
   } satisfies Record<EngineName, unknown>;
 
-  // In turn, so that whatever else the machine does hits them alike.
+  // Interleaved, so that other load on the machine affects all of them equally.
   const work = ENGINES.length * MODES.length * workload.queries.length;
   let turns = 0;
   for (const mode of MODES)

@@ -1,11 +1,11 @@
-// npm run budget [-- --first-load] [--film FOLDER] [--minutes N] [--json FILE]: the page's budgets (DESIGN §8), measured in
-// Chromium on the built site: size, the first load as Lighthouse sees it, the first seconds on slow 4G, whose film goes to a
-// folder (with --first-load nothing more), the time to the first styled frame, how long a clip of a
-// minute takes and the longest task on the main thread meanwhile, the growth of memory while the styles change, and what the page takes with four views. Figures depend
-// on the machine; it says which it was.
+// npm run budget [-- --first-load] [--film FOLDER] [--minutes N] [--json FILE]: measures the page's budgets in Chromium
+// on the built site: size; the first load in Lighthouse; the first seconds on slow 4G, filmed into a folder (with
+// --first-load nothing more); the time to the first styled frame; the time for a clip of a minute, with the longest
+// main-thread task meanwhile; the growth of memory while the styles change; and the memory of the page with four views.
+// The results depend on the machine, whose name is printed.
 //
-// Memory that grows is what is reachable after garbage collection. Code is counted apart: for minutes the browser compiles anew, and
-// better, what runs often, which is most of what the heap gains and nothing that the page keeps.
+// Growing memory is what is reachable after garbage collection. Code is counted separately: for minutes the browser
+// recompiles and optimises hot code, which is most of the heap's growth and is not kept by the page.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
 import { join } from "node:path";
@@ -18,17 +18,20 @@ import { checkFirstSeconds, linesOfSeconds, measureFirstSeconds } from "./first_
 import { lineOfMemory, measurePageMemory } from "./page_memory.mjs";
 import { reachable } from "./reachable.mjs";
 
-/** Visits that the first character is timed in. */
+/** Number of visits over which the time to the first character is measured. */
 const VISITS = 5;
-/** Frames of the clip that is styled: a minute. */
+/** Number of frames of the styled clip: a minute. */
 const LONG_CLIP = 3600;
-/** Time in which the stage finds the quality that the machine can draw. */
+/** Time in which the stage adapts its quality to the machine. */
 const SETTLING_MS = 8000;
 const BUDGET = { firstCharacterMs: 2000, longestTaskMs: 50, longClipMs: 1000, growthPercent: 5 };
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** Runs in the page before its scripts: when the character first moved, when the page was given a file, and every long task. */
+/**
+ * Runs in the page before its scripts: records the first movement of the character, the arrival of a file, and every
+ * long task.
+ */
 function observe() {
   window.budget = { tasks: [] };
   const given = ({ target }) => {
@@ -46,7 +49,7 @@ function observe() {
 }
 
 async function open(browser, url, viewport = { width: 1440, height: 900 }) {
-  // What the page keeps for visits without a network is fetched when it is idle, and would be measured too.
+  // Without service workers: the page's idle download of files for offline visits would be measured, too.
   const context = await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers: "block" });
   const page = await context.newPage();
   await page.addInitScript(observe);
@@ -65,7 +68,7 @@ async function firstCharacter(browser, url) {
   return median(times);
 }
 
-/** The built-in walk several times over, as a BVH of LONG_CLIP frames. */
+/** Returns the built-in walk repeated to LONG_CLIP frames, as BVH. */
 async function longClip(page) {
   await page.locator(".bar-action.outlined").click();
   const item = page.locator(".export-menu").getByRole("button", { name: /^BVH/ });
@@ -82,9 +85,12 @@ async function longClip(page) {
   return `${head.replace(/Frames:\s*\d+/, `Frames: ${rows.length}`)}${rows.join("\n")}\n`;
 }
 
-/** Drops a long clip: the time until all of it is styled, from the file on, and the longest task on the main thread meanwhile. */
+/**
+ * Drops a long clip. Returns the time from the drop until all of it is styled, and the longest main-thread task
+ * meanwhile.
+ */
 async function styleLongClip(browser, url) {
-  // A small picture that has found its quality: without a graphics card drawing would be all that is measured.
+  // A small picture with adapted quality: without a GPU, drawing would dominate the measurement.
   const page = await open(browser, url, { width: 500, height: 640 });
   await page.waitForFunction(() => window.strut.analysed);
   const folder = mkdtempSync(join(tmpdir(), "strut-"));
@@ -131,7 +137,7 @@ async function memory(browser, url) {
   return measured;
 }
 
-/** Everything but the first load. */
+/** Measures everything except the first load. */
 async function measureUse(minutes) {
   return onBuiltSite(async (browser, url) => {
     const first = await firstCharacter(browser, url);
@@ -147,7 +153,7 @@ async function measureUse(minutes) {
   });
 }
 
-/** The lines that show what {@link measureUse} returned. */
+/** Returns the lines that show the result of {@link measureUse}. */
 function linesOfUse(use) {
   const { first_character_ms, long_clip_ms, longest_task_ms, minutes, memory } = use;
   const { data, code } = use.heap_growth_percent;

@@ -1,4 +1,4 @@
-// The built site in Chromium, which draws in software: what measurements of the page begin with.
+// The built site in Chromium with software rendering, for measurements of the page.
 import { existsSync } from "node:fs";
 import { createServer } from "node:net";
 import { resolve } from "node:path";
@@ -7,20 +7,19 @@ import { preview } from "vite";
 import { root, Sentence } from "../scripts/steps.mjs";
 
 /**
- * What Chromium is started with where there is no graphics card: it draws text and panels without one, and lets SwiftShader draw
- * WebGL alone.
+ * Flags of Chromium without a GPU: it draws text and panels without one, and only WebGL with SwiftShader.
  */
 const NO_CARD = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-background-networking"];
 
-/** The same with SwiftShader in the place of a graphics card: it draws all of the page, and compiles its shaders first. */
+/** The same flags with SwiftShader in place of a GPU: it draws the whole page, and compiles its shaders first. */
 export const FLAGS = [...NO_CARD, "--use-angle=swiftshader"];
 
-/** Starts Chromium as on this machine, which has no graphics card. */
+/** Starts Chromium as on a machine without a GPU. */
 export function launchWithoutCard() {
   return start(NO_CARD);
 }
 
-/** Starts Chromium with SwiftShader as its graphics card, and with `flags`. */
+/** Starts Chromium with SwiftShader as its GPU, and with `flags`. */
 export function launchChromium(flags = []) {
   return start([...FLAGS, ...flags]);
 }
@@ -32,7 +31,7 @@ function start(args) {
   });
 }
 
-/** A port that nothing listens on. */
+/** Returns an unused port. */
 export function freePort() {
   return new Promise((resolve) => {
     const server = createServer().listen(0, "localhost", () => {
@@ -42,12 +41,12 @@ export function freePort() {
   });
 }
 
-/** Says so where `dist/` is not built. */
+/** Throws a message if `dist/` is not built. */
 export function requireBuiltSite() {
   if (!existsSync(resolve(root, "dist/index.html"))) throw new Sentence("dist/ is missing; run 'npm run build' first.");
 }
 
-/** Serves `dist/` on a free port; Vite's server. */
+/** Serves `dist/` on a free port. Returns Vite's server. */
 export function serveBuiltSite() {
   requireBuiltSite();
   return preview({
@@ -58,7 +57,7 @@ export function serveBuiltSite() {
   });
 }
 
-/** Serves `dist/` and opens a browser for as long as `use(browser, url)` takes. */
+/** Serves `dist/` and opens a browser for the duration of `use(browser, url)`. */
 export async function onBuiltSite(use, launch = launchChromium) {
   const server = await serveBuiltSite();
   try {

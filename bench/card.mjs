@@ -1,8 +1,8 @@
-// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--software]: what a graphics
-// card gives the built site, in Chromium without a window: how fast a crowd and the Play view are drawn, how long the atlas
-// takes (of the built-in motions, and of a database) and whether the processor draws the same, what Lighthouse sees, and with
-// --yardstick what bench.html measures. With --software a program plays the card, to try the script where there is none. Needs
-// a card with a Vulkan driver; CHROME_PATH names another Chromium.
+// node bench/card.mjs [--json FILE] [--shots FOLDER] [--db DB] [--yardstick] [--software]: measures the built site with
+// a GPU, in Chromium without a window: frame rates of a crowd and of the Play view, the time of the atlas (with the
+// built-in motions, and with a database) and whether the CPU draws the same, Lighthouse's results, and with --yardstick
+// those of bench.html. --software uses a software GPU, to test the script without a GPU. Needs a GPU with a Vulkan
+// driver; CHROME_PATH selects another Chromium.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { parseArgs } from "node:util";
@@ -11,7 +11,7 @@ import { chromium } from "playwright-core";
 import { root } from "../scripts/steps.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
-/** Chromium draws without a display, by Vulkan, and shows its card to WebGPU. */
+/** Makes Chromium draw without a display, with Vulkan, and expose its GPU to WebGPU. */
 const CARD = [
   "--use-angle=vulkan",
   "--enable-features=Vulkan",
@@ -25,14 +25,14 @@ const SOFTWARE = [
   "--enable-unsafe-webgpu",
   "--use-webgpu-adapter=swiftshader",
 ];
-/** Without these a picture comes at most 60 times a second. */
+/** Without these flags the frame rate is at most 60 Hz. */
 const UNLIMITED = ["--disable-frame-rate-limit", "--disable-gpu-vsync"];
-/** Time in which the stage finds its quality, and in which pictures are counted, milliseconds. */
+/** Time in which the stage adapts its quality, and time in which frames are counted, milliseconds. */
 const [SETTLING_MS, COUNTING_MS] = [5000, 6000];
 const VIEWPORT = { width: 1440, height: 900 };
-/** Visits of Lighthouse. */
+/** Number of Lighthouse visits. */
 const VISITS = 3;
-/** Frames of the procedural database of the yardstick: those of the paper. */
+/** Number of frames of the procedural benchmark database: that of the paper. */
 const FRAMES = 79_829;
 const YARDSTICK_MS = 400_000;
 
@@ -71,7 +71,7 @@ async function open(browser, url, { pixels = 1, before } = {}) {
   return page;
 }
 
-/** The card as WebGL and WebGPU name it. */
+/** Returns the names of the GPU in WebGL and WebGPU. */
 async function nameCard(browser, url) {
   const page = await open(browser, url);
   const names = await page.evaluate(async () => {
@@ -89,7 +89,10 @@ async function nameCard(browser, url) {
   return names;
 }
 
-/** Counts the pictures of a page for a while: the rate, the time between two, and the tasks that took over 50 ms. */
+/**
+ * Counts the frames of a page for a while. Returns the frame rate, the time between frames, and the tasks longer than
+ * 50 ms.
+ */
 async function count(page) {
   await page.waitForTimeout(SETTLING_MS);
   return page.evaluate(async (ms) => {
@@ -120,7 +123,7 @@ async function count(page) {
   }, COUNTING_MS);
 }
 
-/** What a crowd takes, and what its panel says. */
+/** Measures a crowd, and reads its panel. */
 async function measureCrowd(browser, url, people, pixels) {
   const page = await open(browser, `${url}#view=crowd&crowd=${people}`, { pixels });
   await page.locator(".crowd-figures dd").first().waitFor();
@@ -159,7 +162,7 @@ async function dropDatabase(page, file) {
     .waitFor();
 }
 
-/** The atlas drawn by the card and by the processor: what the page says, and how far pixels differ. */
+/** Draws the atlas on the GPU and on the CPU. Returns the page's measurements, and the difference of the pixels. */
 async function measureAtlas(browser, url, db) {
   const draw = async (before) => {
     const page = await open(browser, `${url}?gpu=any#play=0&frame=40${db ? "" : "&atlas=whole"}`, { before });
@@ -184,7 +187,7 @@ async function measureAtlas(browser, url, db) {
   return { card: card.said, processor: processor.said, levels_apart: apart, pixels: card.data.length / 4 };
 }
 
-/** What Lighthouse sees of the first load, with its mobile profile. */
+/** Returns Lighthouse's results for the first load, with its mobile profile. */
 async function measureFirstLoad(url) {
   const loads = [];
   for (let i = 0; i < VISITS; i++) {
@@ -204,7 +207,7 @@ async function measureFirstLoad(url) {
   return { median_score: median(loads.map(({ score }) => score)), loads };
 }
 
-/** The report of bench.html. */
+/** Returns the report of bench.html. */
 async function measureYardstick(browser, url) {
   const page = await open(browser, `${url}bench.html${values.software ? "?gpu=any" : ""}`);
   await page.getByLabel("Database").selectOption(String(FRAMES));
@@ -221,7 +224,7 @@ async function measureYardstick(browser, url) {
 
 const site = await serveCompressed(join(root, "dist"));
 const report = { date: new Date().toISOString().slice(0, 10) };
-/** Measures one thing; what fails is told, and the next one is measured. */
+/** Runs one measurement. A failure is printed, and the next measurement follows. */
 async function measure(name, work) {
   const begin = performance.now();
   report[name] = await work().catch((error) => ({ failed: String(error.message ?? error) }));
@@ -252,7 +255,7 @@ const unlimited = await launch(UNLIMITED);
 await measure("crowd, no limit", () => measureCrowd(unlimited, site.url, "1000_1", 1));
 await measure("play, no limit", () => measurePlay(unlimited, site.url, "", 1));
 await unlimited.close();
-// The first pages may come while the card's process starts, and have no WebGL then.
+// The first pages may open while the GPU process starts, and have no WebGL then.
 await measure("card", () => nameCard(browser, site.url));
 await measure("first load", () => measureFirstLoad(site.url));
 if (values.yardstick) await measure("yardstick", () => measureYardstick(browser, site.url));

@@ -1,27 +1,27 @@
-/** What graphics cards measured: `gpu` of the JSON file of `npm run bench -- --gpu`, and when. */
+/** Measurements of GPUs: `gpu` of the JSON file of `npm run bench -- --gpu`, with the date. */
 
-/** One card's figures, on one database. */
+/** Measurements of one GPU on one database. */
 export interface Card {
   adapter: string;
   driver: string;
   backend: string;
-  /** Whether a program plays the card: then nothing is worth telling. */
+  /** Whether the GPU is emulated in software; its times are not meaningful. */
   software: boolean;
   frames: number;
   classes: number;
-  /** Sets of neighbours, and how many are the engine's to the bit. */
+  /** Number of sets of neighbours, and number of those that are bit-identical to the engine's. */
   sets: number;
   identical: number;
-  /** How many times faster the engine's search is than the card's, a window at a time and 256 together. */
+  /** Ratio of the GPU's to the engine's search time, one window at a time and 256 together. */
   engine_is_faster?: { all: number; batch: number };
-  /** Milliseconds a window by the card: the medians of the rows of `gpu-brute`. */
+  /** Milliseconds per window on the GPU: the medians of the rows of `gpu-brute`. */
   all_ms: number;
   batch_ms: number;
   /** ISO date. */
   date: string;
 }
 
-/** Real cards only, in the order in which they came. */
+/** Hardware GPUs only, in the order of measurement. */
 export const CARDS: readonly Card[] = [
   {
     adapter: "NVIDIA H200",

@@ -1,4 +1,4 @@
-/** How long a whole clip of a minute takes: all of what a page waits for but the text of a file. */
+/** Time of styling a whole clip of a minute, except for writing the text of a file. */
 import { timed } from "./clock";
 import { stylizerFor } from "./engine_bench";
 import type { Instance } from "./engines";
@@ -7,7 +7,7 @@ import { makeWorkload, POSE_FLOATS, type Query, type Source } from "./workload";
 
 /** A minute at 60 Hz. */
 const CLIP_FRAMES = 3600;
-/** Times that each is styled. */
+/** Number of times that each clip is styled. */
 const ROUNDS = 5;
 
 /** A clip that was styled several times. */
@@ -20,7 +20,7 @@ export interface ClipRow {
   memory_mb: number;
 }
 
-/** Styles a minute that a database does not hold: of one class with its labels, and of all without. */
+/** Styles a minute of motion outside the database: of one class with its labels, and of all classes without. */
 export function timeClips(instance: Instance, source: Source): ClipRow[] {
   const { glue, memory } = instance;
   const { bytes, queries } = makeWorkload(glue, source);
@@ -44,7 +44,7 @@ export function timeClips(instance: Instance, source: Source): ClipRow[] {
   });
 }
 
-/** The queries one after the other, over again until they fill a minute. */
+/** Repeats the queries one after the other until they fill a minute. */
 function minuteOf(queries: readonly Query[]): Float32Array {
   const minute = new Float32Array(CLIP_FRAMES * POSE_FLOATS);
   let at = 0;
@@ -56,7 +56,7 @@ function minuteOf(queries: readonly Query[]): Float32Array {
   return minute;
 }
 
-/** A line a clip. */
+/** Returns one line per clip. */
 export function clipLines(rows: readonly ClipRow[]): string {
   const line = ({ mode, frames, median_ms, least_ms, memory_mb }: ClipRow) =>
     `${mode.padEnd(10)}  ${frames} frames  ${median_ms.toFixed(0)} ms (at best ${least_ms.toFixed(0)})  ${memory_mb.toFixed(0)} MB`;

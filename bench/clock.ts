@@ -1,6 +1,6 @@
-/** Measuring with a clock that browsers round. */
+/** Time measurement with the rounded clock of browsers. */
 
-/** The least step of `performance.now()` that can be seen, milliseconds. */
+/** Returns the smallest observable step of `performance.now()`, milliseconds. */
 export function clockResolution(): number {
   let least = Infinity;
   for (let i = 0; i < 20; i++) {
@@ -12,22 +12,22 @@ export function clockResolution(): number {
   return least;
 }
 
-/** Steps of the clock that a sample takes at least, so that rounding is 5 % of it at most. */
+/** Smallest number of clock steps per sample, so that rounding is at most 5 %. */
 const STEPS = 20;
 
-/** Frames that are measured together when one takes about `frameMs`: a single one where the clock is fine enough. */
+/** Returns how many frames of about `frameMs` are measured together: one if the clock is fine enough. */
 export function batchFor(frameMs: number, resolutionMs: number): number {
   return Math.max(1, Math.ceil((STEPS * resolutionMs) / Math.max(frameMs, 1e-4)));
 }
 
-/** Milliseconds that something takes. */
+/** Returns the duration of some work, milliseconds. */
 export function timed(work: () => void): number {
   const started = performance.now();
   work();
   return performance.now() - started;
 }
 
-/** Milliseconds that a call takes; it is repeated until the clock can tell. */
+/** Returns the duration of a call, milliseconds. It is repeated until the clock is accurate enough. */
 export function timedOften(work: () => void, resolutionMs: number): number {
   const started = performance.now();
   let calls = 0;

@@ -1,5 +1,5 @@
-// node bench/crowd.mjs: what a tick of a crowd takes in WebAssembly, one thread, with reading everybody's joints: of walkers, and
-// of those who perform the first built-in input.
+// node bench/crowd.mjs: time of a crowd's tick in WebAssembly, on one thread, including the reading of all joints: of
+// walkers, and of performers of the first built-in input.
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
 import * as crowds from "../web/engine/crowd/pkg/strut_crowd.js";
@@ -7,10 +7,10 @@ import * as performers from "../web/engine/performers/pkg/strut_performers.js";
 import * as engine from "../web/engine/pkg/strut_wasm.js";
 
 const COUNTS = [100, 200, 300, 1000];
-/** Ticks that are not counted, and those that are. */
+/** Number of warm-up ticks, and of measured ticks. */
 const [WARM, TICKS] = [60, 300];
 const JOINT_FLOATS = 21 * 8;
-/** Three styles as on a first visit, wider for more people: style number, then x, z, reach and intensity. */
+/** Three styles as on a first visit, spread wider for more people: style index, then x, z, radius and intensity. */
 const PLACES = [-3.4, 3.4, 3.2, 1, 4, 0.8, 3.2, 1.1, -1.5, -5.2, 4, 1];
 
 const read = (path) => readFileSync(new URL(`../web/engine/${path}`, import.meta.url));
@@ -36,7 +36,10 @@ function measure(name, styles, memory, make) {
   }
 }
 
-/** The first built-in input in every style of the built-in database, as the page's engine gives it to its crowd. */
+/**
+ * Returns the recording of the first built-in input in every built-in style, as the page's engine passes it to its
+ * crowd.
+ */
 function recorded() {
   load(engine, "pkg/strut_wasm_bg.wasm");
   const motions = new engine.PackedMotions(gunzipSync(read("motions/first.bin")));

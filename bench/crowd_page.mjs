@@ -1,12 +1,14 @@
-// node bench/crowd_page.mjs: how many pictures a second the page draws of a hundred people on a machine without a graphics card,
-// once it has found the quality that the machine can draw. The picture is 1096 × 716 CSS pixels large.
+// node bench/crowd_page.mjs: the page's frame rate with a hundred people on a machine without a GPU, after the quality
+// has adapted to the machine. The picture has 1096 × 716 CSS pixels.
 import { launchWithoutCard, onBuiltSite } from "./built_site.mjs";
 
 const VIEWPORT = { width: 1440, height: 900 };
-/** Time in which the stage finds its quality, and the time that is measured, seconds. */
+/** Time in which the stage adapts its quality, and measured time, seconds. */
 const [SETTLING, MEASURED] = [12, 10];
 
-/** Runs in the page: the rate that the panel shows, twice a second for some time, and the pixels that are drawn. */
+/**
+ * Runs in the page: returns the frame rate in the panel, twice a second for some time, and the number of drawn pixels.
+ */
 async function rates(secs) {
   const shown = () => Number(/(\d+) fps/.exec(document.querySelector(".crowd-figures").textContent)?.[1]);
   const found = [];

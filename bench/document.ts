@@ -1,4 +1,4 @@
-/** docs/performance.md: every figure with the machine and the command that gave it. */
+/** docs/performance.md: every measurement with its machine and its command. */
 import { CARDS, type Card } from "./cards";
 import type { LargeReport } from "./large";
 import { MODES, type Report, type Row } from "./report";
@@ -10,12 +10,12 @@ export interface Measured<R> {
   report: R;
 }
 
-/** What `strut bench --json` writes. */
+/** Output of `strut bench --json`. */
 export type NativeReport = Pick<Report, "machine" | "rows">;
 
 const thousands = (n: number) => n.toLocaleString("en-US");
 
-/** Median of the whole frame and of the search over the size of the database. */
+/** Returns the medians of the whole frame and of the search by the size of the database. */
 function growthTable(rows: Row[]): Cells[] {
   const sizes = [...new Set(rows.map((row) => row.frames))];
   const median = (frames: number, mode: string, stage: string) => {
@@ -48,7 +48,7 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
   ];
 }
 
-/** What the table of memory shows. */
+/** Text above the table of memory. */
 const MEMORY =
   "WASM memory with the database open, after one clip has been styled with one style and with three, and after a clip of every class has been (targets are computed when they are first read, and kept):";
 
@@ -66,7 +66,7 @@ function largeSection({ command, report }: Measured<LargeReport>): string[] {
   ];
 }
 
-/** Every window on a graphics card, as the paper searched. */
+/** Returns the section about the exhaustive search on GPUs, as in the paper. */
 function cardsSection(cards: readonly Card[]): string[] {
   const ratio = (n?: number) => (n === undefined ? "" : `${n.toFixed(n < 1 ? 2 : 1)} ×`);
   const rows = cards
@@ -93,7 +93,7 @@ function cardsSection(cards: readonly Card[]): string[] {
   ];
 }
 
-/** The whole page. */
+/** Returns the whole page. */
 export function document(
   date: string,
   procedural: Measured<Report>,

@@ -1,34 +1,34 @@
-/** The engine under a stop-watch. */
+/** Timing of the engine. */
 import { batchFor, clockResolution, timed } from "./clock";
 import type { Database, Glue, Instance, Stylizer } from "./engines";
 import { evenStyles, measureMemory, STYLES } from "./memory";
 import { type EngineName, type Mode, type Report, summarise } from "./report";
 import { POSE_FLOATS, type Query, type Workload } from "./workload";
 
-/** Frames of every query that are measured, and those before them that are not. */
+/** Number of measured frames of each query, and of unmeasured frames before them. */
 const FRAMES = 80;
 export const WARM_UP = 20;
-/** Frames between two at which a search starts cold. */
+/** Number of frames between two cold starts of the search. */
 const COLD_STRIDE = 20;
-/** A clock with this resolution sees every stage of a frame. */
+/** A clock with this resolution can measure every stage of a frame. */
 const FINE_CLOCK_MS = 0.001;
-/** Times a database is opened. */
+/** Number of times that a database is opened. */
 const OPENINGS = 3;
 
 /** Stage of a frame with several target styles. */
 const STYLED_FRAME = `frame, ${STYLES} styles`;
 
-/** Share of the largest weight from which on a class takes part. */
+/** Least weight of a class in use, relative to the largest. */
 export const LEAST_WEIGHT: Record<Mode, number> = { labelled: 2e-5, unlabelled: 2e-5, all: 0 };
 
-/** A stylizer set up for a query: towards the neutral style, as good a target as any. */
+/** Returns a stylizer for a query. The target is the neutral style; the choice does not matter. */
 export function stylizerFor(glue: Glue, database: Database, mode: Mode, query: Query): Stylizer {
   const stylizer = new glue.Stylizer(database);
   setMode(stylizer, mode, query);
   return stylizer;
 }
 
-/** Says what is known of a query. If that is something new, the next search starts cold. */
+/** Sets the known labels of a query. If they change, the next search starts cold. */
 function setMode(stylizer: Stylizer, mode: Mode, query: Query): void {
   const [action, style] = mode === "labelled" ? [query.action, query.style] : [-1, -1];
   stylizer.setClasses(action, style, LEAST_WEIGHT[mode]);
@@ -41,7 +41,7 @@ export class EngineBench {
   private readonly resolution = clockResolution();
   private readonly samples = new Map<Mode, Map<string, number[]>>();
 
-  /** Opens the database and says how long it took and how much memory it needs. */
+  /** Opens the database and measures the time and the memory. */
   constructor(
     private readonly instance: Instance,
     private readonly engine: EngineName,
@@ -70,7 +70,9 @@ export class EngineBench {
     this.add("open", "all", openings);
   }
 
-  /** Styles a query: for the whole frames, with a look at each stage, and here and there from a cold start. */
+  /**
+   * Styles a query: once for the whole frames, once with the times of each stage, and at some frames from a cold start.
+   */
   measure(mode: Mode, query: Query): void {
     const { glue } = this.instance;
     const names = glue.stageNames();
@@ -99,7 +101,7 @@ export class EngineBench {
 
     const staged = stylizerFor(glue, this.database, mode, query);
     staged.push(poses(0, WARM_UP));
-    // Where the clock is too coarse for a stage, only their sum over many frames says anything.
+    // If the clock is too coarse for a stage, only its sum over many frames is meaningful.
     const stageBatch = this.resolution > FINE_CLOCK_MS ? FRAMES : 1;
     for (let frame = WARM_UP; frame < end; frame += stageBatch) {
       const next = Math.min(frame + stageBatch, end);
@@ -123,7 +125,7 @@ export class EngineBench {
     }
   }
 
-  /** Adds what was measured to the report. */
+  /** Adds the measurements to the report. */
   finish(): void {
     for (const [mode, samples] of this.samples) for (const [stage, times] of samples) this.add(stage, mode, times);
     this.database.free();

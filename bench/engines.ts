@@ -1,4 +1,4 @@
-/** The engine compiled two ways, and what a yardstick must be able to do. */
+/** The engine compiled in two ways, and the interface of a reference implementation. */
 
 import * as scalar from "./pkg/scalar/strut_bench.js";
 import * as simd from "./pkg/simd/strut_bench.js";
@@ -14,7 +14,7 @@ export type Stylizer = simd.Stylizer;
 export interface Instance {
   glue: Glue;
   memory(): WebAssembly.Memory;
-  /** Begins anew with empty memory: what the bindings hold is lost. */
+  /** Restarts with empty memory: objects of the bindings become invalid. */
   restart(): void;
 }
 
@@ -24,7 +24,7 @@ export interface Instances {
   scalar: Instance;
 }
 
-/** Does what a frame is made of, with no memory of the frames before. */
+/** Computes the stages of a frame without state from earlier frames. */
 export interface Yardstick {
   /**
    * Finds the nearest windows of the classes from `fromClass` up to `toClass`.
@@ -32,24 +32,24 @@ export interface Yardstick {
    */
   search(frames: Float32Array, fromClass: number, toClass: number): void;
   /**
-   * The next row from xₜ, xₜ₋₁ and yₜ₋₁ and the neighbours found last.
-   * @param leastWeight share of the largest weight from which on a class takes part
+   * Returns the next row from xₜ, xₜ₋₁ and yₜ₋₁ and the neighbours found last.
+   * @param leastWeight least weight of a class in use, relative to the largest
    */
   predict(x: Float32Array, xBefore: Float32Array, yBefore: Float32Array, leastWeight: number): Float32Array;
-  /** How long the frame lasts that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁. */
+  /** Returns the duration of the frame that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁. */
   duration(x: Float32Array, xBefore: Float32Array, y: Float32Array, yBefore: Float32Array): number;
   /**
-   * Likelihood that the left and the right foot is planted in the last of the frames: the vote of the classes that took
-   * part in the last prediction.
+   * Returns the probability of contact of the left and the right foot in the last of the frames: the vote of the
+   * classes that were used in the last prediction.
    */
   contacts(frames: Float32Array): ArrayLike<number>;
-  /** Rows of a class's neighbours, nearest first, … */
+  /** Returns the rows of a class's neighbours, nearest first, … */
   neighbours(label: number): ArrayLike<number>;
   /** … and their distances, m². */
   distances(label: number): ArrayLike<number>;
 }
 
-/** Loads both packages. @param compile makes a module of the file at an address */
+/** Loads both packages. @param compile compiles the module in the file at an address */
 export async function loadInstances(compile: (url: URL) => Promise<WebAssembly.Module>): Promise<Instances> {
   const modules = await Promise.all([
     compile(new URL("./pkg/simd/strut_bench_bg.wasm", import.meta.url)),
@@ -57,13 +57,13 @@ export async function loadInstances(compile: (url: URL) => Promise<WebAssembly.M
   ]);
   return {
     simd: instanceOf(simd, modules[0]),
-    // Built from the same source: the types differ in nothing but where they were declared.
+    // Built from the same source: the types differ only in where they are declared.
     scalar: instanceOf(scalar as unknown as Glue, modules[1]),
   };
 }
 
 function instanceOf(glue: Glue, module: WebAssembly.Module): Instance {
-  // Where there is an instance, it is returned.
+  // Returns the existing instance if there is one.
   const memory = () => glue.initSync({ module }).memory;
   memory();
   return { glue, memory, restart: () => glue.__wbg_reset_state() };

@@ -1,11 +1,11 @@
-// The first load of the page as Lighthouse's mobile profile sees it: a phone of the middle class on slow 4G, simulated.
+// The first load of the page in Lighthouse's mobile profile: a simulated mid-range phone on slow 4G.
 import { join } from "node:path";
 import lighthouse from "lighthouse";
 import { root, Sentence } from "../scripts/steps.mjs";
 import { freePort, launchChromium, requireBuiltSite } from "./built_site.mjs";
 import { serveCompressed } from "./hosted_site.mjs";
 
-/** The audits whose figures are shown: the unit of each, and the goal where there is one. */
+/** The reported audits: the unit of each, and the goal if there is one. */
 const AUDITS = {
   "first-contentful-paint": { name: "first contentful paint", unit: "ms", most: 1800 },
   "largest-contentful-paint": { name: "largest contentful paint", unit: "ms" },
@@ -14,30 +14,30 @@ const AUDITS = {
   "speed-index": { name: "speed index", unit: "ms" },
   "total-byte-weight": { name: "bytes", unit: "bytes" },
 };
-/** Least score, of 100. */
+/** Least score, out of 100. */
 const LEAST_SCORE = 90;
-/** Visits; the one with the median blocking time counts, which differs most from one to the next. */
+/** Number of visits. The visit with the median blocking time counts, which varies most between visits. */
 const VISITS = 3;
-/** Of a task of the main thread, Lighthouse counts as blocking what is beyond this, milliseconds. */
+/** Lighthouse counts the part of a main-thread task beyond this as blocking, milliseconds. */
 const UNNOTICED_MS = 50;
 
-/** What no visitor of the page loads: the package, the page for frames, the benchmark. */
+/** Files that no visitor of the page loads: the package, the page for iframes, the benchmark. */
 const OTHER_PAGES = /^(package|embed)\/|bench/;
 
-/** A phone has a graphics processor. Without one the page's text must not wait for the picture, which software draws. */
+/** A phone has a GPU. Without one the page's text must not wait for the software-rendered picture. */
 const WITHOUT_GRAPHICS = ["--disable-gpu-rasterization"];
 
 /**
- * A page that comes after one of the same process tears that one down after a second, and waits for its own drawing first:
- * without a graphics card a tenth of a second. Lighthouse comes from an empty page; a visitor comes from another site, whose
- * process is another.
+ * A page that replaces one of the same process destroys it after a second, and first waits for its own drawing: without
+ * a GPU a tenth of a second. Lighthouse navigates from an empty page; a visitor comes from another site, which has
+ * another process.
  */
 const FROM_ANOTHER_SITE = ["--disable-features=DelayLayerTreeViewDeletionOnLocalSwap"];
 
 /**
  * Loads the page a few times.
- * @returns the score and the figures by audit, each a number, and `blocking_own_time`: the blocking time if the main thread had
- * never waited for another one, as for SwiftShader's on a machine without a graphics card
+ * @returns the score and the audits' values, each a number, and `blocking_own_time`: the blocking time without waiting
+ * for other threads, for example SwiftShader's on a machine without a GPU
  */
 export async function measureFirstLoad() {
   requireBuiltSite();
@@ -72,7 +72,10 @@ async function visit(url) {
   }
 }
 
-/** Blocking time after the first paint by the time that the main thread itself ran; a phone takes `slowdown` times as long. */
+/**
+ * Returns the blocking time after the first paint, counting the CPU time of the main thread, scaled by `slowdown` for a
+ * phone.
+ */
 function ownBlockingMs(events, slowdown) {
   const paint = events.findLast(({ name }) => name === "firstContentfulPaint");
   const tasks = events.filter(
@@ -81,7 +84,7 @@ function ownBlockingMs(events, slowdown) {
   return tasks.reduce((sum, { tdur = 0 }) => sum + Math.max(0, (slowdown * tdur) / 1000 - UNNOTICED_MS), 0);
 }
 
-/** The lines that show what {@link measureFirstLoad} returned. */
+/** Returns the lines that show the result of {@link measureFirstLoad}. */
 export function linesOf(load) {
   const figures = Object.entries(AUDITS).map(([audit, { name, unit, most, digits = 0 }]) => {
     const goal = most === undefined ? "" : ` of ${most}`;
@@ -91,7 +94,7 @@ export function linesOf(load) {
   return [`  ${"Lighthouse, mobile".padEnd(24)} ${load.score} of at least ${LEAST_SCORE}`, ...figures];
 }
 
-/** Throws a sentence that names the goals which are missed. */
+/** Throws a message that names the missed goals. */
 export function checkFirstLoad(load) {
   const missed = Object.entries(AUDITS)
     .filter(([audit, { most }]) => most !== undefined && load[audit] > most)

@@ -1,4 +1,4 @@
-// The first seconds of the page on slow 4G, as a film: what is seen when, and what was loaded by then.
+// The first seconds of the page on slow 4G, as a film: what is visible when, and what was loaded until then.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -8,21 +8,21 @@ import { serveCompressed } from "./hosted_site.mjs";
 
 /** Lighthouse's slow 4G: 1.6 Mbit/s, 150 ms. */
 export const SLOW_4G = { bytesPerSec: 200_000, latencyMs: 150 };
-/** What no visitor of the page loads, and what is kept for visits without a network, after the first seconds. */
+/** Files that no visitor of the page loads, and the service worker, which caches files after the first seconds. */
 const OTHERS = /^(package|embed)\/|bench|service_worker/;
 
 /** The page's own marks (`MARKS` of web/player/playback.ts). */
 const MARKS = { character: "strut: first frame", styled: "strut: first styled frame" };
 
-/** Runs in the page: when it made a mark, milliseconds; undefined before that. */
+/** Runs in the page: returns the time of a mark, milliseconds, or undefined before it. */
 const timeOf = (mark) => performance.getEntriesByName(mark)[0]?.startTime;
 
 /**
  * Films the first `secs` seconds.
- * @param folder where the pictures go, named by their time, milliseconds; nowhere where it is left out
+ * @param folder folder of the pictures, named by their time, milliseconds; no pictures are written without it
  * @param line as for `serveCompressed`; null for the machine's own speed
- * @returns milliseconds to the first character and to the first styled frame, and the bytes that were sent before that, as if
- * by gzip
+ * @returns milliseconds to the first character and to the first styled frame, and the gzipped bytes that were sent
+ * before that
  */
 export async function filmFirstSeconds({ folder, secs = 5, line = SLOW_4G, viewport = { width: 412, height: 823 } }) {
   requireBuiltSite();
@@ -59,18 +59,20 @@ export async function filmFirstSeconds({ folder, secs = 5, line = SLOW_4G, viewp
   }
 }
 
-/** Size of a file of the site after gzip; what does not become smaller is sent as it is. */
+/** Returns the size of a file of the site after gzip; files that do not become smaller are sent uncompressed. */
 function gzipBytes(path) {
   const bytes = readFileSync(join(root, "dist", path === "/" ? "index.html" : path));
   return Math.min(bytes.length, gzipSync(bytes, { level: 9 }).length);
 }
 
-/** Goals (issue 23): the first styled frame on slow 4G and on the machine itself, and the bytes before it. */
+/**
+ * Goals (issue 23): time of the first styled frame on slow 4G and at the machine's own speed, and the bytes before it.
+ */
 const MOST = { slowMs: 4000, localMs: 1200, bytes: 600_000 };
-/** Visits at the machine's own speed; their median counts. */
+/** Number of visits at the machine's own speed; their median counts. */
 const VISITS = 5;
 
-/** The first seconds on slow 4G, filmed where `folder` is given, and at the machine's own speed. */
+/** Measures the first seconds on slow 4G, filmed if `folder` is given, and at the machine's own speed. */
 export async function measureFirstSeconds(folder) {
   const slow = await filmFirstSeconds({ folder });
   const visits = [];
@@ -79,7 +81,7 @@ export async function measureFirstSeconds(folder) {
   return { slow_4g: slow, local };
 }
 
-/** The lines that show what {@link measureFirstSeconds} returned. */
+/** Returns the lines that show the result of {@link measureFirstSeconds}. */
 export function linesOfSeconds({ slow_4g: slow, local }) {
   const times = ({ character_ms, styled_ms }, most) =>
     `a walker after ${character_ms} ms, styled ${styled_ms} of ${most} ms`;
@@ -90,7 +92,7 @@ export function linesOfSeconds({ slow_4g: slow, local }) {
   ];
 }
 
-/** Throws a sentence that names the goals which are missed. */
+/** Throws a message that names the missed goals. */
 export function checkFirstSeconds({ slow_4g: slow, local }) {
   const missed = [];
   if (slow.styled_ms > MOST.slowMs) missed.push("on slow 4G");

@@ -1,25 +1,28 @@
-/** The paper's search, every window on a graphics card, beside the engine's: after the other engines, on the same database. */
+/**
+ * The paper's exhaustive search on the GPU, compared with the engine's: runs after the other engines, on the same
+ * database.
+ */
 import { clockResolution, timedOften } from "./clock";
 import { type GraphicsComparison, type Report, type Row, summarise } from "./report";
 import type { Workload } from "./workload";
 
-/** Windows that are searched for together in mode `batch`, and how many times. */
+/** Number of windows that are searched together in mode `batch`, and number of batches. */
 const BATCH = 256;
 const BATCHES = 4;
-/** Windows that are searched for one by one in mode `all`; as many are compared where times mean nothing. */
+/** Number of windows that are searched one by one in mode `all`, and compared where times are not meaningful. */
 const SINGLE = 64;
-/** Of each kind, what is searched first: drivers finish their compilation late. */
+/** Number of first searches of each mode that are not measured: drivers finish their compilation late. */
 const WARM_UP = 3;
 
-/** A graphics processor that a page may use. */
+/** A GPU that a page may use. */
 export interface Card {
-  /** As far as the browser tells. */
+  /** Name, as far as the browser reports it. */
   name: string;
-  /** Whether a program plays its part. */
+  /** Whether the GPU is emulated in software. */
   software: boolean;
 }
 
-/** The page's fastest graphics processor; `undefined` where there is none. */
+/** Returns the fastest GPU of the page; `undefined` if there is none. */
 export async function findCard(): Promise<Card | undefined> {
   const gpu: GPU | undefined = navigator.gpu;
   const adapter = await gpu?.requestAdapter({ powerPreference: "high-performance" }).catch(() => null);
@@ -29,7 +32,7 @@ export async function findCard(): Promise<Card | undefined> {
   return { name, software: isFallbackAdapter };
 }
 
-/** Adds what a graphics processor does to a report; times only of a real one. Loads what drives it. */
+/** Adds the measurements of a GPU to a report, with times only for a hardware GPU. Loads its package. */
 export async function benchmarkGraphics(
   report: Report,
   { bytes, queries }: Workload,

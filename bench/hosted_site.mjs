@@ -1,11 +1,12 @@
-// dist/ served as a static host does: compressed once with Brotli, and files whose names hold their hash cached for good.
+// Serves dist/ like a static host: compressed with Brotli once, and files with a hash in their names cached
+// permanently.
 import { readdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, relative, sep } from "node:path";
 import { promisify } from "node:util";
 import { brotliCompress } from "node:zlib";
 
-/** Types of what is sent; other files are bytes. */
+/** Content types; other files are sent as bytes. */
 const TYPES = {
   ".css": "text/css; charset=utf-8",
   ".html": "text/html; charset=utf-8",
@@ -15,12 +16,12 @@ const TYPES = {
   ".wasm": "application/wasm",
   ".woff2": "font/woff2",
 };
-/** What is small already: fonts are compressed, and so are the packed motions. */
+/** Types of files that are already compressed: fonts and packed motions. */
 const COMPRESSED = new Set([".woff2", ".bin", ".strutwalk"]);
 
 const compress = promisify(brotliCompress);
 
-/** The answer to a request for a file. */
+/** Returns the answer to a request for a file. */
 async function answerOf(folder, path) {
   const bytes = readFileSync(join(folder, path));
   const ending = extname(path);
@@ -35,12 +36,12 @@ async function answerOf(folder, path) {
   return { headers, body };
 }
 
-/** Parts in which a slow line carries an answer, bytes. */
+/** Size of the parts in which a slow line carries an answer, bytes. */
 const PART = 4096;
 
 /**
- * A line that carries `bytesPerSec` in all, each answer `latencyMs` after it was asked for. The browser's own emulation does not
- * reach what workers load.
+ * Simulates a line that carries `bytesPerSec` in total, each answer `latencyMs` after its request. The browser's own
+ * emulation does not affect the requests of workers.
  */
 function slowLine({ bytesPerSec, latencyMs }) {
   let free = 0;
@@ -61,8 +62,8 @@ const atOnce = (response, body) => response.end(body);
 
 /**
  * Serves the files of a folder that `serves` accepts, on a free port.
- * @param line `bytesPerSec` and `latencyMs` of a slow line; none where it is left out
- * @returns the address, what was sent (path, bytes and time of each answer), and a function that ends it
+ * @param line `bytesPerSec` and `latencyMs` of a slow line; unlimited without it
+ * @returns the address, the sent answers (path, bytes and time of each), and a function that stops it
  */
 export async function serveCompressed(folder, serves = () => true, line = null) {
   const carry = line ? slowLine(line) : atOnce;

@@ -1,4 +1,4 @@
-/** What a database of a million frames takes: memory, and time to open it and to style a frame. */
+/** Memory of a database of a million frames, and the time to open it and to style a frame. */
 import { timed } from "./clock";
 import { stylizerFor, WARM_UP } from "./engine_bench";
 import type { Database, Instance } from "./engines";
@@ -7,33 +7,33 @@ import { type Mode, summarise } from "./report";
 import { aligned, memoryTable } from "./table";
 import { makeWorkload, POSE_FLOATS, type Query } from "./workload";
 
-/** Frames of the database that is measured on. */
+/** Number of frames of the measured database. */
 export const LARGE_FRAMES = 1_000_000;
-/** Frames of the database that the queries are made beside: they are the same with any. */
+/** Number of frames of the database with which the queries are made: the queries do not depend on it. */
 const FEW_FRAMES = 4800;
-/** Times that the file is opened. */
+/** Number of times that the file is opened. */
 const OPENINGS = 3;
 
-/** What was measured. */
+/** Results of the measurement. */
 export interface LargeReport {
   frames: number;
   file_mb: number;
-  /** Median, and the longest, which is the first. */
+  /** Median, and maximum, which is the first opening. */
   open_ms: number;
   first_open_ms: number;
   memory: Memory;
-  /** A frame's times by what is known of the input. */
+  /** Times of a frame by the known labels of the input. */
   frame: Record<"labelled" | "unlabelled" | "unlabelled, 3 styles", { median_ms: number; p95_ms: number }>;
 }
 
-/** Measures on a `.strutdb` file of procedural motion. */
+/** Measures a `.strutdb` file of procedural motion. */
 export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport {
   const { glue, restart } = instance;
   const { queries } = makeWorkload(glue, { frames: FEW_FRAMES });
   const openings: number[] = [];
   let database: Database | undefined;
   for (let i = 0; i < OPENINGS; i++) {
-    // Memory never shrinks: each opening has an instance of its own.
+    // Memory never shrinks, so each opening has a new instance.
     restart();
     openings.push(
       timed(() => {
@@ -70,7 +70,7 @@ export function measureLarge(instance: Instance, bytes: Uint8Array): LargeReport
   return report;
 }
 
-/** The report as lines. */
+/** Returns the report as lines. */
 export function largeLines(report: LargeReport): string {
   const { frames, file_mb, open_ms, first_open_ms, memory } = report;
   const mb = (megabytes: number) => `${megabytes.toFixed(0)} MB`;

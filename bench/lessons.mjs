@@ -1,6 +1,7 @@
-// npm run lessons: what the lessons cost, into docs/lessons.md: calls of their engine in Node, and in Chromium on the built
-// site how long a lesson takes to open after Play, and what a figure costs the page's thread while its state changes.
-// Figures depend on the machine; it says which it was. The part of the page about exercises is written by hand.
+// npm run lessons: measures the cost of the lessons, for docs/lessons.md: calls of their engine in Node, and in
+// Chromium on the built site the time to open a lesson after Play and the main-thread time of a figure while its state
+// changes. The results depend on the machine, whose name is printed. The part of the page about exercises is
+// handwritten.
 import { readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
@@ -10,9 +11,9 @@ import { onBuiltSite } from "./built_site.mjs";
 
 const OPENS_IN_MS = 1000;
 const FRAME_MS = 4;
-/** Changes of the state that a figure is timed over. */
+/** Number of state changes over which a figure is timed. */
 const CHANGES = 60;
-/** Which part of a figure's state changes, where it is not the instant. */
+/** The changing part of a figure's state, if it is not the instant. */
 const CHANGED = {
   chain: (n) => `rhol=${(n / 50).toFixed(2)}`,
   path: (n) => `dvar=${(1 + n).toFixed(2)}`,
@@ -32,14 +33,14 @@ const END = "<!-- /measured -->";
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** How long the pointer rests on the tab before it presses, milliseconds. */
+/** Time for which the pointer hovers over the tab before the click, milliseconds. */
 const POINTED_MS = 250;
-/** Play has come to rest so long after its first picture, milliseconds. */
+/** Time after its first frame in which Play settles, milliseconds. */
 const REST_MS = 1500;
 
 /**
- * Milliseconds from Play to a lesson, by lesson; every page is new. By a link, and by the tab that is pointed at: until all
- * figures can be seen, and until they show all that they compute.
+ * Returns milliseconds from Play to a lesson, by lesson, each on a new page: by a link, and by the hovered tab; until
+ * all figures are visible, and until they show all computed values.
  */
 async function openings(browser, url, lessons) {
   const times = [];
@@ -51,7 +52,7 @@ async function openings(browser, url, lessons) {
 }
 
 async function opening(browser, url, lesson, byTab) {
-  // What the page keeps for visits without a network is fetched when it is idle, and would be measured too.
+  // Without service workers: the page's idle download of files for offline visits would be measured, too.
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block" });
   const page = await context.newPage();
   await page.goto(`${url}#lesson=${lesson}&beat=0&play=0`);
@@ -78,7 +79,10 @@ async function opening(browser, url, lesson, byTab) {
   return time;
 }
 
-/** Processor time that the page's thread takes meanwhile, milliseconds: drawing in software, on other threads, is not its. */
+/**
+ * Returns the CPU time of the page's thread during `work`, milliseconds, without software rendering, which is on other
+ * threads.
+ */
 async function threadMs(browser, page, work) {
   await browser.startTracing(page, { categories: ["toplevel"] });
   await work();
@@ -99,8 +103,8 @@ async function threadMs(browser, page, work) {
 }
 
 /**
- * Processor time of the page's thread an animation frame, milliseconds, while each frame brings another state, as a drag
- * does; and the median until a change alone is shown, with the engine's answer.
+ * Returns the CPU time of the page's thread per animation frame, milliseconds, while each frame changes the state, as
+ * in a drag; and the median time until a single change is shown, including the engine's answer.
  */
 async function figureCosts(browser, url, kinds) {
   const costs = [];
@@ -131,7 +135,7 @@ async function figureCosts(browser, url, kinds) {
           figure.state = state;
         }
       }, some);
-    // The first round compiles and fills what is remembered.
+    // The first round compiles the code and fills caches.
     await show(states.slice(0, CHANGES));
     const shown = await show(states.slice(CHANGES));
     const busyMs = await threadMs(browser, page, () => drag(states));

@@ -1,4 +1,4 @@
-/** What the lessons ask of the engine, timed in Node: what `lessons.mjs` calls. */
+/** Times of the lessons' calls of the engine, measured in Node for `lessons.mjs`. */
 import { readFile } from "node:fs/promises";
 import { createLearnTable } from "../web/client/learn/learn_table";
 import type { Look } from "../web/client/learn/protocol";
@@ -10,14 +10,14 @@ export { KIND_NAMES } from "../web/element/figure/kinds";
 
 export const LESSON_IDS = LESSONS.map(({ id }) => id);
 
-/** A call of the engine: how long it takes, milliseconds, and the specification's bound. */
+/** A call of the engine: its time, milliseconds, and the specification's limit. */
 export interface TimedCall {
   name: string;
   medianMs: number;
   boundMs: number;
 }
 
-/** The files of the engine; it cannot read any itself from a module that Vite runs. */
+/** The files of the engine, which cannot read files itself from a module that Vite runs. */
 const FILES: readonly (readonly [AssetName, string])[] = [
   ["strut_learn_bg.wasm", "learn/pkg/strut_learn_bg.wasm"],
   ["strut_wasm_walk_bg.wasm", "walk/pkg/strut_wasm_walk_bg.wasm"],
@@ -28,14 +28,14 @@ const FILES: readonly (readonly [AssetName, string])[] = [
   ["built_in.strutwalk", "motions/built_in.strutwalk"],
 ];
 
-/** Frames of the default input that are looked at. */
+/** Measured frames of the default input. */
 const FRAMES = { first: 100, count: 41, step: 7 };
 /** The left knee about x. */
 const SETTINGS = { dof: 3 * 14, k: 40, noise: 0, taper: true } as const;
 /** 25 values of λ from 0.0001 to 10. */
 const LAMBDAS = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));
 
-/** Times each kind of call on the built-in database, after one that warms up. */
+/** Measures each kind of call on the built-in database, after one warm-up call. */
 export async function timeCalls(): Promise<TimedCall[]> {
   const read = async (path: string) =>
     new Uint8Array(await readFile(new URL(`../web/engine/${path}`, import.meta.url)));
@@ -63,7 +63,7 @@ export async function timeCalls(): Promise<TimedCall[]> {
 
   await engine.database();
   const calls = [
-    // Each frame is another one, 60 before it are replayed.
+    // Each frame differs, and 60 frames before it are replayed.
     await timed("`at` and `classes`", 10, (frame) => engine.classes(look(frame))),
     await timed("`at` and `profile`, five frames", 12, (frame) => engine.profile(look(frame), { length: 5 })),
     await timed("`profile` alone, nine frames", 2, () => engine.profile(look(FRAMES.first), { length: 9 })),

@@ -1,29 +1,29 @@
-/** How much memory a database takes in WebAssembly, open and in use. */
+/** WebAssembly memory of a database, when open and in use. */
 import type { Database, Instance } from "./engines";
 import type { EngineName } from "./report";
 import type { Query } from "./workload";
 
-/** Target styles of what is measured with several. */
+/** Number of target styles in measurements with several styles. */
 export const STYLES = 3;
 
-/** The same share of the first {@link STYLES} styles. */
+/** Returns equal weights of the first {@link STYLES} styles. */
 export const evenStyles = (database: Database): Float32Array =>
   Float32Array.from(database.styles(), (_, style) => (style < STYLES ? 1 / STYLES : 0));
 
-/** Megabytes of WASM memory. It grows with what is styled, as targets are computed when they are first read. */
+/** Megabytes of WASM memory. It grows with the styled motion, because targets are computed when they are first read. */
 export interface Memory {
   engine: EngineName;
   /** With the database open. */
   open_mb: number;
-  /** Once one query has been styled, unlabelled. */
+  /** After one query was styled, unlabelled. */
   one_style_mb: number;
-  /** Once it has been styled with three styles. */
+  /** After the query was styled with three styles. */
   three_styles_mb: number;
-  /** Once all queries have been, which are of every class. */
+  /** After all queries were styled, which cover every class. */
   every_class_mb: number;
 }
 
-/** Measures with a database that has been opened in fresh memory; memory never shrinks. */
+/** Measures a database that was opened in new memory; memory never shrinks. */
 export function measureMemory(
   { glue, memory }: Instance,
   engine: EngineName,

@@ -1,7 +1,7 @@
 /**
- * A yardstick: the transfer as one would write it in JavaScript from the paper, loop by loop.
+ * Reference implementation in JavaScript: the transfer as written in the paper, loop by loop.
  *
- * The same numbers as the engine's for the default options, but for rounding; `yardstick_bench.ts` compares them.
+ * Its numbers equal the engine's for the default options, except for rounding; `yardstick_bench.ts` compares them.
  * `rust/strut-wasm/src/bench/naive.rs` is the same in Rust.
  */
 import type { Yardstick } from "./engines";
@@ -15,28 +15,31 @@ const KAPPA = 3;
 const RHO = 0.7;
 const MAX_FEEDBACK = 0.9;
 const DELTA = 0.35;
-/** D at which input is known by half, m². */
+/** D at which an input is half known, m². */
 const HALF_KNOWN = 0.0025;
-/** A counterpart that moves so many rows or more in a frame does not go on. */
+/** A counterpart that moves by this number of rows or more in a frame is not continuous. */
 const JUMP_ROWS = 4;
-/** Least of the distances of classes, m². */
+/** Lower bound of class distances, m². */
 const LEAST_DISTANCE = 1e-6;
 /**
- * Half-life of what separates expectation and prediction for known input, seconds, how many times as long it is for unknown,
- * and D of the nearest neighbour halfway between, m².
+ * Half-life of the difference between expectation and prediction for known input, seconds; the factor for unknown
+ * input; and D of the nearest neighbour halfway between, m².
  */
 const HALF_LIFE_SECS = 1 / 120;
 const LONGEST = 6;
 const HALF_UNKNOWN = 0.0016;
 /**
- * Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
- * metres, and speed, m/s, and the least sum of their squares.
+ * Number of windows with similar legs that vote on foot contacts; differences of a point's height, metres, and speed,
+ * m/s, at which a vote's weight halves; and the least sum of their squares.
  */
 const VOTERS = 40;
 const SAME_HEIGHT = 0.01;
 const SAME_SPEED = 0.15;
 const SAME = 0.05;
-/** Points of the legs, the first of a frame, and the first of both ankles and both toes, which end them. */
+/**
+ * Number of leg points, which come first in a frame, and index of the first of both ankles and both toes, which are the
+ * last of them.
+ */
 const LEG_POINTS = 8;
 const FEET = 4;
 
@@ -47,9 +50,9 @@ interface Near {
 
 /** Local autoregression on the nearest windows of every class, for one target style. */
 export class NaiveTransfer implements Yardstick {
-  /** For each row the joints that count: x, y, z, times the root of the weight. */
+  /** The weighted joints of each row: x, y, z, times the root of the weight. */
   private readonly points: Float32Array;
-  /** Squared length of the window that ends at each row, by all points and by the legs'. */
+  /** Squared length of the window that ends at each row, with all points and with the leg points. */
   private readonly norms: [Float32Array, Float32Array];
   /** Rows at which a window of each class ends. */
   private readonly windows: number[][] = [];
@@ -64,7 +67,7 @@ export class NaiveTransfer implements Yardstick {
   private weights: number[] = [];
 
   /**
-   * @param jointWeights one a joint, 0 where it does not count
+   * @param jointWeights one per joint, 0 for an unused joint
    * @param legs joints of the legs, the last four both ankles and both toes
    */
   constructor(
@@ -164,7 +167,7 @@ export class NaiveTransfer implements Yardstick {
     return votes.map((vote, side) => vote / voices[side]!);
   }
 
-  /** Height and speed of both ankles and both toes in a window's last but one frame. */
+  /** Returns height and speed of both ankles and both toes in a window's last but one frame. */
   private feet(window: Float32Array): { height: number; speed: number }[] {
     return [0, 1, 2, 3].map((i) => {
       const at = (frame: number, axis: number) =>
@@ -174,7 +177,7 @@ export class NaiveTransfer implements Yardstick {
     });
   }
 
-  /** The joints that count in frames of positions, times the roots of their weights. */
+  /** Returns the weighted joints in frames of positions, times the roots of their weights. */
   private pointsOf(frames: Float32Array): Float32Array {
     const points = new Float32Array(WINDOW * 3 * this.joints.length);
     for (let f = 0; f < WINDOW; f++)
@@ -200,7 +203,7 @@ export class NaiveTransfer implements Yardstick {
       const tapers = nearest.map((n) => (last > first ? (last - n.distance) / (last - first) : 1));
       const total = tapers.reduce((a, b) => a + b, 0);
       for (let d = 0; d < dofs; d++) {
-        // Columns: the input one frame before and now, the target one frame before and now.
+        // Columns: the input in the previous and the present frame, the target in the previous and the present frame.
         const samples = nearest.map(({ row }) => [
           pose[(row - 1) * dofs + d]!,
           pose[row * dofs + d]!,
@@ -299,7 +302,7 @@ export class NaiveTransfer implements Yardstick {
     return kept.map((weight) => weight / keptSum);
   }
 
-  /** The joints of every row where its clip walks: the row's velocities summed up. */
+  /** Returns the joints of every row along its clip's path, by integration of the rows' velocities. */
   private placedPoints(): Float32Array {
     const { pose, dofs, pointCloud, clips, rateHz, frames } = this.db;
     const points = new Float32Array(frames * this.joints.length * 3);
@@ -330,7 +333,7 @@ export class NaiveTransfer implements Yardstick {
     return this.points.slice((row + 1 - WINDOW) * size, (row + 1) * size);
   }
 
-  /** A window of the first `points` alone, with their middle above the origin, and its squared length. */
+  /** Returns a window of only the first `points`, with their centroid above the origin, and its squared length. */
   private centred(of: Float32Array, points: number): { window: Float32Array; norm: number } {
     const { joints, roots } = this;
     const window = new Float32Array(WINDOW * 3 * points);
@@ -355,7 +358,10 @@ export class NaiveTransfer implements Yardstick {
   }
 }
 
-/** What every row becomes in a style, and how long it then lasts: the mean of its counterparts, or itself without. */
+/**
+ * Returns the target row and its duration in a style for every row: the mean of its counterparts, or the row itself
+ * without any.
+ */
 function targets(db: Tensors, style: number): { rows: Float32Array; stepSecs: Float32Array } {
   const { pose, dofs, frames, timeStep, rateHz, clips } = db;
   const targets = pose.slice();
@@ -381,13 +387,16 @@ function targets(db: Tensors, style: number): { rows: Float32Array; stepSecs: Fl
   return { rows: targets, stepSecs };
 }
 
-/** The slots of a row's counterparts in a style: fractional rows, −1 in those that are empty. */
+/** Returns the slots of a row's counterparts in a style: fractional rows, −1 in empty slots. */
 function counterparts({ counterpart, counterpartsPerStyle: most, styles }: Tensors, style: number, row: number) {
   const first = (row * styles.length + style) * most;
   return [...counterpart.subarray(first, first + most)];
 }
 
-/** Rows that counterparts advance in a frame, to either side: the mean of the slots that go on, if there are any. */
+/**
+ * Returns the number of rows that counterparts advance in a frame, from both sides: the mean of the continuous slots,
+ * if there are any.
+ */
 function meanAdvance(before: number[], now: number[], after: number[]): number | undefined {
   const advance = (from = -1, to = -1) => (from >= 0 && to >= from && to < from + JUMP_ROWS ? [to - from] : []);
   const mean = (of: number[]) => of.reduce((sum, value) => sum + value, 0) / of.length;
@@ -410,7 +419,7 @@ function standardDeviations({ pose, dofs, frames }: Tensors): Float32Array {
   return sigma;
 }
 
-/** Of the change of each degree of freedom from one frame of a clip to the next. */
+/** Returns the standard deviation of each degree of freedom's change between successive frames of a clip. */
 function stepDeviations({ pose, dofs, clips }: Tensors): Float32Array {
   const rows = clips.flatMap((clip) => Array.from({ length: clip.frames - 1 }, (_, i) => clip.first_frame + 1 + i));
   const deviations = new Float32Array(dofs);
@@ -423,7 +432,10 @@ function stepDeviations({ pose, dofs, clips }: Tensors): Float32Array {
   return deviations;
 }
 
-/** Weights of the regressors by Gaussian elimination; that of yₜ₋₁ is limited, and the other two solved for it. */
+/**
+ * Solves for the weights of the regressors by Gaussian elimination. The weight of yₜ₋₁ is clamped, and the other two
+ * are solved for it.
+ */
 function solve(m: number[][]): number[] {
   for (let i = 0; i < 3; i++)
     for (let j = i + 1; j < 3; j++) {

@@ -1,4 +1,4 @@
-/** The benchmark in Node: what `run.mjs` calls. */
+/** The benchmark in Node, called by `run.mjs`. */
 import { readFile } from "node:fs/promises";
 import { cpus, platform } from "node:os";
 import { benchmark } from "./benchmark";
@@ -14,7 +14,7 @@ export { document } from "./document";
 export { LARGE_FRAMES, largeLines } from "./large";
 export { text } from "./table";
 
-/** Times whole clips with everything in this process. */
+/** Measures whole clips in this process. */
 export async function clipsInNode(source: Source): Promise<ClipRow[]> {
   return timeClips((await instances()).simd, source);
 }
@@ -24,7 +24,7 @@ export async function largeInNode(file: Uint8Array): Promise<LargeReport> {
   return measureLarge((await instances()).simd, file);
 }
 
-/** Runs it with everything in this process, telling `onProgress` what is being done. */
+/** Runs the benchmark in this process, and reports the present work to `onProgress`. */
 export async function benchmarkInNode(
   source: Source,
   onProgress: (what: string, done: number) => void,

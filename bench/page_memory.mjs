@@ -1,8 +1,8 @@
-// What the page takes once several views were visited, and after a minute in which they were out of sight.
+// The page's memory after visits of several views, and after a further minute in which they were hidden.
 import { readFileSync } from "node:fs";
 import { platform } from "node:os";
 
-/** The views that are visited after Play, each for so long. */
+/** The views that are visited after Play. */
 const VIEWS = ["compare", "walk", "key-style"];
 const VISIT_MS = 8000;
 /** Views out of sight are disposed of after a minute. */
@@ -11,8 +11,8 @@ const HIDDEN_MS = 65_000;
 const MOST_MB = 250;
 
 /**
- * Memory of the process that runs the page with its workers, which no other process shares; undefined where the system does not
- * tell. What is drawn with is in another process.
+ * Returns the private memory of the process that runs the page with its workers, or undefined where the system does not
+ * report it. The GPU process is separate.
  */
 async function privateMegabytes(browser) {
   if (platform() !== "linux") return undefined;
@@ -32,7 +32,7 @@ async function privateMegabytes(browser) {
   return Math.round(Math.max(...sizes) / 1000);
 }
 
-/** Visits the views of an open page and measures it. */
+/** Visits the views of an open page and measures its memory. */
 export async function measurePageMemory(browser, page) {
   const go = (view) => page.evaluate((hash) => location.assign(hash), `#view=${view}`);
   const play = await privateMegabytes(browser);
@@ -46,7 +46,7 @@ export async function measurePageMemory(browser, page) {
   return { play_mb: play, four_views_mb: views, a_minute_later_mb: await privateMegabytes(browser) };
 }
 
-/** The line that shows what {@link measurePageMemory} returned. */
+/** Returns the line that shows the result of {@link measurePageMemory}. */
 export function lineOfMemory({ play_mb: play, four_views_mb: views, a_minute_later_mb: later }) {
   if (play === undefined) return "memory           not measured: only Linux tells";
   return `memory           ${views} of ${MOST_MB} MB with four views, ${play} with Play alone, ${later} a minute later`;

@@ -1,6 +1,6 @@
-// npm run quality: every view, the page for frames and the documentation, as Lighthouse judges pages for access, good practice
-// and search engines, on its mobile and its desktop profile. Each has to have 100 of 100; what costs points is named. The page
-// for frames is not for search engines.
+// npm run quality: Lighthouse's scores of accessibility, best practices and SEO for every view, the page for iframes
+// and the documentation, with its mobile and its desktop profile. Each must be 100 of 100; audits that cost points are
+// listed. The page for iframes is not tested for SEO.
 import { join } from "node:path";
 import lighthouse, { desktopConfig } from "lighthouse";
 import { main, root, Sentence, step } from "../scripts/steps.mjs";
@@ -9,7 +9,7 @@ import { serveCompressed } from "./hosted_site.mjs";
 
 const VIEWS = ["play", "compare", "walk", "key-style", "crowd", "learn", "data"];
 const CATEGORIES = ["accessibility", "best-practices", "seo"];
-/** What each page is judged by. */
+/** Categories that are tested on each page. */
 const PAGES = {
   ...Object.fromEntries(VIEWS.map((view) => [`#view=${view}`, CATEGORIES])),
   "docs/index.html": CATEGORIES,
@@ -17,7 +17,7 @@ const PAGES = {
 };
 const PROFILES = { mobile: undefined, desktop: desktopConfig };
 
-/** Loads a page once; the scores by category, of 100, and the audits that cost points. */
+/** Loads a page once. Returns the scores by category, out of 100, and the audits that cost points. */
 async function judge(url, { port, onlyCategories }, config) {
   const { lhr } = await lighthouse(url, { port, onlyCategories, logLevel: "error" }, config);
   if (lhr.runtimeError) throw new Sentence(`Lighthouse could not load ${url}: ${lhr.runtimeError.message}`);

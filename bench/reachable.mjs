@@ -1,6 +1,9 @@
-// What is reachable in a page or a worker after garbage collection.
+// Memory that is reachable in a page or a worker after garbage collection.
 
-/** Bytes by a session of the DevTools protocol: code, which the browser compiles anew as it runs, and everything else. */
+/**
+ * Returns bytes measured by a session of the DevTools protocol: code, which the browser recompiles as it runs, and
+ * everything else.
+ */
 export async function reachable(client) {
   const chunks = [];
   const keep = ({ chunk }) => chunks.push(chunk);

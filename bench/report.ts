@@ -1,11 +1,11 @@
-/** What a run of the benchmark finds, as `--json` writes it. */
+/** Results of a benchmark run, as `--json` writes them. */
 import type { Memory } from "./memory";
 
-/** What the engine is told of the input, and how many classes take part (as in `strut bench`). */
+/** Labels of the input that are set, and which classes are used (as in `strut bench`). */
 export const MODES = ["labelled", "unlabelled", "all"] as const;
 export type Mode = (typeof MODES)[number];
 
-/** The engine compiled with and without SIMD, and the yardsticks. */
+/** The engine compiled with and without SIMD, and the reference implementations. */
 export const ENGINES = ["wasm-simd", "wasm-scalar", "wasm-naive", "js-naive"] as const;
 export type EngineName = (typeof ENGINES)[number];
 
@@ -21,64 +21,66 @@ export interface Row {
   p95_ms: number;
 }
 
-/** How far a yardstick's results are from the engine's. */
+/** Differences between a reference implementation's results and the engine's. */
 export interface Agreement {
   engine: EngineName;
   mode: Mode;
-  /** Sets of neighbours, one a class and frame, … */
+  /** Number of sets of neighbours, one per class and frame, … */
   neighbour_sets: number;
-  /** … those that are the engine's, … */
+  /** … number of those that equal the engine's, … */
   identical: number;
-  /** … and those that differ in neighbours as far away as the last but for rounding. */
+  /** … and of those that differ only in neighbours that are as distant as the last one, except for rounding. */
   tied: number;
   /** Largest difference of a predicted joint angle (radians) or of the height of the hips (metres). */
   largest_difference: number;
   /** Largest difference of a frame's duration, milliseconds. */
   largest_duration_difference_ms: number;
-  /** Largest difference of the likelihood that a foot is planted. */
+  /** Largest difference of a probability of contact. */
   largest_contact_difference: number;
 }
 
-/** The exhaustive search by a graphics processor beside the engine's, as `strut bench --gpu` writes it, too. */
+/** The exhaustive search on a GPU, compared with the engine's. `strut bench --gpu` writes it, too. */
 export interface GraphicsComparison {
   adapter: string;
   driver: string;
   backend: string;
-  /** Whether a program plays the graphics processor: then there are no times. */
+  /** Whether the GPU is emulated in software: then there are no times. */
   software: boolean;
   frames: number;
   classes: number;
-  /** Sets of neighbours, one a window and class, and how many are the engine's to the bit. */
+  /**
+   * Number of sets of neighbours, one per window and class, and number of those that are bit-identical to the engine's.
+   */
   sets: number;
   identical: number;
   candidates_per_neighbour: number;
-  /** How many times faster the engine's search from a cold start is, in medians. */
+  /** Ratio of the median search times, GPU to engine from a cold start. */
   engine_is_faster?: { all: number; batch: number };
 }
 
-/** Everything. */
+/** The whole report. */
 export interface Report {
   machine: string;
   rows: Row[];
   agreement: Agreement[];
   memory: Memory[];
-  /** Where a graphics processor was measured. */
+  /** Present if a GPU was measured. */
   gpu?: GraphicsComparison;
 }
 
-/** Median and 95th percentile of samples, NaN of none. */
+/** Returns median and 95th percentile of samples; NaN without samples. */
 export function summarise(samples: readonly number[]): Pick<Row, "median_ms" | "p95_ms"> {
   const sorted = [...samples].sort((a, b) => a - b);
   const percentile = (share: number) => sorted[Math.max(Math.ceil(share * sorted.length), 1) - 1] ?? Number.NaN;
   return { median_ms: percentile(0.5), p95_ms: percentile(0.95) };
 }
 
-/** The median of a stage; undefined where it was not measured. */
+/** Returns the median of a stage, or undefined if it was not measured. */
 export function medianOf(report: Report, engine: Row["engine"], mode: Row["mode"], stage: string): number | undefined {
   return report.rows.find((r) => r.engine === engine && r.mode === mode && r.stage === stage)?.median_ms;
 }
 
-/** How many times faster than a yardstick the engine with SIMD is. */
+/** Returns how many times faster the engine with SIMD is than a reference implementation. */
 export function speedUp(report: Report, yardstick: EngineName, mode: Mode, stage = "frame"): number {
   const [engine, naive] = [medianOf(report, "wasm-simd", mode, stage), medianOf(report, yardstick, mode, stage)];
   return naive! / engine!;

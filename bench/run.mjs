@@ -1,9 +1,9 @@
-// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips | --large | --gpu]: builds what is measured and
-// measures it in Node.
-// With --write it also measures natively at several sizes, on both sources if --db is given, and writes
-// docs/performance.md. With --clips it measures instead how long a whole clip of a minute takes, with --large
-// what a database of a million frames takes. With --gpu it measures natively, beside the paper's search on a graphics card:
-// Node has no WebGPU.
+// npm run bench -- [--frames N | --db DB] [--json FILE] [--write | --clips | --large | --gpu]: builds what is measured
+// and measures it in Node.
+// With --write it also measures natively at several sizes, with both sources if --db is given, and writes
+// docs/performance.md. With --clips it measures instead the time for a whole clip of a minute, with --large a database
+// of a million frames. With --gpu it measures natively, and compares with the paper's search on the GPU: Node has no
+// WebGPU.
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, dirname, join, resolve } from "node:path";
@@ -13,12 +13,12 @@ import { setupRust } from "../scripts/setup.mjs";
 import { buildWasm } from "../scripts/site.mjs";
 import { main, root, run, Sentence, step } from "../scripts/steps.mjs";
 
-/** Fewest frames of a procedural database. */
+/** Smallest number of frames of a procedural database. */
 const LEAST_FRAMES = 4800;
-/** Sizes that are measured natively for the page. */
+/** Numbers of frames that are measured natively for the page. */
 const SIZES = "20000,79829,400000,1600000";
 
-/** A path as the person who typed it meant it. */
+/** Returns a path relative to the folder in which the user typed it. */
 const path = (name) => resolve(process.env.INIT_CWD ?? ".", name);
 
 /** Builds the command, with features or without. */
@@ -37,7 +37,7 @@ async function buildCommand(...features) {
   return join(root, "rust", "target", "release", "strut");
 }
 
-/** Measures with the command, beside the paper's search on the graphics card. */
+/** Measures with the command, including the paper's search on the GPU. */
 async function measureGraphics({ frames, db, json }) {
   const strut = await buildCommand("gpu");
   const options = [frames && ["--frames", frames], db && ["--db", path(db)], json && ["--json", path(json)]];
@@ -53,7 +53,7 @@ async function measureNatively() {
   return { command: ["strut", ...command].join(" "), report: JSON.parse(readFileSync(json, "utf8")) };
 }
 
-/** A file with the procedural database of so many frames, too large to be made in WebAssembly. */
+/** Writes a file with the procedural database of this number of frames, too large to be made in WebAssembly. */
 async function writeDatabase(frames) {
   const rust = await setupRust();
   const file = join(mkdtempSync(join(tmpdir(), "strut-bench-")), "large.strutdb");

@@ -1,6 +1,6 @@
 /** The tensors of a `.strutdb` file, which is a safetensors file (`rust/strut-formats/src/strutdb/mod.rs`). */
 
-/** As much of a database as the yardstick needs. */
+/** The part of a database that the reference implementation needs. */
 export interface Tensors {
   rateHz: number;
   frames: number;
@@ -9,7 +9,7 @@ export interface Tensors {
   dofs: number;
   /** frames × 21 × 3, heading-free, metres. */
   pointCloud: Float32Array;
-  /** frames × styles × `counterpartsPerStyle` fractional rows, −1 where there is none. */
+  /** frames × styles × `counterpartsPerStyle` fractional rows, −1 for none. */
   counterpart: Float32Array;
   counterpartsPerStyle: number;
   /** Change of the canonical time at each row. */
@@ -25,13 +25,13 @@ interface Entry {
   data_offsets: [number, number];
 }
 
-/** Reads a file that the engine has opened before, and so trusts it. */
+/** Reads a file that the engine has opened before; it is therefore not checked. */
 export function readStrutdb(bytes: Uint8Array): Tensors {
   const view = new DataView(bytes.buffer, bytes.byteOffset);
   const headerLength = Number(view.getBigUint64(0, true));
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + headerLength)));
   const info = JSON.parse(header.__metadata__.strut);
-  // Copied, as the offset in the file need not be a multiple of four.
+  // Copied, since the offset in the file need not be a multiple of four.
   const copy = (name: string) => {
     const [from, to] = (header[name] as Entry).data_offsets.map((offset) => 8 + headerLength + offset);
     return bytes.slice(from, to);

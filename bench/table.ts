@@ -1,8 +1,8 @@
-/** A report for people. */
+/** A report as readable tables. */
 import type { Memory } from "./memory";
 import { ENGINES, type EngineName, MODES, type Report, speedUp } from "./report";
 
-/** Milliseconds of Table 2 of Xia et al. 2015 at 79,829 frames; the search ran on a graphics card. */
+/** Times of Table 2 of Xia et al. 2015, milliseconds, at 79,829 frames; the search ran on a GPU. */
 export const PAPER_MS: Readonly<Record<string, number>> = {
   frame: 18.1,
   search: 7.31,
@@ -13,10 +13,12 @@ export const PAPER_MS: Readonly<Record<string, number>> = {
 /** A line of cells. */
 export type Cells = string[];
 
-/** Milliseconds with three digits or so. */
+/** Formats milliseconds with about three digits. */
 export const milliseconds = (ms: number) => (ms >= 100 ? ms.toFixed(0) : ms >= 10 ? ms.toFixed(1) : ms.toFixed(3));
 
-/** Stage × mode of one engine: a heading, then a line a stage with median and 95th percentile. */
+/**
+ * Returns a table of stage × mode of one engine: a heading, then one line per stage with median and 95th percentile.
+ */
 export function stageTable(report: Report, engine: EngineName | "native"): Cells[] {
   const rows = report.rows.filter((row) => row.engine === engine);
   const stages = [...new Set(rows.map((row) => row.stage))];
@@ -34,7 +36,7 @@ export function stageTable(report: Report, engine: EngineName | "native"): Cells
   ];
 }
 
-/** How many times faster than each yardstick the engine with SIMD is. */
+/** Returns how many times faster the engine with SIMD is than each reference implementation. */
 export function ratioTable(report: Report): Cells[] {
   const yardsticks = ENGINES.filter((engine) => engine !== "wasm-simd");
   const stages = ["frame", "search", "regression", "timing", "contact"];
@@ -50,7 +52,7 @@ export function ratioTable(report: Report): Cells[] {
   ];
 }
 
-/** What the yardsticks have in common with the engine. */
+/** Returns the differences between the reference implementations' results and the engine's. */
 export function agreementTable(report: Report): Cells[] {
   return [
     ["yardstick", "mode", "neighbour sets", "identical", "tied", "joint angle", "duration, ms", "contact"],
@@ -78,7 +80,7 @@ export function memoryTable(memory: readonly Memory[]): Cells[] {
   ];
 }
 
-/** Cells in columns, the first to the left, the others to the right. */
+/** Returns cells in columns, the first left-aligned, the others right-aligned. */
 export function aligned(table: Cells[]): string {
   const widths = table[0]!.map((_, column) => Math.max(...table.map((line) => line[column]!.length)));
   const pad = (cell: string, column: number) =>
@@ -86,14 +88,14 @@ export function aligned(table: Cells[]): string {
   return table.map((line) => line.map(pad).join("  ").trimEnd()).join("\n");
 }
 
-/** Cells as a table of Markdown. */
+/** Returns cells as a Markdown table. */
 export function markdown(table: Cells[]): string {
   const [heading, ...lines] = table.map((line) => `| ${line.join(" | ")} |`);
   const rule = `| --- |${" ---: |".repeat(table[0]!.length - 1)}`;
   return [heading, rule, ...lines].join("\n");
 }
 
-/** Everything as plain text. */
+/** Returns the whole report as plain text. */
 export function text(report: Report): string {
   const { frames, classes } = report.rows[0]!;
   const engines = ENGINES.flatMap((engine) => [`\n${engine}, milliseconds`, aligned(stageTable(report, engine))]);

@@ -1,4 +1,4 @@
-/** What is measured on: a database file, and motion that it does not hold. */
+/** Data of a benchmark: a database file, and motion outside the database. */
 import type { Glue } from "./engines";
 
 /** Numbers of one pose. */
@@ -19,7 +19,7 @@ export interface Workload {
   queries: Query[];
 }
 
-/** Where a workload comes from: so many procedural frames, or a database file, some clips of which are held out. */
+/** Source of a workload: a number of procedural frames, or a database file, of which some clips are held out. */
 export type Source = { frames: number } | { database: Uint8Array };
 
 /** Makes a workload. */

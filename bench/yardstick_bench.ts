@@ -1,9 +1,9 @@
 /**
- * A yardstick under a stop-watch, and its results beside the engine's: one that computed something else would be
- * worthless.
+ * Timing of a reference implementation, and comparison of its results with the engine's, without which the times would
+ * be meaningless.
  *
- * It searches, regresses, and finds durations and contacts, while the engine's frame also takes features, blending and
- * feet: ratios are understated.
+ * It searches, regresses, and finds durations and contacts. The engine's frame also contains features, blending and
+ * feet, so the ratios are underestimates.
  */
 import { clockResolution, timedOften } from "./clock";
 import { LEAST_WEIGHT, stylizerFor, WARM_UP } from "./engine_bench";
@@ -11,10 +11,10 @@ import type { Database, Instance, Yardstick } from "./engines";
 import { type Agreement, type Mode, type Report, summarise } from "./report";
 import { POSE_FLOATS, type Query } from "./workload";
 
-/** Frames of every query that a yardstick sees, and the distance between them. */
+/** Number of frames of every query that a reference implementation processes, and the distance between them. */
 const FRAMES = 4;
 const STRIDE = 20;
-/** Numbers of a row of degrees of freedom, of them angles and height, and of a frame of positions. */
+/** Numbers of a row of degrees of freedom, of its angles and height, and of a frame of positions. */
 const ROW = 68;
 const ANGLES_AND_HEIGHT = 64;
 const POSITIONS = 63;
@@ -22,16 +22,16 @@ const WINDOW = 5;
 /** Rounding of a squared distance, m²: its terms are of the order of 1 m². */
 const ROUNDING = 2e-5;
 /**
- * Most that rounding may change an angle, radians, or a height, metres. JavaScript computes in double precision; plain
- * loops in single precision lose digits of their distances where paths are long.
+ * Greatest effect of rounding on an angle, radians, or a height, metres. JavaScript computes in double precision;
+ * simple loops in single precision lose accuracy of distances on long paths.
  */
 const TOLERANCE = { "wasm-naive": 5e-3, "js-naive": 1e-3 };
-/** Most that it, and the engine's rows being 16-bit integers, may change a duration, seconds … */
+/** Greatest effect of rounding, and of the engine's 16-bit rows, on a duration, seconds … */
 const DURATION_TOLERANCE = 5e-5;
-/** … and a likelihood: voters as near as the last may be others. */
+/** … and on a probability: other neighbours that are as near as the last may vote. */
 const CONTACT_TOLERANCE = 0.02;
 
-/** A yardstick beside an engine with the workload's database open. */
+/** A reference implementation, and an engine with the workload's database open. */
 export class YardstickBench {
   private readonly classes: Uint32Array;
   private readonly resolution = clockResolution();
@@ -47,7 +47,7 @@ export class YardstickBench {
     this.classes = database.classes();
   }
 
-  /** Measures it on a query. Throws if its results are not the engine's. */
+  /** Measures a query. Throws if the results differ from the engine's. */
   measure(mode: Mode, query: Query): void {
     const { times, agreement } = this.found.get(mode) ?? {
       agreement: {
@@ -72,7 +72,7 @@ export class YardstickBench {
       throw new Error(`The yardstick computes something else than the engine: ${JSON.stringify(agreement)}`);
   }
 
-  /** Adds what was measured to the report. */
+  /** Adds the measurements to the report. */
   finish(): void {
     const { engine, database, report } = this;
     const [frames, classes] = [database.frames(), this.classes.length / 3];
@@ -83,7 +83,7 @@ export class YardstickBench {
     }
   }
 
-  /** Lets the engine style a query, and the yardstick do some of its frames. */
+  /** Makes the engine style a query, and the reference implementation compute some of its frames. */
   private follow(query: Query, mode: Mode, times: Times, agreement: Agreement): void {
     const { yardstick, database, resolution } = this;
     const { glue } = this.instance;
@@ -148,7 +148,7 @@ export class YardstickBench {
 /** Milliseconds by stage. */
 type Times = Record<"frame" | "search" | "regression" | "timing" | "contact", number[]>;
 
-/** Counts a set of neighbours as the engine's, as one that differs by rounding alone, or neither. */
+/** Counts a set of neighbours as equal to the engine's, as different only by rounding, or as different. */
 function compareSets(
   agreement: Agreement,
   rows: ArrayLike<number>,

@@ -1,7 +1,7 @@
 """
 Packs the extension with the wheels of the engine: python package.py --wheels FOLDER --out FOLDER.
 
-Writes one file for all systems that wheels are there for. The wheels are those of the package `strut-motion`, unmodified.
+Writes one file for all systems for which there are wheels. The wheels are those of the package `strut-motion`, unmodified.
 """
 
 import argparse
@@ -17,11 +17,11 @@ PLATFORMS = {
     ("macosx", "universal2"): "macos-x64 macos-arm64",
     ("win", "amd64"): "windows-x64",
 }
-"""Blender's names of systems, by the beginning and the end of a wheel's platform."""
+"""Blender's names of systems, by prefix and suffix of a wheel's platform."""
 
 
 def platforms_of(wheel: str) -> list[str]:
-    """Blender's names of the systems that a wheel is for; none for systems that Blender does not run on."""
+    """Returns Blender's names of the systems of a wheel; empty for systems on which Blender does not run."""
     tag = wheel.removesuffix(".whl").rpartition("-")[2]
     system = "linux" if "linux" in tag else tag
     found = [names for (start, end), names in PLATFORMS.items() if system.startswith(start) and tag.endswith(end)]
@@ -29,7 +29,7 @@ def platforms_of(wheel: str) -> list[str]:
 
 
 def manifest(wheels: list[str]) -> str:
-    """The manifest with its wheels, and the systems that they are for."""
+    """Returns the manifest with the wheels and their systems."""
     text = (SOURCE / "blender_manifest.toml").read_text()
     platforms = sorted({name for wheel in wheels for name in platforms_of(wheel)})
     lines = [line for line in text.splitlines() if not line.startswith("platforms = ")]
@@ -40,7 +40,7 @@ def manifest(wheels: list[str]) -> str:
 
 
 def pack(wheels: Path, out: Path) -> Path:
-    """Writes the file and gives its path."""
+    """Writes the file and returns its path."""
     chosen = sorted(wheel for wheel in wheels.glob("strut_motion-*.whl") if platforms_of(wheel.name))
     if not chosen:
         raise SystemExit(f"error: there is no wheel of strut-motion in {wheels} for a system that Blender runs on.")

@@ -1,12 +1,15 @@
-// The experiments on driving, `npm run evaluate -- drive`: paths and logs of controls on the built-in motions and on recorded
-// ones, by `strut drive`; their figures are docs/driving.md.
+// The driving experiments, `npm run evaluate -- drive`: paths and logs of controls on the built-in motions and on
+// recorded ones, with `strut drive`. Their results are docs/driving.md.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { Sentence } from "../scripts/steps.mjs";
 
-/** Points of a path, metres, by a parameter from 0 to 1; the first is the origin and leads towards +Z. */
+/**
+ * Returns the points of a path, metres, for a parameter from 0 to 1. The first is the origin, and the path starts
+ * towards +Z.
+ */
 const path = (points, of) => Array.from({ length: points }, (_, i) => of(i / (points - 1)));
 const circle = (r, rounds) =>
   path(200 * rounds, (t) => [r - r * Math.cos(2 * Math.PI * rounds * t), r * Math.sin(2 * Math.PI * rounds * t)]);
@@ -15,7 +18,7 @@ const eight = path(400, (t) => {
   const side = t < 0.5 ? 1 : -1;
   return [side * 2 * (1 - Math.cos(angle)), 2 * Math.sin(angle)];
 });
-/** As a pointer draws them: a meander, a square with round corners, a spiral that opens. */
+/** Paths like those that a pointer draws: a meander, a square with round corners, an opening spiral. */
 const meander = path(300, (t) => [1.2 * Math.sin(2 * Math.PI * 2 * t) * Math.min(1, 4 * t), 16 * t]);
 const square = path(400, (t) => {
   const side = 4;
@@ -38,7 +41,7 @@ const spiral = path(400, (t) => {
   return [1.2 - r * Math.cos(angle), r * Math.sin(angle)];
 });
 
-/** What is driven along: name, points, gait, and most of the mean error, centimetres, by the specification. */
+/** Paths: name, points, gait, and the specification's limit of the mean error, centimetres. */
 const PATHS = [
   { name: "circle, r = 2", points: circle(2, 2), gait: 1 },
   { name: "eight, r = 2", points: eight, gait: 1 },
@@ -49,7 +52,10 @@ const PATHS = [
   { name: "run, circle, r = 5", points: circle(5, 2), gait: 2 },
 ];
 
-/** Controls: time, gait, heading, face; degrees. Stops, starts, turns and changes of gait at all moments of the stride. */
+/**
+ * Controls: time, gait, heading, face; degrees. Stops, starts, turns and changes of gait at various phases of the
+ * stride.
+ */
 const LOG = (() => {
   const rows = [];
   let time = 0;
@@ -57,7 +63,7 @@ const LOG = (() => {
     rows.push([time.toFixed(2), gait, heading, face].join(","));
     time += secs;
   };
-  // The headings of a walk, so that stops and turns are asked for at different phases.
+  // Headings of a walk, such that stops and turns occur at different phases.
   for (let i = 0; i < 8; i++) {
     const heading = 40 * i;
     ask(4 + 0.13 * i, 1, heading);
@@ -80,7 +86,9 @@ const LOG = (() => {
   return `time,gait,heading,face\n${rows.join("\n")}\n`;
 })();
 
-/** A minute of play, the same in every style: walks, turns about, runs, turns on the spot, jumps, kicks, punches and stands. */
+/**
+ * A minute of play, the same in every style: walks, about-turns, runs, turns in place, jumps, kicks, punches and stops.
+ */
 const MINUTE = `time,gait,heading,face,action
 0,0,0,,
 2,1,0,,
@@ -109,7 +117,7 @@ const MINUTE = `time,gait,heading,face,action
 63,0,120,,
 `;
 
-/** What the figures come from, written by hand. */
+/** Explanation of the results, handwritten. */
 const NOTES = `
 ## How it is steered
 

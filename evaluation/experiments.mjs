@@ -6,9 +6,9 @@ const ALL_METHODS = "nn,knn,lar,mar,gar,lti,lti-dof,gp";
 const FOREIGN = "--protocol off-database --inputs $MOCAP/cmu,$MOCAP/xia";
 
 /**
- * Each: `id` names its files, `title` and `question` go above its table, `args` follow `strut evaluate`; `$MOCAP`
- * stands for the folder of real clips and `$DEMO` for the built-in motions as BVH files. `set` puts it into the
- * figure of error bars, `curves` writes curves over time too, `findings` follow the table.
+ * Each experiment: `id` names its files, `title` and `question` are above its table, `args` follow `strut evaluate`;
+ * `$MOCAP` stands for the folder of real clips and `$DEMO` for the built-in motions as BVH files. With `set` it is in
+ * the figure of error bars, with `curves` it writes curves over time, too, and `findings` follow the table.
  */
 export const experiments = [
   {

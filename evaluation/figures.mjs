@@ -1,10 +1,10 @@
-// The figures of docs/evaluation.md, drawn by Vega-Lite.
+// The figures of docs/evaluation.md, drawn with Vega-Lite.
 
 import * as vega from "vega";
 import { compile } from "vega-lite";
 
 const METHODS = ["input", "truth", "nn", "knn", "lar", "mar", "gar", "lti", "lti-dof", "gp"];
-// Okabe and Ito's palette: told apart by the colour-blind too.
+// Okabe and Ito's palette, which is safe for colour-blind readers.
 const COLOURS = [
   "#999999",
   "#000000",
@@ -33,7 +33,7 @@ async function draw(spec) {
   return `${svg}\n`;
 }
 
-/** Figure 6 of the paper: errors of every method by data set; bars are one standard deviation over the folds. */
+/** Figure 6 of the paper: errors of every method by data set. Bars are one standard deviation over the folds. */
 export function errorBars(sets) {
   const values = sets.flatMap(({ set, results }) =>
     METHODS.flatMap((method) => {
@@ -79,7 +79,7 @@ export function errorBars(sets) {
   });
 }
 
-/** Frames shown of a trial: the longest run of segments, a few cycles. */
+/** Displayed frames of a trial: the longest run of segments, a few cycles. */
 const shown = (trial) => ({ first: trial.segments[0][0], end: trial.segments.slice(0, 3).at(-1)[1] });
 
 /** Figure 3: a degree of freedom over time, for every method and the truth. */

@@ -1,7 +1,7 @@
-// node evaluation/real_files.mjs FOLDER [--strut PROGRAM] [--style NAME] [--json FILE]: BVH files as others wrote them. Each below
-// FOLDER is read by `strut inspect`, styled by `strut stylize --timing off` (to neutral, by the built-in database) and compared
-// with what came out, by a reader of this script's own. The table of docs/real_files.md is printed; what to look at is the last
-// column. The files are others' and are not in the repository.
+// node evaluation/real_files.mjs FOLDER [--strut PROGRAM] [--style NAME] [--json FILE]: tests BVH files of other
+// programs. Each file below FOLDER is read by `strut inspect`, styled by `strut stylize --timing off` (to neutral, with
+// the built-in database) and compared with the output, by this script's own reader. Prints the table of
+// docs/real_files.md, whose last column lists possible faults. The files are third-party and not in the repository.
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,13 +10,16 @@ import { join, relative } from "node:path";
 import { parseArgs } from "node:util";
 import { main, root, Sentence } from "../scripts/steps.mjs";
 
-/** Beyond these a file is looked at: share and metres of the travel, degrees of the heading, centimetres of the pose. */
+/**
+ * Limits beyond which a file is reported: share and metres of the travel, degrees of the heading, centimetres of the
+ * pose.
+ */
 const MOST = { travelShare: 0.1, travelMetres: 0.1, headingDegrees: 15, poseCm: 15, legMetres: [0.4, 1.2] };
-/** Frames that are compared at most. */
+/** Greatest number of compared frames. */
 const MOST_FRAMES = 400;
 const MAX_BUFFER = 1 << 28;
 
-/** Joints and rows of a BVH file; lenient, for files that `strut` has read. */
+/** Returns joints and rows of a BVH file. It is lenient, since `strut` has already read the file. */
 function readBvh(bytes) {
   const tokens = bytes.toString("latin1").split(/\s+/);
   const at = tokens.indexOf("MOTION");
@@ -60,7 +63,7 @@ function turn(axis, degrees) {
   return m;
 }
 
-/** Positions of all joints in a frame. `added`: position channels are added to offsets. */
+/** Returns the positions of all joints in a frame. `added`: position channels are added to offsets. */
 function positions({ joints, channels, values }, frame, added) {
   const world = [];
   for (const { parent, offset, channels: own, first } of joints) {
@@ -88,7 +91,7 @@ const level = (v, up) => minus(v, scaled(up, dot(v, up)));
 const degrees = (a, b) =>
   (Math.acos(Math.min(1, Math.max(-1, dot(a, b) / (length(a) * length(b) || 1)))) * 180) / Math.PI;
 
-/** What differs between the input and the output. */
+/** Returns the differences between the input and the output. */
 function compare(before, after, report) {
   const unit = report.humanoid.metres_per_unit;
   const up = upOf(report.humanoid.up ?? "y");
@@ -112,7 +115,7 @@ function compare(before, after, report) {
   const travel = [0, 1].map((k) => unit * length(minus(places.at(-1)[k], places[0][k])));
   const path = [0, 1].map((k) => {
     let [sum, last] = [0, places[0][k]];
-    // Sway is no travel.
+    // Sway does not count as travel.
     for (const place of places)
       if (unit * length(minus(place[k], last)) > 0.1)
         [sum, last] = [sum + unit * length(minus(place[k], last)), place[k]];
@@ -123,7 +126,7 @@ function compare(before, after, report) {
 
 const SIDES = { left: /(^|[^a-z])(right|r)([^a-z]|$)|^Right|右/, right: /(^|[^a-z])(left|l)([^a-z]|$)|^Left|左/ };
 
-/** What a person should look at. */
+/** Returns the possible faults that a person should check. */
 function doubts({ report, compared, refused }) {
   if (refused) return [refused];
   const found = [];

@@ -1,8 +1,8 @@
-// npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures. The ID drive is
-// what docs/driving.md reports.
+// npm run evaluate [-- ID …] [--fresh]: runs the experiments and writes docs/evaluation.md with its figures. The ID
+// drive writes docs/driving.md.
 //
-// Results are kept in evaluation/results; an experiment that is there already is not run again unless it is named or
-// --fresh is given, one that was stopped goes on where it was. Figures of real motion are never committed: curves come from the built-in motions.
+// Results are kept in evaluation/results. A finished experiment is not repeated unless it is named or --fresh is given;
+// an interrupted one is resumed. Figures of real motion are never committed: curves are those of the built-in motions.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
@@ -19,10 +19,10 @@ const pictures = join(root, "docs", "evaluation");
 const demo = join(results, "demo-motions");
 const file = (id, kind) => join(results, `${id}.${kind}`);
 
-/** The experiments on driving. */
+/** ID of the driving experiments. */
 const DRIVE = "drive";
 
-/** Folder of real motion capture. */
+/** Returns the folder of real motion capture. */
 function mocap() {
   const folder = process.env.STRUT_MOCAP ?? join(root, "..", "shared", "data");
   if (!existsSync(folder)) throw new Sentence(`there is no motion capture in ${folder}; set STRUT_MOCAP to its folder`);
@@ -34,7 +34,7 @@ const words = (args, places) =>
     .split(" ")
     .map((word) => Object.entries(places).reduce((w, [name, path]) => w.replaceAll(`$${name}`, path), word));
 
-/** Arguments of an experiment's command. */
+/** Returns the arguments of an experiment's command. */
 const commandOf = ({ id, args, curves }, places) => [
   "evaluate",
   ...words(args, places),
@@ -42,13 +42,13 @@ const commandOf = ({ id, args, curves }, places) => [
   ...(curves ? ["--curves", file(id, "curves.json")] : []),
 ];
 
-/** Whether the results of this very command are there. */
+/** Returns whether the results of exactly this command exist. */
 async function isDone(experiment, places) {
   if (!["md", "json"].every((kind) => existsSync(file(experiment.id, kind)))) return false;
   return (await json(file(experiment.id, "json"))).command === ["strut", ...commandOf(experiment, places)].join(" ");
 }
 
-/** Runs one experiment; its table and results are kept. */
+/** Runs one experiment, and stores its table and results. */
 async function measure(strut, experiment, places) {
   const { status, stdout } = spawnSync(strut, commandOf(experiment, places), {
     stdio: ["ignore", "pipe", "inherit"],
@@ -60,7 +60,7 @@ async function measure(strut, experiment, places) {
 
 const json = async (path) => JSON.parse(await readFile(path, "utf8"));
 
-/** One experiment as Markdown. */
+/** Returns one experiment as Markdown. */
 async function section({ id, title, question, args, curves, findings = "" }) {
   const table = await readFile(file(id, "md"), "utf8");
   const command = `strut evaluate ${args}`.replaceAll("$MOCAP", "../shared/data").replaceAll("$DEMO", "demo");

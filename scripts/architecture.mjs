@@ -1,5 +1,5 @@
-// Fails when an arrow of DESIGN §2 turns, when modules of a crate use each other in a circle, when the core learns of the
-// outside world, or when documents or comments name what does not exist.
+// Fails if a dependency between parts (docs/ARCHITECTURE.md) has the wrong direction, modules of a crate depend on each
+// other in a cycle, the core uses the outside world, or documents or comments name something that does not exist.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { referenceFaults } from "./methods.mjs";
@@ -30,7 +30,7 @@ const CRATES = {
   xtask: [],
 };
 
-/** Which rooms of web/ each room may import from. The room of a file is the longest of these paths that leads to it. */
+/** Which folders of web/ each folder may import from. A file belongs to the longest of these paths that contains it. */
 const ROOMS = {
   humanoid: [],
   engine: ["humanoid"],
@@ -39,22 +39,22 @@ const ROOMS = {
   viewer: ["mannequin", "humanoid"],
   formats: ["mannequin", "humanoid"],
   character: ["client", "engine", "humanoid", "formats", "mannequin"],
-  // Where live poses come from.
+  // Sources of live poses.
   streams: ["formats", "client", "engine", "humanoid"],
   player: ["client", "humanoid"],
   // Controls that the page and the element share.
   ui: [],
-  // What a link says.
+  // Contents of links.
   link: ["ui", "client", "humanoid"],
   // The scripts of the documentation.
   manual: ["ui"],
-  // What the package gives to its users, of which the element is one.
+  // Public types of the package, of which the element is a part.
   "package/types.ts": ["formats", "streams", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
-  // One live figure, on any page; it knows no lesson. What documents record is read when the page is built.
+  // One live figure, on any page, independent of lessons. The tables of documents are read when the page is built.
   "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
   lessons: ["element/figure", "link", "client", "humanoid"],
-  // The pages for frames.
+  // The pages for iframes.
   embed: ["element/figure", "element"],
   package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
   "app/strings": [],
@@ -73,7 +73,7 @@ const ROOMS = {
     "client",
     "humanoid",
   ],
-  // What a view may ask of the page, and what it is.
+  // Interface between a view and the page.
   "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "lessons",
@@ -97,12 +97,12 @@ const ROOMS = {
   ]),
 };
 
-/** Folders of `app/views/` that several views share; other views know nothing of each other. */
+/** Folders of `app/views/` that several views share; other views are independent of each other. */
 const SHARED_VIEWS = ["synthesis"];
 
-// Tests may look outward: only what is shipped is bound by the arrows.
+// Tests may import anything: the rules apply only to what is shipped.
 
-/** What the core must not know. */
+/** APIs that the core must not use. */
 const FORBIDDEN_IN_CORE = /\bstd::(fs|net|thread|time|process|env|io)\b|\b(web_sys|js_sys|wasm_bindgen|rayon|wgpu)\b/;
 
 function* filesUnder(folder, endings) {
@@ -125,7 +125,7 @@ function crateFaults() {
   });
 }
 
-/** Circles among the modules of each crate. */
+/** Returns the cycles among the modules of each crate. */
 function moduleFaults() {
   return Object.keys(CRATES).flatMap((crate) => {
     const source = join(root, "rust", crate, "src");
@@ -134,7 +134,7 @@ function moduleFaults() {
   });
 }
 
-/** Comments that refer to a section of docs/methods/ that is not there. */
+/** Returns comments that refer to a missing section of docs/methods/. */
 function methodFaults() {
   const folder = join(root, "docs", "methods");
   return [...filesUnder(join(root, "rust"), [".rs"])].flatMap((path) =>
@@ -152,7 +152,7 @@ function coreFaults() {
   });
 }
 
-/** The room of a file below web/. Tables of strings are one room, wherever they lie. */
+/** Returns the folder of a file below web/. All tables of strings count as one folder. */
 function roomOf(path) {
   if (path.startsWith("app/") && path.endsWith(".en.ts")) return "app/strings";
   if (path.startsWith("../docs/")) return "docs";
@@ -160,7 +160,7 @@ function roomOf(path) {
   return rooms.sort((a, b) => b.length - a.length)[0];
 }
 
-/** The view that a file belongs to, if it does. */
+/** Returns the view that a file belongs to, if any. */
 const viewOf = (path) => /^app\/views\/([^/]+)\//.exec(path)?.[1];
 
 function importFaults() {
@@ -194,7 +194,7 @@ function documentFaults() {
     .map(([, path]) => `docs/ARCHITECTURE.md names ${path}, which does not exist`);
 }
 
-/** Throws a sentence that lists every fault. */
+/** Throws a message that lists every fault. */
 export function checkArchitecture() {
   const faults = [
     ...crateFaults(),

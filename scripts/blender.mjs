@@ -1,5 +1,5 @@
-// npm run blender [-- 4.5 5.0]: the Blender extension as a file to install, dist/blender/, and its tests in bpy, Blender as a Python
-// module. Each version of bpy is 373 MB, so this is no part of npm test.
+// npm run blender [-- 4.5 5.0]: builds the Blender extension as an installable file, dist/blender/, and runs its tests
+// in bpy, Blender as a Python module. Each version of bpy is 373 MB, so this is not part of npm test.
 import { existsSync, mkdirSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { writeRigs } from "./blender/rigs.mjs";
@@ -13,7 +13,7 @@ const TARGET = join(root, "rust", "target", "blender");
 const FILES = join(TARGET, "files");
 const VERSIONS = ["4.5", "5.0"];
 
-/** What the tests need: databases and clips of the command, rigs. */
+/** Writes the files that the tests need: databases and clips of the command, rigs. */
 async function writeFiles(env) {
   rmSync(FILES, { recursive: true, force: true });
   mkdirSync(FILES, { recursive: true });
@@ -45,7 +45,7 @@ await main(async () => {
   if (unknown) throw new Sentence(`There is no bpy ${unknown} here; there are ${VERSIONS.join(", ")}.`);
   const python = await setupPython("Blender extension");
   if (!python) throw new Sentence("The Blender extension needs Python 3.11 with its module venv.");
-  // bpy's wheels of these versions are for no other Python.
+  // bpy's wheels of these versions require this Python.
   if (!(await output(python, ["--version"]))?.startsWith("Python 3.11."))
     throw new Sentence("bpy 4.5 and 5.0 need Python 3.11; put it first on PATH.");
   const env = await setupRust();

@@ -1,11 +1,12 @@
-// npm run browsers [-- -t Firefox]: what a person does in each view, in Firefox (Debian's firefox-esr) and WebKit (Debian's
-// webkit2gtk-driver), in a window that nobody sees (xvfb). What is missing is installed where apt may. Needs the built site.
+// npm run browsers [-- -t Firefox]: user tasks of each view in Firefox (Debian's firefox-esr) and WebKit (Debian's
+// webkit2gtk-driver), in a virtual display (xvfb). Missing programs are installed where apt is allowed. Needs the built
+// site.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { checkNode, installDebian, setupPackages } from "./setup.mjs";
 import { findProgram, main, root, run, Sentence, step } from "./steps.mjs";
 
-/** What each of Debian's packages brings. */
+/** Programs in each of Debian's packages. */
 const PROGRAMS = {
   "firefox-esr": "firefox-esr",
   "webkit2gtk-driver": "WebKitWebDriver",

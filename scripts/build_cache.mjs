@@ -1,5 +1,5 @@
-// What takes minutes to build, by what it was built from: another clone of the same sources on this machine takes it from
-// here. In `$XDG_CACHE_HOME/strut` (else `~/.cache/strut`); STRUT_BUILD_CACHE=off has everything built.
+// Cache of builds that take minutes, by a hash of their sources: another clone of the same sources on this machine uses
+// it. Located in `$XDG_CACHE_HOME/strut` (else `~/.cache/strut`). STRUT_BUILD_CACHE=off disables it.
 import { createHash } from "node:crypto";
 import {
   cpSync,
@@ -17,10 +17,13 @@ import { homedir } from "node:os";
 import { dirname, join, relative } from "node:path";
 import { output, root } from "./steps.mjs";
 
-/** Folders of the cache, and how many entries of each are kept, the last used: crates of others and whole targets are large. */
+/**
+ * Folders of the cache, and the number of most recently used entries of each that are kept: third-party crates and
+ * whole targets are large.
+ */
 const KEPT = { builds: 12, crates: 2, targets: 2 };
 
-/** Files from which Rust is built, below a folder; folders of some names are left out. */
+/** Yields the source files of Rust builds below a folder, without folders of some names. */
 function* rustSources(folder, left) {
   const entries = readdirSync(folder, { withFileTypes: true }).sort((a, b) => (a.name < b.name ? -1 : 1));
   for (const entry of entries) {
@@ -32,11 +35,11 @@ function* rustSources(folder, left) {
 }
 
 /**
- * A hash of what something is built from: the Rust sources, the compiler and whatever else.
+ * Returns a hash of everything that a build depends on: the Rust sources, the compiler and the given inputs.
  * @param env environment in which cargo builds
  * @param left names of folders below `rust/` on which it does not depend
- * @param files other files on which it depends, the script that builds it among them
- * @param texts whatever else it depends on
+ * @param files other files on which it depends, including the script that builds it
+ * @param texts other values on which it depends
  */
 export async function sourcesHash(env, { left = [], files = [], texts = [] }) {
   const hash = createHash("sha256");
@@ -55,12 +58,12 @@ const cacheFolder = (kind) =>
     : join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "strut", kind);
 
 /**
- * Copies a part of an entry to a folder, in place of what is there.
- * @param key what the part was built from: a hash
+ * Copies a part of an entry to a folder, and replaces the folder's contents.
+ * @param key hash of what the part was built from
  * @param part name of the part
  * @param kind folder of the cache
- * @param preserveTimestamps whether files are as old as where they were built, and not new
- * @returns whether there is such a part.
+ * @param preserveTimestamps whether files keep the times of the original build
+ * @returns whether the part exists.
  */
 export function takeBuilt(key, part, folder, { kind = "builds", preserveTimestamps = false } = {}) {
   const cache = cacheFolder(kind);
@@ -73,16 +76,17 @@ export function takeBuilt(key, part, folder, { kind = "builds", preserveTimestam
   return true;
 }
 
-/** Whether there is such a part of an entry, or none may be kept. */
+/** Returns whether a part of an entry exists, or the cache is off. */
 export function isKept(key, part, kind = "builds") {
   const cache = cacheFolder(kind);
   return !cache || existsSync(join(cache, key, part));
 }
 
 /**
- * Keeps a folder as a part of an entry; entries that were not used for long go. Where nothing can be kept, nothing is.
+ * Stores a folder as a part of an entry, and removes entries that were not used recently. Does nothing if the cache is
+ * off.
  * @param kind folder of the cache
- * @param filter whether a path of the folder is kept
+ * @param filter whether a path of the folder is stored
  */
 export function keepBuilt(key, part, folder, { kind = "builds", filter = () => true } = {}) {
   const cache = cacheFolder(kind);
@@ -90,7 +94,7 @@ export function keepBuilt(key, part, folder, { kind = "builds", filter = () => t
   const place = join(cache, key, part);
   try {
     mkdirSync(dirname(place), { recursive: true });
-    // Whole or not at all: another clone may keep the same at this moment.
+    // Stored atomically: another clone may store the same at this moment.
     const copy = mkdtempSync(join(cache, "copy-"));
     cpSync(folder, copy, { recursive: true, preserveTimestamps: true, filter });
     rmSync(place, { recursive: true, force: true });

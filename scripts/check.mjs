@@ -10,13 +10,13 @@ import { checkSize } from "./size.mjs";
 import { findProgram, main, output, root, run, Sentence, step } from "./steps.mjs";
 import { checkWorkflows } from "./workflows.mjs";
 
-/** What tests, benchmarks and fuzzing need of the engine beside what the page does. */
+/** Features that tests, benchmarks and fuzzing need in addition to the page's. */
 const FEATURES =
   "strut-wasm/atlas,strut-wasm/drive,strut-wasm/performers,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-motion-cli/gpu,strut-fuzz/libfuzzer";
 
 const bin = (name) => join(root, "node_modules", ".bin", name);
 
-/** rustup's minimal profile leaves rustfmt and clippy out. */
+/** Adds rustfmt and clippy, which rustup's minimal profile omits. */
 async function setupLints(env) {
   if (
     (await output("cargo", ["clippy", "--version"], { env })) &&
@@ -37,7 +37,7 @@ await main(async () => {
   const { rust: env } = await buildSite({ mode: "full", bench: "quick" });
   await setupLints(env);
   await setupCxx();
-  // Lints of the Python package need no Python.
+  // Lints of the Python package do not need Python.
   const withoutPython = { PYO3_BUILD_EXTENSION_MODULE: "1", PYO3_NO_PYTHON: "1" };
   const rust = { env: { ...env, ...withoutPython }, cwd: join(root, "rust") };
   await step("Rust formatting", () => run("cargo", ["fmt", "--all", "--check"], rust));
@@ -45,12 +45,12 @@ await main(async () => {
     await takeCompiled(env);
     const lints = ["--quiet", "--", "-D", "warnings"];
     await run("cargo", ["clippy", "--workspace", "--all-targets", "--features", FEATURES, ...lints], rust);
-    // What a page starts with.
+    // The crate as a page starts with it.
     await run("cargo", ["clippy", "--package", "strut-wasm", "--no-default-features", ...lints], rust);
   });
   await step("TypeScript types", async () => {
     await run(bin("tsc"), ["-p", "."]);
-    // A service worker knows other globals than a page.
+    // A service worker has other globals than a page.
     await run(bin("tsc"), ["-p", "web/app/offline"]);
   });
   await step("TypeScript formatting and lints", () => run(bin("biome"), ["ci", "--error-on-warnings", "."]));

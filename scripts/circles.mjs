@@ -1,9 +1,9 @@
-// Circles in a graph.
+// Cycles in a graph.
 
 /**
- * The shortest circles that together lead through every node that lies on one.
- * @param next for each node a map of the nodes that it leads to, each with the edge that leads there
- * @returns the edges of each circle
+ * Returns the shortest cycles that together contain every node on a cycle.
+ * @param next for each node a map of its successors, each with the edge that leads there
+ * @returns the edges of each cycle
  */
 export function circles(next) {
   const told = new Set();
@@ -15,7 +15,7 @@ export function circles(next) {
   });
 }
 
-/** The edges that lead from a node back to it by the shortest way, each with the node that it starts from. */
+/** Returns the edges of the shortest cycle through a node, each with its start node. */
 function shortestCircle(start, next) {
   const leave = (node, before) =>
     [...(next.get(node) ?? [])].map(([to, edge]) => ({ to, steps: [...before, { node, edge }] }));

@@ -1,6 +1,6 @@
-// npm run consumers [-- webpack rollup …]: installs the package of `npm run package` in projects of other bundlers, builds
-// and opens their pages, and compares what they style with what the command writes. A line for each. It needs the
-// registry, and minutes; `npm test` has what needs neither.
+// npm run consumers [-- webpack rollup …]: installs the package of `npm run package` in projects of other bundlers,
+// builds and opens their pages, and compares their styled motion with the command's. Prints a line for each. It needs
+// the registry and several minutes; `npm test` has the tests that need neither.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";

@@ -1,5 +1,6 @@
-// npm run docs: what is generated in docs/, and the site in dist/docs/. With --check nothing in docs/ is written: what is
-// generated must be as it is committed, and links, code blocks and sizes as they should be. --prose lists long sentences.
+// npm run docs: writes the generated parts of docs/, and the site in dist/docs/. With --check nothing in docs/ is
+// written: generated parts must equal the committed ones, and links, code blocks and sizes are checked. --prose lists
+// long sentences.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { checkNode, setupPackages, setupRust } from "./setup.mjs";
@@ -9,7 +10,7 @@ import { main, root, run, Sentence, step } from "./steps.mjs";
 /** The command, as the Rust tests build it. */
 const COMMAND = join(root, "rust", "target", "debug", "strut");
 
-/** The reference is that of the present sources. */
+/** Builds the command, so that the reference is that of the present sources. */
 async function buildCommand() {
   const env = await setupRust();
   await step("Building the command", () =>

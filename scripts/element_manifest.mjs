@@ -1,4 +1,4 @@
-// What editors and frameworks know of <strut-player>: custom-elements.json and types for JSX, from web/element/.
+// Metadata of <strut-player> for editors and frameworks: custom-elements.json and types for JSX, from web/element/.
 
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,7 +9,7 @@ import { root } from "./steps.mjs";
 
 const TAG = "strut-player";
 
-/** The tables of web/element/. */
+/** Reads the tables of web/element/. */
 export async function readTables() {
   const folder = mkdtempSync(join(tmpdir(), "strut-tables-"));
   try {
@@ -60,7 +60,7 @@ export function manifestOf({ ATTRIBUTES, EVENTS, PARTS, PROPERTIES, SLOTS, METHO
   return { schemaVersion: "2.1.0", modules: [module] };
 }
 
-/** Types for React 19, Preact and Vue; a framework that is not installed is passed over. */
+/** Returns types for React 19, Preact and Vue; frameworks that are not installed are skipped. */
 export function jsxTypesOf({ ATTRIBUTES, EVENTS }) {
   const attributes = Object.entries(ATTRIBUTES).map(([name, { type, isFlag, doc }]) => {
     const allowed = isFlag ? 'boolean | ""' : type === "number" ? "number | string" : type;
@@ -113,7 +113,7 @@ ${augmentation("vue", vue)}
 `;
 }
 
-/** The table of attributes in `docs/embedding.md`. */
+/** Returns the table of attributes in `docs/embedding.md`. */
 export function attributeTableOf({ ATTRIBUTES }) {
   const rows = Object.entries(ATTRIBUTES).map(([name, { type, isFlag, initial, write, doc }]) => {
     const values = isFlag

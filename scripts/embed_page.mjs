@@ -1,18 +1,19 @@
-// The pages for frames, dist/embed.html with a player and dist/figure.html with a figure of a lesson, and where the site's address is known a page for each preset that oEmbed finds.
+// The pages for iframes: dist/embed.html with a player, dist/figure.html with a figure of a lesson and, if the site's
+// address is known, a page with oEmbed discovery for each preset.
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "./steps.mjs";
 
 const SOURCE = join(root, "web", "embed");
 
-/** Size of a preset's frame, pixels. */
+/** Size of a preset's iframe, pixels. */
 const SIZE = { width: 688, height: 342 };
-/** What a frame may do: run its own scripts, keep nothing, save files that its visitor asks for. */
+/** Permissions of an iframe: it may run its own scripts and save files on request, and has no storage. */
 const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
-/** Writes them into the folder of the built page. `site` is its absolute address, or empty. */
+/** Writes the pages into the folder of the built page. `site` is its absolute address, or empty. */
 export async function writeEmbedPage({ site = process.env.STRUT_SITE_URL ?? "", dist = join(root, "dist") } = {}) {
-  // A clean checkout installs it after this file is read.
+  // A clean checkout installs it only after this file is read.
   const { build } = await import("esbuild");
   mkdirSync(join(dist, "embed"), { recursive: true });
   for (const page of ["embed.html", "figure.html"]) cpSync(join(SOURCE, page), join(dist, page));
@@ -29,7 +30,7 @@ export async function writeEmbedPage({ site = process.env.STRUT_SITE_URL ?? "", 
   if (site) for (const preset of presets()) writePreset(dist, new URL(site), preset);
 }
 
-/** The figures that have pages of their own. */
+/** Returns the figures with separate pages. */
 export function presets() {
   return JSON.parse(readFileSync(join(SOURCE, "presets.json"), "utf8"));
 }
@@ -80,7 +81,7 @@ function writePreset(dist, site, { name, title, parameters }) {
 const escaped = (text) =>
   text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
-/** Width and height of a PNG: the first chunk has them. */
+/** Returns width and height of a PNG, from its first chunk. */
 function pngSize(bytes) {
   return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
 }

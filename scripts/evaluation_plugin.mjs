@@ -1,6 +1,8 @@
-// The tables of docs/evaluation.md are modules' values when the page is built: no number is copied.
+// Makes the tables of docs/evaluation.md available as module values at build time, so that no number is copied.
 
-/** The tables of a document by the names of their sections in camel case; a row has its cells by the heads of the columns. */
+/**
+ * Returns the tables of a document by the names of their sections in camel case. A row has its cells by column title.
+ */
 export function tablesOf(markdown) {
   const tables = {};
   for (const section of markdown.split(/^## /m).slice(1)) {
@@ -20,7 +22,7 @@ const cellsOf = (line) =>
     .split("|")
     .map((cell) => cell.trim());
 
-/** A number, a name, or nothing. */
+/** Returns a number, a name, or nothing. */
 function cellValue(cell) {
   if (cell === undefined || cell === "") return undefined;
   return Number.isFinite(Number(cell)) ? Number(cell) : cell;
@@ -31,7 +33,7 @@ function camelCase(heading) {
   return first + words.map((word) => word[0].toUpperCase() + word.slice(1)).join("");
 }
 
-/** Vite's plugin: `evaluation.md` is a module with an export for each table, of which a page has what it imports. */
+/** Vite's plugin: `evaluation.md` is a module with an export per table; a page contains only the imported ones. */
 export function evaluationPlugin() {
   return {
     name: "strut-evaluation",

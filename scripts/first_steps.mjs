@@ -1,11 +1,11 @@
-// The walk that the page shows until its engine is there (web/engine/first_steps.ts).
+// The walk that the page shows until the engine is loaded (web/engine/first_steps.ts).
 
-/** Floats of a pose: root x y z, then a quaternion x y z w a joint. */
+/** Floats of a pose: root x y z, then a quaternion x y z w per joint. */
 const POSE_FLOATS = 87;
-/** Steps in a metre and in a radian: nothing is off by more than a millimetre or 0.06° an axis. */
+/** Quantisation steps per metre and per radian: the error is at most a millimetre or 0.06° per axis. */
 const STEPS = 512;
 
-/** Packs poses at `rateHz`, not yet deflated. */
+/** Packs poses at `rateHz`, before compression. */
 export function packFirstSteps(poses, rateHz) {
   const frames = poses.length / POSE_FLOATS;
   const rows = Array.from({ length: frames }, (_, f) => rowOf(poses.subarray(f * POSE_FLOATS, (f + 1) * POSE_FLOATS)));
@@ -22,7 +22,7 @@ export function packFirstSteps(poses, rateHz) {
   return Uint8Array.from(bytes);
 }
 
-/** The root and a rotation vector a joint. */
+/** Returns the root and a rotation vector per joint. */
 function rowOf(pose) {
   const row = [...pose.subarray(0, 3)];
   for (let at = 3; at < pose.length; at += 4) {
@@ -34,7 +34,7 @@ function rowOf(pose) {
   return row;
 }
 
-/** Appends a whole number in zigzag LEB128. */
+/** Appends an integer in zigzag LEB128. */
 function write(bytes, number) {
   let zigzag = ((number << 1) ^ (number >> 31)) >>> 0;
   for (; zigzag > 127; zigzag >>>= 7) bytes.push((zigzag & 127) | 128);

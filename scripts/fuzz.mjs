@@ -1,7 +1,7 @@
-// npm run fuzz -- [--minutes N] [--keep] [--lines] [TARGET …]: the targets of rust/fuzz under libFuzzer, in all N minutes (2),
-// as many at once as there are cores; then what the page itself reads (tests/fuzz). --keep makes rust/fuzz/corpus anew of what
-// reaches most code; --lines counts the lines of the engine that the inputs reach. An input that fails is written to the corpus
-// too: it fails in `npm test` until it is mended.
+// npm run fuzz -- [--minutes N] [--keep] [--lines] [TARGET …]: runs the targets of rust/fuzz under libFuzzer for N
+// minutes in total (2), one per core at once; then fuzzes the page's own parsers (tests/fuzz). --keep replaces
+// rust/fuzz/corpus by a minimised corpus with the same coverage. --lines counts the covered lines of the engine. A
+// failing input is added to the corpus, so that `npm test` fails until the fault is fixed.
 import { spawn } from "node:child_process";
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { availableParallelism } from "node:os";
@@ -16,7 +16,7 @@ import { main, output, root, run, Sentence, step } from "./steps.mjs";
 const RUST = join(root, "rust");
 const CORPUS = join(RUST, "fuzz", "corpus");
 
-/** What libFuzzer steers by: counters of edges, and what numbers are compared with. */
+/** Instrumentation for libFuzzer: edge counters, and operands of comparisons. */
 const COVERAGE = [
   "-Cpasses=sancov-module",
   "-Cllvm-args=-sanitizer-coverage-level=4",
@@ -26,20 +26,23 @@ const COVERAGE = [
 ];
 
 const DEFAULT_MINUTES = 2;
-/** An input that takes longer than this hangs. */
+/** Time after which an input counts as hanging. */
 const TIMEOUT_SECS = 20;
 const MAX_MEMORY_MB = 2048;
-/** Inputs of a target that the repository keeps beside those that once failed. */
+/** Number of inputs of a target that the repository keeps, besides those that once failed. */
 const KEPT = 24;
-/** Names of inputs that once failed, and of those that others begin with. */
+/** Names of inputs that once failed, and of seeds. */
 const LASTING = /^(crash|oom|timeout|leak|slow-unit|seed)-/;
-/** Inputs a minute of each test of what the page reads. */
+/** Inputs per minute of each test of the page's parsers. */
 const PAGE_RUNS = 300;
 
-/** What cargo builds. */
+/** Arguments of cargo. */
 const CARGO_ARGS = ["--profile", "fuzz", "--package", "strut-fuzz", "--features", "libfuzzer"];
 
-/** Builds the targets; gives the path of the program, that of the folder for what a run finds, and what was built for where. */
+/**
+ * Builds the targets. Returns the paths of the program and of the folder for a run's results, and the parameters of the
+ * build.
+ */
 async function build(env) {
   const host = /^host: (.+)$/m.exec((await output(env.RUSTC ?? "rustc", ["-vV"], { env })) ?? "")?.[1];
   if (!host) throw new Sentence("rustc does not say for which machine it compiles.");
@@ -48,7 +51,7 @@ async function build(env) {
   const key = await sourcesHash(env, { files: [fileURLToPath(import.meta.url)], texts: [host] });
   const built = { program, found: join(folder, "corpus"), host, folder };
   if (takeBuilt(key, "fuzz", dirname(program))) return built;
-  // As the machine is named, the flags are not those of build scripts as well.
+  // With an explicit target, the flags do not apply to build scripts.
   await run(env.CARGO ?? "cargo", ["build", "--quiet", ...CARGO_ARGS, "--target", host, "--target-dir", folder], {
     cwd: RUST,
     env: { ...env, CARGO_ENCODED_RUSTFLAGS: COVERAGE.join("\x1f") },
@@ -59,14 +62,14 @@ async function build(env) {
   return built;
 }
 
-/** The targets' names with the longest useful input of each, as the sources list them. */
+/** Returns the targets' names with the longest useful input of each, as listed in the sources. */
 function targets() {
   const source = readFileSync(join(RUST, "fuzz", "src", "lib.rs"), "utf8");
   const listed = source.matchAll(/Target \{ name: "(\w+)", max_len: (\d+)/g);
   return new Map(Array.from(listed, ([, name, bytes]) => [name, Number(bytes)]));
 }
 
-/** Runs a target; gives what libFuzzer says at its end. */
+/** Runs a target. Returns libFuzzer's final output. */
 function fuzz({ program, found }, name, maxLen, secs) {
   const [own, kept] = [join(found, name), join(CORPUS, name)];
   for (const folder of [own, kept]) mkdirSync(folder, { recursive: true });
@@ -94,7 +97,7 @@ function fuzz({ program, found }, name, maxLen, secs) {
   });
 }
 
-/** Makes the corpus of a target anew: short and long ones of the inputs that together reach all that was reached. */
+/** Replaces the corpus of a target by short and long inputs that together have the same coverage. */
 async function keep({ program, found }, name) {
   const [own, kept, merged] = [join(found, name), join(CORPUS, name), join(found, `${name}.merged`)];
   rmSync(merged, { recursive: true, force: true });
@@ -110,7 +113,7 @@ async function keep({ program, found }, name) {
   }
 }
 
-/** Says how many lines of the source files that targets reach their inputs reach. */
+/** Prints the line coverage of source files by the inputs of targets. */
 async function countLines(env, { host, folder, found }, names) {
   const counted = await buildCounted(env, { host, folder, cargoArgs: CARGO_ARGS });
   const share = (files) => {

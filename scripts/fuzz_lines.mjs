@@ -1,14 +1,15 @@
-// Which lines of the engine the inputs of fuzzing reach: `npm run fuzz -- --lines`. The targets are built once more, with
-// rustc's own counters (https://doc.rust-lang.org/rustc/instrument-coverage.html), and read their inputs without new ones.
+// Line coverage of the engine by the inputs of fuzzing: `npm run fuzz -- --lines`. The targets are built again with
+// rustc's coverage instrumentation (https://doc.rust-lang.org/rustc/instrument-coverage.html), and run their existing
+// inputs.
 import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { join, relative, sep } from "node:path";
 import { findProgram, output, root, run, Sentence } from "./steps.mjs";
 
 const RUST = join(root, "rust");
-/** Whose lines count. */
+/** Crates whose lines are counted. */
 const CRATES = ["strut-core", "strut-formats"].map((name) => join(RUST, name, "src") + sep);
 
-/** Paths of LLVM's tools that come with the compiler; rustup's minimal profile leaves them out. */
+/** Returns paths of LLVM's tools for the compiler, and installs them; rustup's minimal profile omits them. */
 async function setupLlvmTools(env, host) {
   const sysroot = (await output(env.RUSTC ?? "rustc", ["--print", "sysroot"], { env })) ?? "";
   const tool = (name) => join(sysroot, "lib", "rustlib", host, "bin", name);
@@ -19,7 +20,7 @@ async function setupLlvmTools(env, host) {
   return tools;
 }
 
-/** Builds the targets with counters; gives what counts the lines that the inputs in some folders reach. */
+/** Builds the instrumented targets. Returns functions that measure the coverage by the inputs in some folders. */
 export async function buildCounted(env, { host, folder, cargoArgs }) {
   const tools = await setupLlvmTools(env, host);
   const target = join(folder, "lines");
@@ -33,7 +34,7 @@ export async function buildCounted(env, { host, folder, cargoArgs }) {
   mkdirSync(profiles, { recursive: true });
   const profileOf = (name) => join(profiles, `${name}.profdata`);
 
-  /** Lines that are reached, and all lines, of each source file of which a profile reaches one. */
+  /** Returns covered lines and all lines of each source file of a profile with a covered line. */
   async function linesOf(profile) {
     const report = await output(tools.cov, ["export", "-summary-only", `-instr-profile=${profile}`, program]);
     if (report === undefined) throw new Sentence(`${tools.cov} could not read ${profile}.`);
@@ -47,7 +48,7 @@ export async function buildCounted(env, { host, folder, cargoArgs }) {
   }
 
   return {
-    /** Lines that the inputs of a target reach; see {@link linesOf}. */
+    /** Returns the lines that the inputs of a target cover; see {@link linesOf}. */
     async ofTarget(name, inputs) {
       const raw = join(profiles, `${name}.profraw`);
       const read = { env: { STRUT_FUZZ_TARGET: name, LLVM_PROFILE_FILE: raw } };
@@ -57,7 +58,7 @@ export async function buildCounted(env, { host, folder, cargoArgs }) {
       rmSync(raw);
       return linesOf(profileOf(name));
     },
-    /** Lines that the inputs of several targets reach together. */
+    /** Returns the lines that the inputs of several targets cover together. */
     async ofAll(names) {
       const all = profileOf("all");
       await run(tools.profdata, ["merge", "-sparse", ...names.map(profileOf), "-o", all]);

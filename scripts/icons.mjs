@@ -1,4 +1,4 @@
-// npm run icons: the icons of the installed page, public/icons/*.png, drawn from icon.svg there by headless Chromium.
+// npm run icons: draws the icons of the installed page, public/icons/*.png, from icon.svg there with headless Chromium.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
@@ -8,8 +8,8 @@ import { main, root, step } from "./steps.mjs";
 const FOLDER = join(root, "public", "icons");
 
 /**
- * Width of the picture and of the mark on it, pixels, and the ground. Systems cut a maskable icon to a shape of theirs, of
- * which a circle of 4/5 of the width is certain.
+ * Width of the picture and of the mark on it, pixels, and the background. Systems crop a maskable icon to their own
+ * shape, of which only a circle of 4/5 of the width is guaranteed.
  */
 const ICONS = [
   { name: "icon-192", size: 192, mark: 176, ground: "transparent" },

@@ -1,13 +1,16 @@
-// Equations become HTML and MathML when the page is built: no script of KaTeX's is in the page.
+// Converts equations to HTML and MathML at build time: the page contains no script of KaTeX.
 import katex from "katex";
 
 /** Families of KaTeX's fonts that equations of the lessons use; `web/lessons/lessons.test.ts` refuses others. */
 const FONTS = ["KaTeX_Main", "KaTeX_Math", "KaTeX_Size1", "KaTeX_Size2", "KaTeX_Size3"];
 
-/** A symbol that lights its marks: `\term{name}{symbol}`. */
+/** A symbol that highlights its marks: `\term{name}{symbol}`. */
 const MACROS = { "\\term": "\\htmlData{term=#1}{#2}" };
 
-/** An equation as markup. The page's policy forbids style attributes: they are `data-css`, which a script applies. */
+/**
+ * Returns an equation as markup. The page's policy forbids style attributes: they become `data-css`, which a script
+ * applies.
+ */
 export function renderEquation(tex) {
   const markup = katex.renderToString(tex.trim(), {
     displayMode: true,
@@ -20,7 +23,9 @@ export function renderEquation(tex) {
   return markup.replaceAll(' style="', ' data-css="');
 }
 
-/** KaTeX's style sheet with the fonts that are used, in the one format that every supported browser reads. */
+/**
+ * Returns KaTeX's style sheet with only the fonts that are used, in the one format that every supported browser reads.
+ */
 export function trimmedSheet(css) {
   return css.replace(/@font-face\{[^}]*\}/g, (face) => {
     const family = /font-family:"?([\w]+)"?/.exec(face)?.[1];

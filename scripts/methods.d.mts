@@ -1,2 +1,2 @@
-/** What is wrong with the references of a text to the documents in `folder`, one sentence each. */
+/** Returns a message for each broken reference of a text to the documents in `folder`. */
 export function referenceFaults(text: string, folder: string): string[];

@@ -1,17 +1,17 @@
-// Whether comments that refer to a section of docs/methods/ lead somewhere.
+// Checks that comments refer to existing sections of docs/methods/.
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
-/** References such as "`docs/methods/mar.md` §2–§4 and §7", and what makes none: a section of a document nobody has. */
+/** References such as "`docs/methods/mar.md` §2–§4 and §7", and sections of a document that does not exist. */
 const REFERENCE = /`docs\/methods\/([a-z_]+\.md)`((?:(?:,| and|–)? ?§\d+[a-z]?)*)/g;
 const NOWHERE = /\bspecification(?:,|'s)? §\d+/g;
 
 /**
- * What is wrong with the references of a text, one sentence each.
- * @param folder that of the documents
+ * Returns a message for each broken reference of a text.
+ * @param folder the folder of the documents
  */
 export function referenceFaults(text, folder) {
-  // A reference may be broken by the end of a comment's line.
+  // A reference may continue on the next line of a comment.
   const flat = text.replace(/\s*\n\s*\/\/[/!]? ?/g, " ");
   const faults = [...flat.matchAll(NOWHERE)].map(([found]) => `'${found}' names no document; docs/methods/ has them`);
   for (const [, document, sections] of flat.matchAll(REFERENCE)) {
@@ -27,7 +27,7 @@ export function referenceFaults(text, folder) {
   return faults;
 }
 
-/** Whether a document has a section, "## 6. Styles", and in it a part, "**(c) Adaptation**". */
+/** Returns whether a document has a section, "## 6. Styles", and in it a part, "**(c) Adaptation**". */
 function hasSection(content, number, part) {
   const begin = new RegExp(`^## ${number}\\. `, "m").exec(content);
   if (!begin) return false;

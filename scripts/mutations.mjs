@@ -1,6 +1,6 @@
-// npm run mutations [-- NUMBER …]: whether the tests of faults can fail. Takes one handler of the product away at a time, builds
-// the page and runs the test of that fault, which must fail; then everything is as before. Not part of the tests: it takes
-// about a minute for each handler.
+// npm run mutations [-- NUMBER …]: checks that the tests of faults can fail. Removes one handler of the product at a
+// time, builds the page and runs the test of that fault, which must fail; then restores everything. Not part of the
+// tests: it takes about a minute per handler.
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -10,7 +10,7 @@ import { main, output, root, run, Sentence } from "./steps.mjs";
 
 const FAULTS = "tests/e2e/faults";
 
-/** What is taken away: in `file`, `from` becomes `to`; the test of `spec` whose title has `title` must then fail. */
+/** Mutations: in `file`, `from` becomes `to`; the test of `spec` whose title contains `title` must then fail. */
 const MUTATIONS = [
   {
     handler: "a worker's error has another worker take its place",
@@ -102,12 +102,12 @@ const MUTATIONS = [
   },
 ];
 
-/** What a test waits for at most, milliseconds: all of these must fail. */
+/** Timeout of a test's waits, milliseconds: all of these tests must fail. */
 const PATIENCE_MS = 40_000;
 
 const build = () => run(process.execPath, [vite, "build", "--logLevel", "error"]);
 
-/** Runs a test of a file; whether it failed, and not for want of it. */
+/** Runs a test of a file. Returns whether it failed; throws a message if there is no such test. */
 function fails(spec, title) {
   const vitest = join(root, "node_modules", "vitest", "vitest.mjs");
   const pattern = title.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
@@ -119,7 +119,7 @@ function fails(spec, title) {
   return numFailedTests > 0;
 }
 
-/** Builds without a handler and runs its test; whether that noticed. */
+/** Builds without a handler and runs its test. Returns whether the test failed. */
 async function isNoticed({ file, from, to, spec, title }) {
   const path = join(root, file);
   const source = readFileSync(path, "utf8");

@@ -1,2 +1,2 @@
-/** Whether an SPDX expression is one under which something may be shipped. */
+/** Returns whether an SPDX expression is allowed for shipped parts. */
 export function isAllowed(expression: string): boolean;

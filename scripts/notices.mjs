@@ -1,15 +1,15 @@
-// dist/notices.txt and dist/sbom.cdx.json: what of others the site and the package contain, under which licences. Vite tells
-// which npm packages are in the page's modules (build.license), cargo which crates are in those of WebAssembly.
+// dist/notices.txt and dist/sbom.cdx.json: third-party parts of the site and the package, with their licences. Vite
+// lists the npm packages in the page's modules (build.license), cargo the crates in those of WebAssembly.
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { output, root, Sentence } from "./steps.mjs";
 import { TARGET, WASM_CRATES } from "./wasm.mjs";
 
 const DIST = join(root, "dist");
-/** Where Vite is told to list its packages; it is not part of the site. */
+/** File in which Vite lists its packages; it is not part of the site. */
 export const NPM_LICENCES = ".vite/licenses.json";
 
-/** Licences under which something may be in what is shipped. */
+/** Licences that are allowed for shipped parts. */
 const ALLOWED = new Set([
   "0BSD",
   "Apache-2.0",
@@ -19,7 +19,7 @@ const ALLOWED = new Set([
   "CC0-1.0",
   "ISC",
   "MIT",
-  // Of its files, unchanged as they are; the notices say where their source is.
+  // Applies to unchanged files; the notices give the address of their source.
   "MPL-2.0",
   "OFL-1.1",
   "Unicode-3.0",
@@ -27,7 +27,10 @@ const ALLOWED = new Set([
   "Zlib",
 ]);
 
-/** Packages that reach the site by other ways than the page's modules: fonts by style sheets, the service worker and the documentation's scripts by esbuild. */
+/**
+ * Packages that are not in the page's modules: fonts from style sheets, and those that esbuild puts into the service
+ * worker and the documentation's scripts.
+ */
 const BESIDE_MODULES = [
   "@fontsource-variable/inter",
   "@fontsource-variable/source-serif-4",
@@ -39,7 +42,10 @@ const BESIDE_MODULES = [
   "workbox-strategies",
 ];
 
-/** What a package of npm has in it of others and ships without their licence. three.js's decoder of Draco is that of this version. */
+/**
+ * Third-party code within an npm package that ships without its licence. The Draco decoder of three.js is of this
+ * version.
+ */
 const WITHIN_PACKAGES = [
   {
     name: "draco3dgltf",
@@ -51,14 +57,17 @@ const WITHIN_PACKAGES = [
   },
 ];
 
-/** Whether an SPDX expression lets us: one of its alternatives, or one of each of the groups in brackets that hold together. */
+/**
+ * Returns whether an SPDX expression is allowed: at least one of its alternatives, in each of the bracketed groups
+ * joined by AND.
+ */
 export function isAllowed(expression) {
   const one = (licences) => licences.split(" OR ").some((licence) => ALLOWED.has(licence));
   if (expression.includes("(")) return expression.split(" AND ").every((group) => one(group.replace(/^\(|\)$/g, "")));
   return expression.split(" OR ").some((licences) => licences.split(" AND ").every((licence) => ALLOWED.has(licence)));
 }
 
-/** Writes both files from the site and the packages as they are built; says how many parts there are. */
+/** Writes both files for the built site and packages. Returns how many parts there are. */
 export async function writeNotices(env) {
   const parts = [...npmPackages(), ...WITHIN_PACKAGES, ...(await crates(env))];
   const refused = parts.filter(({ licence }) => !isAllowed(licence));
@@ -75,7 +84,7 @@ export async function writeNotices(env) {
   return `${parts.length} parts of others`;
 }
 
-/** npm's packages in the site. */
+/** Returns the npm packages in the site. */
 function npmPackages() {
   const list = join(DIST, NPM_LICENCES);
   const inModules = JSON.parse(readFileSync(list, "utf8")).map(({ name }) => name);
@@ -88,11 +97,11 @@ function npmPackages() {
   });
 }
 
-/** The crates that the WASM packages are made of. */
+/** Returns the crates in the WASM packages. */
 async function crates(env) {
   const cargo = (args) => output(env.CARGO ?? "cargo", args, { env, cwd: join(root, "rust") });
   const selected = WASM_CRATES.flatMap((crate) => ["--package", crate]);
-  // Macros leave nothing of themselves in what is built.
+  // Macro crates are not part of the built code.
   const edges = ["--edges", "normal,no-proc-macro", "--target", TARGET, "--all-features"];
   const tree = await cargo(["tree", ...selected, ...edges, "--prefix", "none", "--format", "{p}"]);
   const metadata = await cargo(["metadata", "--format-version", "1", "--all-features", "--filter-platform", TARGET]);
@@ -111,7 +120,7 @@ async function crates(env) {
     .sort((a, b) => (a.purl < b.purl ? -1 : 1));
 }
 
-/** The texts of the licence files in a folder. */
+/** Returns the texts of the licence files in a folder. */
 function licenceText(folder) {
   if (!existsSync(folder)) return "";
   const names = readdirSync(folder, { withFileTypes: true })
@@ -121,7 +130,7 @@ function licenceText(folder) {
   return names.map((name) => readFileSync(join(folder, name), "utf8").trim()).join("\n\n");
 }
 
-/** Equal texts are printed once, below all whose licence they are. */
+/** Returns the notices. Equal texts are printed once, below all parts with this licence. */
 function noticesOf(parts) {
   const byText = new Map();
   for (const part of parts) {
@@ -137,7 +146,10 @@ function noticesOf(parts) {
   return `${[heading, ...sections].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
 }
 
-/** A software bill of materials as CycloneDX 1.6 has it; it has neither time nor number, so that builds can be compared. */
+/**
+ * Returns a software bill of materials in CycloneDX 1.6. It has no time and no serial number, so that builds can be
+ * compared.
+ */
 function sbomOf(version, parts) {
   const component = ({ name, version, licence, purl }) => ({
     type: "library",

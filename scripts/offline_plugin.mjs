@@ -1,4 +1,4 @@
-// The service worker of the site, dist/service_worker.js, with the list of the files that it keeps.
+// The service worker of the site, dist/service_worker.js, with the list of the files that it caches.
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -24,7 +24,7 @@ export async function writeServiceWorker(dist) {
   });
 }
 
-/** A file as Workbox lists it: the name of an asset changes with its content, that of another file does not. */
+/** Returns a file's entry for Workbox. The name of an asset changes with its content, that of another file does not. */
 function entryOf(dist, url) {
   const digest = createHash("sha256")
     .update(readFileSync(join(dist, url)))
@@ -32,7 +32,7 @@ function entryOf(dist, url) {
   return { url, revision: url.startsWith("assets/") ? null : digest, integrity: `sha256-${digest}` };
 }
 
-/** Vite's plugin: a built site has its service worker. */
+/** Vite's plugin: adds the service worker to a built site. */
 export function offlinePlugin() {
   let dist;
   return {

@@ -1,4 +1,4 @@
-// npm run package: the package `strut-motion`, fully optimised, in dist/package/.
+// npm run package: builds the package `strut-motion`, fully optimised, in dist/package/.
 import { checkPackageSize, writePackage } from "./package.mjs";
 import { buildWasm } from "./site.mjs";
 import { main, step } from "./steps.mjs";

@@ -21,22 +21,22 @@ const ASSETS = {
   "draco_decoder.wasm": join(root, "node_modules/three/examples/jsm/libs/draco/gltf/draco_decoder.wasm"),
   "strut_live_bg.wasm": join(ENGINE, "live", "pkg", "strut_live_bg.wasm"),
   "walk.bin": join(ENGINE, "motions", "walk.bin"),
-  // The package begins with all walks.
+  // The package starts with all walks.
   "built_in.bin": join(ENGINE, "motions", "besides_walk.bin"),
 };
 
 /**
- * Most kilobytes after gzip (`shared/spec/embedding.md` section 2), and where skeletons are read more: names of
- * joints, floor, axes, sides, cuts and notes. How a file was read, and reading it as a person says, take 1.3 kB of the worker
- * and 3 of the module; bodies that begin elsewhere or are far away, other encodings and what notes say of styled clips 10.
- * Feet that hang from the root, and what is asked of a person where joints are missing, take 7 of the modules of characters and
- * of live streams; checks of what could not be written or read back take 2 of the module.
+ * Greatest sizes after gzip, kilobytes. They include the reading of varied skeletons: names of joints, floor, axes,
+ * sides, cuts and notes. Reports on the reading and reading options take 1.3 kB of the worker and 3 of the module;
+ * bodies with other roots or far from the origin, other encodings and notes on styled clips 10. Feet that are children
+ * of the root, and the questions about missing joints, take 7 of the modules of characters and of live streams; checks
+ * of motions that could not be written or read again take 2 of the module.
  */
 const BUDGET_KB = {
   "index.js": 14,
   "element.js": 50,
   "strut-player.js": 558,
-  // three.js with its loaders, three-vrm and the module of characters: what the chunks were before, in one piece.
+  // three.js with its loaders, three-vrm and the module of characters, in one file instead of chunks.
   "strut-character.js": 330,
   "assets/worker.js": 13.5,
   "assets/strut_wasm_bg.wasm": 334,
@@ -47,10 +47,10 @@ const BUDGET_KB = {
   "assets/strut_live_bg.wasm": 146,
 };
 
-/** What users have themselves where they need it, and the versions that fit. */
+/** Peer dependencies, and their compatible versions. */
 const PEERS = { three: ">=0.180 <0.188", "@pixiv/three-vrm": ">=3" };
 
-/** What wasm-bindgen writes for browsers older than those with WASM SIMD, and for syntax that nothing here uses. */
+/** Output of wasm-bindgen for browsers without WASM SIMD, and for syntax that is not used here. */
 const NEEDLESS_GLUE = [
   /^if \(Symbol\.dispose\) .*$/gm,
   /\(typeof FinalizationRegistry === 'undefined'\)\s*\? .*\s*: (?=new FinalizationRegistry)/g,
@@ -58,8 +58,8 @@ const NEEDLESS_GLUE = [
 ];
 
 /**
- * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: everything else is
- * told where files lie (`web/engine/assets.ts`), and the addresses that it would use otherwise lead nowhere.
+ * Bundlers of the package's users look for `new URL(…, import.meta.url)`. Only the entries may have it: all other
+ * modules receive the addresses of files (`web/engine/assets.ts`), and their default addresses would be broken.
  */
 const OWN_ADDRESSES_ONLY = {
   name: "own addresses only",
@@ -67,14 +67,14 @@ const OWN_ADDRESSES_ONLY = {
     onLoad({ filter: /web\/(engine|client)\/.*\.(ts|js)$/ }, ({ path }) => ({
       contents: NEEDLESS_GLUE.reduce((source, needless) => source.replace(needless, ""), readFileSync(path, "utf8"))
         .replaceAll("import.meta.url", '"strut:nowhere"')
-        // What wasm-bindgen would load a module with; `web/engine/module.ts` does that.
+        // wasm-bindgen's own loader; `web/engine/module.ts` replaces it.
         .replace("export { initSync, __wbg_init as default };", "export { initSync };"),
       loader: path.endsWith(".ts") ? "ts" : "js",
     }));
   },
 };
 
-/** The engine without what only the playground shows. */
+/** The engine without the parts that only the playground shows. */
 const EMBEDDED_ENGINE = {
   name: "embedded engine",
   setup({ onResolve }) {
@@ -83,8 +83,9 @@ const EMBEDDED_ENGINE = {
 };
 
 /**
- * Only Node reads files from disk, and the engine hides from the site's bundler with what module. Those of the package's
- * users warn of that (webpack), and Vite in development makes a worker that has `import()` a module, which does not start.
+ * Only Node reads files from disk, and the engine hides the module that reads them from the site's bundler. Other
+ * bundlers react to the hidden import: webpack warns, and Vite in development turns a worker with `import()` into a
+ * module worker, which does not start.
  * @param module the module, or `undefined` in browsers
  */
 const readsWith = (module) => ({
@@ -110,7 +111,7 @@ const INLINED = {
     }));
     onLoad({ filter: /.*/, namespace: "inlined" }, async ({ path }) => {
       const contents = readFileSync(join(OUT, "assets", path));
-      // Text of base 64 hardly packs any more: what is packed before becomes a quarter smaller.
+      // Base-64 text is hardly compressible; compression before the encoding saves a quarter.
       return path.endsWith(".js")
         ? { contents, loader: "text" }
         : { contents: await deflated(contents), loader: "binary" };
@@ -118,9 +119,9 @@ const INLINED = {
   },
 };
 
-/** Deflates as well as that can be done, a twentieth better than zlib; the same bytes are deflated once. */
+/** Deflates with the best compression, a twentieth better than zlib; equal bytes are deflated once. */
 async function deflated(bytes) {
-  // A clean checkout installs it after this file is read.
+  // A clean checkout installs it only after this file is read.
   const { default: zopfli } = await import("@gfx/zopfli");
   const last = deflatedBytes.find(({ from }) => from.equals(bytes));
   if (last) return last.to;
@@ -130,7 +131,7 @@ async function deflated(bytes) {
 }
 const deflatedBytes = [];
 
-/** Style sheets as text; the entry of the element imports that of the engine instead of holding it once more. */
+/** Style sheets as text. The entry of the element imports that of the engine instead of including it again. */
 const ELEMENT = {
   name: "element",
   setup({ onResolve, onLoad, esbuild }) {
@@ -148,7 +149,7 @@ const ELEMENT = {
   },
 };
 
-/** Models that no player trains or opens, and performers, are left out of its script. */
+/** Omits models that no player trains or opens, and performers, from its script. */
 const NO_MODELS = {
   name: "no models",
   setup({ onResolve, onLoad }) {
@@ -179,9 +180,9 @@ const IN_NODE = {
   plugins: [readsWith("node:fs/promises"), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, INLINED],
 };
 
-/** Writes dist/package/ from the WASM packages as they are built. */
+/** Writes dist/package/ from the built WASM packages. */
 export async function writePackage() {
-  // A clean checkout installs it after this file is read.
+  // A clean checkout installs it only after this file is read.
   const { build } = await import("esbuild");
   const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
   const common = {
@@ -200,7 +201,7 @@ export async function writePackage() {
     entryPoints: ["worker", "build_worker"].map((name) => join(SOURCE, `${name}.ts`)),
     outdir: join(OUT, "assets"),
     format: "iife",
-    // What wasm-bindgen says to those who call its functions in an old way.
+    // Warnings of wasm-bindgen about a deprecated way to call its functions.
     pure: ["console.warn"],
   });
   await build({
@@ -212,7 +213,7 @@ export async function writePackage() {
     splitting: true,
     chunkNames: "chunks/[name]-[hash]",
   });
-  // A classic script in one piece: nothing beside it can be missing, and frames without an origin run it.
+  // A classic script in one file: no other file can be missing, and iframes without an origin can run it.
   await build({
     ...common,
     entryPoints: { "strut-character": join(SOURCE, "strut_character.ts") },
@@ -240,7 +241,7 @@ export async function writePackage() {
   for (const folder of [OUT, join(OUT, "assets")])
     writeFileSync(join(folder, "walk.bin.js"), `strutReceive("${walk}");\n`);
   await writeTypes();
-  // Like esbuild, which it uses.
+  // Imported late like esbuild, which it uses.
   const { readTables, manifestOf: elementManifest, jsxTypesOf } = await import("./element_manifest.mjs");
   const tables = await readTables();
   writeFileSync(join(OUT, "custom-elements.json"), `${JSON.stringify(elementManifest(tables), null, 2)}\n`);
@@ -250,12 +251,12 @@ export async function writePackage() {
   writeFileSync(join(OUT, "package.json"), `${JSON.stringify(manifestOf(manifest), null, 2)}\n`);
 }
 
-/** Where GitHub builds the package, which the provenance that npm shows must name. */
+/** Returns the GitHub repository that builds the package, which must match npm's provenance. */
 function repositoryOf({ GITHUB_SERVER_URL: server, GITHUB_REPOSITORY: name }) {
   return server && name ? { repository: { type: "git", url: `git+${server}/${name}.git` } } : {};
 }
 
-/** What npm and bundlers read. `types` comes first, as the first condition that fits is taken. */
+/** Returns the manifest for npm and bundlers. `types` comes first, since the first matching condition is used. */
 function manifestOf({ name, version, description, license, engines }) {
   const entry = (module) => ({ types: `./types/package/${module}.d.ts`, default: `./${module}.js` });
   return {
@@ -290,17 +291,19 @@ function manifestOf({ name, version, description, license, engines }) {
   };
 }
 
-/** Declarations of the entries and of all that these name; imports get the endings that Node's resolution demands. */
+/**
+ * Writes the declarations of the entries and of all their imports, with the extensions that Node's resolution requires.
+ */
 async function writeTypes() {
   const all = join(OUT, "all-types");
   const config = join(SOURCE, "tsconfig.types.json");
   await run(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", config, "--outDir", all]);
   const files = new Set(ENTRIES.map((entry) => join(all, "package", `${entry}.d.ts`)));
-  // A set grows while it is walked.
+  // The set grows during the iteration.
   for (const file of files) {
-    // What wasm-bindgen declares is not compiled, and lies beside the sources.
+    // wasm-bindgen's declarations are not compiled; they are next to the sources.
     const declared = existsSync(file) ? file : join(root, "web", relative(all, file));
-    // Users need not have the library in which `Symbol.dispose` is declared.
+    // Users need not have the library that declares `Symbol.dispose`.
     const source = readFileSync(declared, "utf8").replace(/^\s*\[Symbol\.dispose\]\(\): void;\n/gm, "");
     const text = source.replace(/(from |import\()"(\.[^"]*?)(?:\.js)?"/g, (_, keyword, path) => {
       const isFolder = existsSync(join(dirname(file), path, "index.d.ts"));
@@ -315,7 +318,7 @@ async function writeTypes() {
   rmSync(all, { recursive: true });
 }
 
-/** Checks the sizes; a sentence for people is returned, or thrown where a budget is exceeded. */
+/** Checks the sizes. Returns a message, or throws one if a size exceeds its budget. */
 export function checkPackageSize() {
   const sizes = Object.entries(BUDGET_KB).map(([file, budget]) => ({
     file,

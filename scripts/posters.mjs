@@ -1,4 +1,4 @@
-// npm run posters: the pictures of the presets, web/embed/posters/, from the built site in headless Chromium.
+// npm run posters: draws the pictures of the presets, web/embed/posters/, from the built site in headless Chromium.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
@@ -9,7 +9,7 @@ import { main, root, step } from "./steps.mjs";
 
 /** CSS pixels. */
 const SIZE = { width: 688, height: 300 };
-/** The input frame that is shown: one foot is planted, the other swings. */
+/** The displayed input frame: one foot is planted, the other swings. */
 const FRAME = "95";
 
 await main(async () => {
@@ -33,7 +33,7 @@ await main(async () => {
           await customElements.whenDefined("strut-player");
           await document.querySelector("strut-player").ready;
         });
-        // The finer picture of what stands still comes after a moment.
+        // A paused picture is refined after a moment.
         await page.waitForTimeout(3000);
         await page.screenshot({ path: join(folder, `${name}.png`) });
       });

@@ -1,7 +1,10 @@
-// A plugin of vite: the page preloads what it surely needs and names late. Its first script imports parts of it dynamically, so
-// that each runs in a task of its own; its style sheet names the font.
+// A Vite plugin: the page preloads files that it always needs and requests late. Its first script imports parts
+// dynamically, so that each runs in a separate task; its style sheet names the font.
 
-/** Has `page` preload the chunks of `modules`, with all that they import, and the font; each is told by the end of its path. */
+/**
+ * Makes `page` preload the chunks of `modules`, with all their imports, and the font. Each is identified by the end of
+ * its path.
+ */
 export function preloadPlugin(page, { modules, font }) {
   return {
     name: "preload",
@@ -19,7 +22,7 @@ export function preloadPlugin(page, { modules, font }) {
         );
         return [
           ...fonts.map(({ fileName }) => link(fileName, { rel: "preload", as: "font", type: "font/woff2" })),
-          // They come before the engine, which a worker asks for: a walker is shown without it.
+          // They come before the engine, which a worker requests: a walker is shown without it.
           ...scripts.map((name) => link(name, { rel: "modulepreload" })),
         ];
       },
@@ -31,10 +34,10 @@ function link(name, attributes) {
   return { tag: "link", attrs: { ...attributes, crossorigin: true, href: `./${name}` }, injectTo: "head" };
 }
 
-/** The names of chunks and of all that they import statically. */
+/** Returns the names of chunks and of all their static imports. */
 function withImports(bundle, chunks) {
   const names = new Set(chunks.map(({ fileName }) => fileName));
-  // A set grows while it is walked.
+  // The set grows during the iteration.
   for (const name of names) for (const imported of bundle[name]?.imports ?? []) names.add(imported);
   return names;
 }

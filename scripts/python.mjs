@@ -1,4 +1,4 @@
-// The Python package: node scripts/python.mjs builds its wheel, installs that and runs its tests. A step of npm test.
+// The Python package: node scripts/python.mjs builds its wheel, installs it and runs its tests. A step of npm test.
 import { existsSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -9,12 +9,12 @@ import { main, root, run, Sentence, step } from "./steps.mjs";
 
 const PACKAGE = join(root, "rust", "strut-python");
 const TARGET = join(root, "rust", "target", "python");
-/** Where the wheel is. */
+/** Folder of the wheel. */
 export const WHEELS = join(TARGET, "wheels");
 const VENV = join(TARGET, "venv");
-/** The command as the Rust tests built it. */
+/** The command, built by the Rust tests. */
 const COMMAND = join(root, "rust", "target", "debug", "strut");
-/** Greatest size of the wheel, bytes; reading what other programs write, and saying how, takes 40 kB of it. */
+/** Greatest size of the wheel, bytes. Reading files of other programs, and reporting how, takes 40 kB of it. */
 const MAX_WHEEL = 2_450_000;
 const inVenv = (name) => programIn(VENV, name);
 
@@ -57,7 +57,7 @@ async function testPackage(env) {
   await run(join(root, "node_modules", ".bin", "pyright"), ["--pythonpath", inVenv("python")], inPackage);
 }
 
-/** Builds the wheel with this Python, and installs it where its tests are. */
+/** Builds the wheel with this Python, and installs it in the environment of its tests. */
 export async function buildPythonWheel(python, env) {
   await setupEnvironment(python, {
     environment: VENV,
@@ -67,7 +67,7 @@ export async function buildPythonWheel(python, env) {
   await step("Python package", () => buildWheel(env));
 }
 
-/** Builds and tests the package. Without Python that is left out, and an error where STRUT_PYTHON or CI say so. */
+/** Builds and tests the package. Without Python this is skipped; with STRUT_PYTHON or CI it is an error. */
 export async function checkPython(env) {
   const python = await setupPython("Python package");
   if (!python) return;

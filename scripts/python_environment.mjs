@@ -1,4 +1,4 @@
-// Python and environments (`venv`) with packages of fixed versions and hashes.
+// Python and virtual environments with packages of fixed versions and hashes.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -8,11 +8,11 @@ import { findProgram, output, run, Sentence, step } from "./steps.mjs";
 const NAMES = ["python3", "python3.14", "python3.13", "python3.12", "python3.11", "python"];
 const WINDOWS = process.platform === "win32";
 
-/** Path of a program of an environment. */
+/** Returns the path of a program of an environment. */
 export const programIn = (environment, name) =>
   WINDOWS ? join(environment, "Scripts", `${name}.exe`) : join(environment, "bin", name);
 
-/** A Python that can make environments and is recent enough; undefined if there is none. */
+/** Returns a Python that can create environments and is recent enough, or undefined. */
 async function findPython() {
   const usable = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
   for (const name of NAMES) {
@@ -23,9 +23,9 @@ async function findPython() {
 }
 
 /**
- * Finds Python, or installs Debian's. Without one, what needs it is left out with a sentence; where `STRUT_PYTHON` is
- * `required` or `CI` is `true` that is an error.
- * @param what what needs it, the beginning of that sentence
+ * Finds Python, or installs Debian's. Without Python the step is skipped with a message; if `STRUT_PYTHON` is
+ * `required` or `CI` is `true` it is an error.
+ * @param what the step that needs Python, the beginning of that message
  * @returns its path, or undefined
  */
 export async function setupPython(what) {
@@ -44,8 +44,9 @@ export async function setupPython(what) {
 }
 
 /**
- * Makes an environment with the packages of a requirements file, of its versions and hashes; what is up to date stays.
- * @param label of the step
+ * Creates an environment with the packages of a requirements file, with these versions and hashes. An up-to-date one is
+ * kept.
+ * @param label label of the step
  */
 export async function setupEnvironment(python, { environment, requirements, label }) {
   const stamp = join(environment, ".strut-requirements");

@@ -1,8 +1,8 @@
-// The quiz of `npm run strips -- --quiz`: motions under names that say nothing, the key to them, and the answer sheet.
+// The quiz of `npm run strips -- --quiz`: motions with meaningless names, the key, and the answer sheet.
 
 import { generator, shuffled } from "./random.mjs";
 
-/** The key: every style of every action under a number, in shuffled order, and the seed that gives this order again. */
+/** Returns the key: every style of every action with a number, in shuffled order, and the seed of that order. */
 export function keyOf(styles, actions, seed) {
   const motions = shuffled(
     actions.flatMap((action) => styles.map((style) => ({ style, action }))),
@@ -13,9 +13,10 @@ export function keyOf(styles, actions, seed) {
 }
 
 /**
- * What is right, and which style was taken for which, most often first; a line each. Strips without an answer do not count.
- * The answer sheet has the text of this function, which therefore calls no other.
- * @param answers the style that was named for each name of a strip
+ * Returns the number of right answers, and which style was mistaken for which, most often first; one line each. Strips
+ * without an answer do not count. The answer sheet contains the source of this function, which therefore calls no
+ * other.
+ * @param answers the chosen style by the name of a strip
  */
 export function mark(answers, strips) {
   const answered = strips.filter(({ name }) => answers[name]);
@@ -32,7 +33,10 @@ export function mark(answers, strips) {
   ];
 }
 
-/** The answer sheet, an HTML page beside the pictures `{name}.png`: styles to choose from, and a place to open the key. */
+/**
+ * Returns the answer sheet, an HTML page for the pictures `{name}.png`: styles to choose from, and a field to open the
+ * key.
+ */
 export function answerSheet(names, styles) {
   const options = ["", ...styles].map((style) => `<option>${style}</option>`).join("");
   const questions = names.map(

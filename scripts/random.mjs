@@ -1,6 +1,6 @@
-// Chance that a seed decides, for what must come out the same again.
+// Seeded random numbers, for reproducible results.
 
-/** A generator of numbers from 0 to 1 (mulberry32); `seed` is a whole number below 2³². */
+/** Returns a generator of numbers from 0 to 1 (mulberry32). `seed` is an integer below 2³². */
 export function generator(seed) {
   let state = seed;
   return () => {
@@ -11,7 +11,7 @@ export function generator(seed) {
   };
 }
 
-/** The items in an order that a generator decides (Fisher and Yates). */
+/** Returns the items in random order (Fisher–Yates). */
 export function shuffled(items, random) {
   const order = [...items];
   for (let last = order.length - 1; last > 0; last--) {

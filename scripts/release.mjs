@@ -1,4 +1,4 @@
-// npm run release -- …: the version, the artefacts of a release, and whether each does its work (docs/releases.md).
+// npm run release -- …: the version, the artefacts of a release, and their tests (docs/releases.md).
 import { createHash } from "node:crypto";
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -37,7 +37,7 @@ function check(tag) {
   return currentVersion();
 }
 
-/** Builds artefacts into a folder, and lists their digests there. */
+/** Builds artefacts into a folder, and writes their digests there. */
 async function build(kinds, out) {
   const unknown = kinds.find((kind) => !(kind in ARTEFACTS));
   if (unknown !== undefined)
@@ -52,7 +52,7 @@ async function build(kinds, out) {
   writeFileSync(join(out, "SHA256SUMS"), files.map(line).join(""));
 }
 
-/** All that a release does up to publishing, from a fresh clone of a tag. */
+/** Does everything that a release does before publishing, from a fresh clone of a tag. */
 async function dryRun(tag, out) {
   const folder = mkdtempSync(join(tmpdir(), "strut-tag-"));
   try {
@@ -66,7 +66,7 @@ async function dryRun(tag, out) {
   }
 }
 
-/** The options of the command line; what is none of them ends it with the usage. */
+/** Parses the command line; an unknown option prints the usage and ends the program. */
 function parse() {
   try {
     return parseArgs({ options: OPTIONS }).values;

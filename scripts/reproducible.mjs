@@ -1,16 +1,16 @@
-// npm run reproducible: whether the same sources give the same bytes. Builds the site in two clones of HEAD, in folders of
-// different names and with nothing kept from former builds, and compares all files of dist/. Takes two builds' time, and is
-// not part of the tests.
+// npm run reproducible: checks that equal sources give equal bytes. Builds the site in two clones of HEAD, in folders
+// of different names and without caches, and compares all files of dist/. Takes the time of two builds, and is not part
+// of the tests.
 import { createHash } from "node:crypto";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, relative } from "node:path";
 import { main, root, run, Sentence, step } from "./steps.mjs";
 
-/** Differing files that are named. */
+/** Greatest number of differing files that are listed. */
 const NAMED = 20;
 
-/** Builds the site in a clone; the SHA-256 of each file of it, by its path. */
+/** Builds the site in a clone. Returns the SHA-256 of each of its files, by path. */
 async function cleanBuild(folder) {
   await run("git", ["clone", "--quiet", root, folder]);
   await run(process.execPath, [join(folder, "scripts", "build.mjs")], {

@@ -1,2 +1,2 @@
-/** The circles among the modules of a crate, one sentence each; `rootFile` is its `lib.rs` or `main.rs`. */
+/** Returns a message for each cycle among the modules of a crate; `rootFile` is its `lib.rs` or `main.rs`. */
 export function moduleCircles(rootFile: string): string[];

@@ -1,14 +1,14 @@
-// The modules of a Rust crate, which of them uses which, and the circles among them. Read from the source text: comments
-// and literals are blanked, `use` trees and paths are resolved through re-exports to the module that defines the item.
+// The modules of a Rust crate, their dependencies, and the cycles among them, from the source text: comments and
+// literals are blanked, `use` trees and paths are resolved through re-exports to the module that defines the item.
 import { existsSync, readFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { circles } from "./circles.mjs";
 
 /**
- * The circles of a crate, one sentence each.
+ * Returns a message for each cycle of a crate.
  *
- * A module and its descendants count as one when they are seen from a sibling; a module's own file counts beside its
- * children. Tests may use anything. A re-export of a descendant is no use of it.
+ * Seen from a sibling, a module and its descendants are one node; a module's own file is a node next to its children.
+ * Tests may use anything. A re-export of a descendant does not count as a dependency.
  */
 export function moduleCircles(rootFile) {
   const root = readModule(rootFile, "crate", undefined, rootFile);
@@ -27,9 +27,9 @@ const isWithin = (module, ancestor) => {
   return false;
 };
 
-// Circles.
+// Cycles.
 
-/** Circles among a module's own file and its children, each with all that is below it. */
+/** Returns the cycles among a module's own file and its children, each with all its descendants. */
 function circlesBelow(parent, uses) {
   const part = (module) => {
     if (module === parent) return parent;
@@ -51,7 +51,7 @@ function circlesBelow(parent, uses) {
   });
 }
 
-// Uses of a module.
+// Dependencies of a module.
 
 function usesOf(root, module) {
   const found = [];
@@ -69,7 +69,7 @@ function usesOf(root, module) {
   return found;
 }
 
-/** The module that defines what a path names in a module; nothing for what is outside the crate. */
+/** Returns the module that defines the item of a path in a module, or nothing outside the crate. */
 function resolve(root, module, path, depth = 0) {
   if (depth > 20) return undefined;
   const [first, ...rest] = path;
@@ -85,7 +85,7 @@ function resolve(root, module, path, depth = 0) {
 
 const importOf = (module, name) => module.imports.find((i) => i.name === name);
 
-/** Follows a path from a module down, and re-exports wherever they lead. */
+/** Follows a path from a module down, and through re-exports. */
 function walk(root, module, path, depth) {
   const [first, ...rest] = path;
   if (first === undefined) return { module, item: false };
@@ -112,7 +112,7 @@ const exports = (module, name) => module.defined.has(name) || module.imports.som
 
 // Reading.
 
-/** A module with its children; `home` is the file whose folder the paths of its children start from. */
+/** Reads a module with its children. `home` is the file whose folder contains the files of its children. */
 function readModule(file, path, parent, home) {
   const text = withoutInlineModules(withoutTests(blanked(readFileSync(file, "utf8"))));
   const imports = [];
@@ -134,7 +134,7 @@ function readModule(file, path, parent, home) {
   return module;
 }
 
-/** What a `use` tree brings in: each a path and the name it has here, `*` for all names. */
+/** Returns the imports of a `use` tree: each a path and its local name, `*` for all names. */
 function importsOf(tree, before) {
   const text = tree.trim().replace(/^::/, "");
   const brace = text.indexOf("{");
@@ -164,14 +164,14 @@ function splitAtCommas(text) {
   return parts.filter((part) => part.trim() !== "");
 }
 
-/** The text without comments, and without what is in strings and characters. */
+/** Returns the text without comments and without the contents of literals. */
 function blanked(source) {
   const token =
     /\/\/[^\n]*|\/\*[\s\S]*?\*\/|\bb?r(#*)"[\s\S]*?"\1|\bb?"(?:\\[\s\S]|[^"\\])*"|"(?:\\[\s\S]|[^"\\])*"|b?'(?:\\[^\n]{1,8}?|[^'\\\n])'/g;
   return source.replace(token, (found) => (found.startsWith("/") ? " " : '""'));
 }
 
-/** The text without items for tests only. */
+/** Returns the text without test-only items. */
 function withoutTests(text) {
   const attribute = /#\[cfg\(test\)\]/g;
   let rest = text;
@@ -182,7 +182,7 @@ function withoutTests(text) {
   return rest;
 }
 
-/** The text with the modules written out in it as part of the file's own module: their `super` is the file. */
+/** Returns the text with inline modules merged into the file's own module: their `super` is the file. */
 function withoutInlineModules(text) {
   const start = /\bmod\s+\w+\s*\{/.exec(text);
   if (!start) return text;
@@ -191,7 +191,7 @@ function withoutInlineModules(text) {
   return withoutInlineModules(text.slice(0, start.index) + body + text.slice(end));
 }
 
-/** Where an item ends: at its semicolon, or at the brace that closes its body. */
+/** Returns the end of an item: its semicolon, or the brace that closes its body. */
 function endOfItem(text, from) {
   let depth = 0;
   for (let i = from; i < text.length; i++) {

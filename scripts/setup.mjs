@@ -1,5 +1,5 @@
-// Everything a machine needs beyond git and Node: packages, Rust, the WASM target, a browser. Each part looks first,
-// installs only what is missing, and says in a sentence what to do where it cannot.
+// Sets up everything that a machine needs besides git and Node: packages, Rust, the WASM target, a browser. Each part
+// installs only what is missing, and prints instructions if it cannot.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, realpathSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
@@ -10,7 +10,7 @@ const MIN_RUST = [1, 88];
 const WASM_TARGET = "wasm32-unknown-unknown";
 const CARGO_BIN = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "bin");
 
-/** Installs the packages of package-lock.json unless they are there already. */
+/** Installs the packages of package-lock.json unless they are installed. */
 export async function setupPackages() {
   const lock = createHash("sha256")
     .update(readFileSync(join(root, "package-lock.json")))
@@ -23,7 +23,7 @@ export async function setupPackages() {
   });
 }
 
-/** Installs Debian packages; false where there is no apt or no right to use it. */
+/** Installs Debian packages. Returns false without apt or without permission to use it. */
 export async function installDebian(packages) {
   const apt = findProgram("apt-get");
   if (!apt) return false;
@@ -71,7 +71,7 @@ export async function setupRust() {
   return debianRust();
 }
 
-/** Finds or installs a C++ compiler, which libFuzzer is compiled with. */
+/** Finds or installs a C++ compiler, which compiles libFuzzer. */
 export async function setupCxx() {
   const found = () => ["c++", "g++", "clang++"].some((name) => findProgram(name));
   if (found()) return;
@@ -79,7 +79,7 @@ export async function setupCxx() {
   if (!found()) throw new Sentence("libFuzzer needs a C++ compiler. Install g++ or clang, then run this again.");
 }
 
-/** Debian's rustc-web and cargo-web: a recent compiler that comes with the sources of its standard library. */
+/** Returns Debian's rustc-web and cargo-web: a recent compiler with the sources of its standard library. */
 async function debianRust() {
   if (!isRecent(await rustVersion("/usr/bin/rustc")) || !existsSync("/usr/bin/cargo")) {
     await step("Installing Rust from Debian's packages (rustc-web, cargo-web)", async () => {
@@ -94,8 +94,8 @@ async function debianRust() {
 }
 
 /**
- * Makes the compiler able to build for WebAssembly: the target of the active toolchain if it is there or rustup can
- * add it, else Debian's compiler with the standard library built from source.
+ * Sets up the compiler for WebAssembly: uses the active toolchain's target if it is installed or rustup can add it,
+ * else Debian's compiler with the standard library built from source.
  * @param rust environment of {@link setupRust}
  * @returns the environment in which cargo builds the packages (wasm.mjs).
  */
@@ -154,14 +154,14 @@ function findBrowser() {
   return known.find((path) => path && existsSync(path)) ?? names.map((name) => findProgram(name)).find(Boolean);
 }
 
-/** Mesa draws twice as fast as Chromium's own software renderer; the tests use it where it is there. */
+/** Mesa draws twice as fast as Chromium's own software renderer; the tests use it if it is installed. */
 const MESA = ["libegl1", "libegl-mesa0", "libgl1-mesa-dri"];
-/** Chromium without what is around a page: it loads one in half the processor time. Debian has it as a package. */
+/** Chromium without a user interface: it loads a page in half the CPU time. Debian has a package of it. */
 const SHELL = "chromium-headless-shell";
 
 /**
  * Finds or installs a Chromium for the browser tests, and its headless shell where Debian has it.
- * @returns the environment that names them as CHROME_PATH and CHROME_SHELL_PATH; the former alone where it was named before.
+ * @returns the environment with CHROME_PATH and CHROME_SHELL_PATH; only the former if it was set before.
  */
 export async function setupBrowser() {
   if (!findBrowser()) await step("Installing Chromium (Debian's package)", () => installDebian(["chromium", ...MESA]));
@@ -173,7 +173,7 @@ export async function setupBrowser() {
   return { CHROME_PATH: browser, ...(shell && { CHROME_SHELL_PATH: shell }) };
 }
 
-/** Installs the headless shell of the version of Debian's Chromium, which stays as it is, where that is to be had. */
+/** Installs the headless shell with the version of Debian's Chromium, which is not changed, if it is available. */
 async function installShell() {
   const [, version] = (await output("dpkg-query", ["--show", "chromium"]))?.split("\t") ?? [];
   const shell = `${SHELL}=${version}`;
@@ -182,8 +182,8 @@ async function installShell() {
 }
 
 /**
- * The software graphics processor that Chromium brings, for what drives one natively.
- * @returns the environment that names its driver; nothing where a driver is named already, or there is none.
+ * Returns the software GPU of Chromium, for native GPU programs.
+ * @returns the environment with its driver; empty if a driver is set, or there is none.
  */
 export function softwareGraphics(browser) {
   if (process.env.VK_ICD_FILENAMES) return {};
@@ -193,7 +193,7 @@ export function softwareGraphics(browser) {
   return folder ? { VK_ICD_FILENAMES: join(folder, files[0]), LD_LIBRARY_PATH: folder } : {};
 }
 
-/** Refuses a Node that is too old, in a sentence. */
+/** Throws a message if Node is too old. */
 export function checkNode() {
   const major = Number(process.versions.node.split(".")[0]);
   if (major < 20) throw new Sentence(`Strut needs Node 20 or newer; this is ${process.versions.node}.`);

@@ -1,4 +1,4 @@
-// From sources to the static site in dist/.
+// Builds the static site in dist/ from the sources.
 import { join } from "node:path";
 import { writeEmbedPage } from "./embed_page.mjs";
 import { writeNotices } from "./notices.mjs";
@@ -11,7 +11,7 @@ import { buildPackages } from "./wasm.mjs";
 export const vite = join(root, "node_modules", "vite", "bin", "vite.js");
 
 /**
- * Sets up what the build needs.
+ * Sets up the requirements of the build.
  * @returns the environments in which cargo builds natively (`rust`) and for WebAssembly (`wasm`).
  */
 async function setup() {
@@ -21,14 +21,14 @@ async function setup() {
   return { rust, wasm: await setupWasm(rust) };
 }
 
-/** Builds the WASM packages; see {@link buildPackages}. Returns what {@link setup} does. */
+/** Builds the WASM packages; see {@link buildPackages}. Returns the result of {@link setup}. */
 export async function buildWasm(options) {
   const environments = await setup();
   await buildPackages(environments.wasm, options);
   return environments;
 }
 
-/** Builds the static site; takes and returns what {@link buildWasm} does. */
+/** Builds the static site. Has the parameter and the result of {@link buildWasm}. */
 export async function buildSite(options) {
   const environments = await buildWasm(options);
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
@@ -37,7 +37,7 @@ export async function buildSite(options) {
     await writeEmbedPage();
   });
   await step("Listing what is of others", () => writeNotices(environments.rust));
-  // A clean checkout installs what it imports after this file is read.
+  // A clean checkout installs its imports only after this file is read.
   await step("Writing the documentation", async () => (await import("./docs/site.mjs")).writeDocs());
   return environments;
 }

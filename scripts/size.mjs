@@ -1,25 +1,25 @@
-// The size budget of DESIGN §8: what a visitor loads before the character moves.
+// Checks the size budget: what a visitor loads before the character moves.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { basename, extname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { siteFiles } from "./site_files.mjs";
 import { root, Sentence } from "./steps.mjs";
 
-/** Most kilobytes after gzip, by the ending of files, before the first styled figure. */
-// What a clip travels, and how far it is from the database, is measured by the engine that a page begins with, too.
+/** Greatest sizes after gzip, kilobytes, by extension, of the files before the first styled figure. */
+// The engine of the page's start also measures the distance that a clip travels and its distance from the database.
 const BUDGET_KB = { ".js": 300, ".wasm": 116, ".bin": 175 };
-/** Most kilobytes after gzip of all that is loaded before the first styled figure. */
+/** Greatest size after gzip, kilobytes, of all files before the first styled figure. */
 const BUDGET_ALL_KB = 600;
 
 /**
- * What the page loads once it plays, the whole engine in a worker of its own and the other motions; what that worker loads to
- * drive a character; Greek where it is read.
+ * Files that the page loads once it plays: the whole engine in a separate worker and the other motions, the worker's
+ * driving files, and Greek letters for reading.
  */
 const AFTERWARDS = /^assets\/(worker-|strut_wasm_bg-|built_in-|driving-|strut_drive_bg-|drive-|inter-greek-)/;
 
 /**
- * What is loaded when it is asked for: most kilobytes after gzip of a chunk with the scripts and style sheets that come with it
- * and that the page does not have already.
+ * Files that are loaded on demand: greatest size after gzip, kilobytes, of a chunk with its additional scripts and
+ * style sheets.
  */
 const LATER = [
   { name: "Learn", key: /views\/learn\/learn_view\.ts$/, budget: 60 },
@@ -33,36 +33,37 @@ const LATER = [
   { name: "a lesson", key: /lessons\/(text\/\w+\/)?\w+\.ts$/, budget: 12, sets: withTexts },
 ];
 
-/** Each lesson with its text in each language. */
+/** Returns each lesson with its text in each language. */
 function withTexts(keys) {
   const texts = keys.filter((key) => key.includes("/text/"));
   return texts.map((text) => [text, ...keys.filter((key) => !texts.includes(key) && basename(key) === basename(text))]);
 }
 
-/** Modules and data that are loaded once the page plays, or with some of what is asked for: most kilobytes after gzip. */
+/** Modules and data that are loaded once the page plays, or on demand: greatest sizes after gzip, kilobytes. */
 const LATER_ASSETS = [
-  // 300 are specified. Reading other people's files (floor, axes, sides, cuts, names, notes) takes 28 more, saying how they were
-  // read and reading them as a person says 3, bodies that begin at the chest or are far away 4, other encodings 6, and refusing
-  // what could not be written or read back 2; the engine that a page begins with has none of it.
+  // The specification is 300. Reading of varied files (floor, axes, sides, cuts, names, notes) takes 28 more, reports
+  // on the reading and reading options 3, bodies with the root at the chest or far from the origin 4, other encodings
+  // 6, and the refusal of motions that could not be written or read again 2. The engine of the page's start has none of
+  // these.
   { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 354 },
   { name: "all motions", asset: /^built_in-.*\.bin$/, budget: 1325 },
   { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 496 },
-  // What writes BVH files writes names in other encodings.
+  // The code that writes BVH files includes names in other encodings.
   { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 128 },
   { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 144 },
   // Predictions are checked before they are performed.
   { name: "performers", asset: /^strut_performers_bg.*\.wasm$/, budget: 77 },
   { name: "driving", asset: /^strut_drive_bg.*\.wasm$/, budget: 60 },
-  // 60 were suggested: finding the joints of any sender's body is 70, as in the package of characters; more names of joints,
-  // axes, notes and other encodings take 18, feet that hang from the root and lists of missing joints 7.
+  // The suggestion was 60. Joint detection for any sender's body takes 70, as in the package of characters; more names
+  // of joints, axes, notes and other encodings 18; feet that are children of the root and lists of missing joints 7.
   { name: "live streams", asset: /^strut_live_bg.*\.wasm$/, budget: 146 },
   { name: "characters that are compressed with Draco", asset: /^draco_decoder.*\.wasm$/, budget: 64 },
   { name: "drawing by a graphics processor", asset: /^strut_wasm_gpu_bg.*\.wasm$/, budget: 65 },
-  // 150 are specified (`shared/spec/lessons.md` section 3); kiddo and learning by updates are in it.
+  // The specification is 150; the size includes kiddo and step-by-step training.
   { name: "key-styling", asset: /^strut_wasm_key_style_bg.*\.wasm$/, budget: 168 },
 ];
 
-/** Checks dist/; a sentence for people is returned, or thrown where the budget is exceeded. */
+/** Checks dist/. Returns a message, or throws one if the budget is exceeded. */
 export function checkSize() {
   const dist = join(root, "dist");
   if (!existsSync(join(dist, ".vite", "manifest.json")))
@@ -90,13 +91,13 @@ export function checkSize() {
   return all;
 }
 
-/** Kilobytes of files after gzip; what does not become smaller is sent as it is. */
+/** Returns kilobytes of files after gzip; files that do not become smaller are sent uncompressed. */
 function gzipKb(dist, files) {
   const sizeOf = (bytes) => Math.min(bytes.length, gzipSync(bytes).length);
   return files.reduce((sum, file) => sum + sizeOf(readFileSync(join(dist, file))), 0) / 1000;
 }
 
-/** Sizes of {@link LATER_ASSETS}. */
+/** Returns the sizes of {@link LATER_ASSETS}. */
 function assetSizes(dist) {
   const assets = readdirSync(join(dist, "assets"));
   return LATER_ASSETS.map(({ name, asset, budget }) => {
@@ -105,7 +106,10 @@ function assetSizes(dist) {
   });
 }
 
-/** The largest chunk, or set of chunks, of each kind of {@link LATER}; what an earlier kind has loaded is not counted again. */
+/**
+ * Returns the largest chunk, or set of chunks, of each kind of {@link LATER}. Files that an earlier kind has loaded are
+ * not counted again.
+ */
 function laterSizes(dist, manifest, initial) {
   const filesWith = (key, seen = new Set()) => {
     if (seen.has(key)) return [];

@@ -1,8 +1,8 @@
-// npm run soak [-- --minutes N] [--seed N] [--json FILE]: whether the page stays as it is while it is used for long. In Chromium,
-// styles, views, drops and exports follow each other by a seeded generator. Between the end of the first quarter and the end,
-// what is reachable after garbage collection, code aside, and the memory of WebAssembly may grow by 5 % at most; no error may
-// be shown or thrown; and the same link must show the same pose, to the bit, at the beginning, now and then, and at the end. Needs
-// the built site. Not part of the tests.
+// npm run soak [-- --minutes N] [--seed N] [--json FILE]: checks that the page is stable in long use. In Chromium,
+// styles, views, drops and exports are chosen by a seeded generator. Between the end of the first quarter and the end,
+// the reachable memory after garbage collection, without code, and the memory of WebAssembly may grow by at most 5 %.
+// No error may be shown or thrown. The same link must show the bit-identical pose at the start, at intervals, and at
+// the end. Needs the built site. Not part of the tests.
 import { writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { setTimeout as wait } from "node:timers/promises";
@@ -17,17 +17,17 @@ const VIEWS = ["play", "learn", "compare", "walk", "key-style", "crowd", "data"]
 const STYLES = ["proud", "old", "childlike", "sexy", "angry", "depressed"];
 /** The state in which pose and memory are measured. */
 const FIXED = "play=0&frame=60&styles=proud:0.62,old:0.12,childlike:0.26";
-/** Views out of sight are disposed of after a minute: what is measured then is what the page keeps. */
+/** Hidden views are disposed of after a minute: afterwards the measurement shows what the page keeps. */
 const SETTLING_MS = 70_000;
-/** Acts after which that state is shown. */
+/** Number of actions after which that state is shown. */
 const ACTS_BETWEEN = 50;
-/** Pause after an act, milliseconds: from to. */
+/** Range of the pause after an action, milliseconds. */
 const PAUSE_MS = [100, 2000];
 const MOST_GROWTH_PERCENT = 5;
-/** A busy machine may take this long to show a state, milliseconds. */
+/** Timeout for a state on a busy machine, milliseconds. */
 const PATIENCE_MS = 120_000;
 
-/** In the page, before its scripts: downloads are counted and kept from the disk, and the last one is held. */
+/** Runs in the page before its scripts: counts downloads, keeps them off the disk, and holds the last one. */
 function keepDownloads() {
   window.soak = { downloads: 0, last: undefined, faults: [] };
   const create = URL.createObjectURL.bind(URL);
@@ -45,9 +45,9 @@ function keepDownloads() {
   );
 }
 
-/** What a person may do, each by a page and the generator. */
+/** User actions, each with a page and the generator. */
 const ACTS = {
-  /** Takes a mixture of three styles. */
+  /** Sets a mixture of three styles. */
   style: (page, random) => {
     const names = shuffled(STYLES, random).slice(0, 3);
     const shares = names.map(() => random());
@@ -57,7 +57,7 @@ const ACTS = {
   },
   /** Shows another view. */
   view: (page, random) => go(page, `view=${VIEWS[Math.floor(random() * VIEWS.length)]}`),
-  /** Drops the motion that was exported at the beginning. */
+  /** Drops the motion that was exported at the start. */
   drop: async (page) => {
     await go(page, "");
     await page.evaluate(() => {
@@ -69,7 +69,7 @@ const ACTS = {
       }
     });
   },
-  /** Saves what the view shows, where there is something to save. */
+  /** Exports what the view shows, if it can be exported. */
   export: (page, random) => press(page, random() < 0.5 ? "BVH" : "GLB"),
   /** Plays or pauses. */
   play: (page) => page.keyboard.press("Space"),
@@ -80,7 +80,7 @@ const ACTS = {
   },
 };
 
-/** Goes to the state of a link. */
+/** Opens the state of a link. */
 async function go(page, hash) {
   await page.evaluate((hash) => {
     location.hash = `${hash}&soak=${performance.now()}`;
@@ -88,7 +88,7 @@ async function go(page, hash) {
   await page.waitForFunction(() => !location.hash.includes("soak="));
 }
 
-/** Presses the button of the view, or the item of the Export menu, that saves a format. */
+/** Presses the button of the view, or the item of the Export menu, that exports a format. */
 function press(page, format) {
   return page.evaluate((format) => {
     const buttons = [...document.querySelectorAll(".editor-actions button, .crowd-foot button, .export-menu button")];
@@ -98,7 +98,7 @@ function press(page, format) {
   }, format);
 }
 
-/** The pose of {@link FIXED}. */
+/** Returns the pose of {@link FIXED}. */
 async function fixedPose(page) {
   await go(page, FIXED);
   const isShown = () => window.strut.upToDate && window.strut.analysed && window.strut.frame?.inputFrame === 60;
@@ -114,7 +114,7 @@ async function fixedPose(page) {
   return page.evaluate(() => [...window.strut.frame.pose]);
 }
 
-/** Bytes of page and workers in the state of {@link FIXED}, once what is out of sight was given up. */
+/** Returns the bytes of page and workers in the state of {@link FIXED}, after hidden views were disposed of. */
 async function measure(page) {
   await fixedPose(page);
   await wait(SETTLING_MS);
@@ -131,7 +131,7 @@ async function measure(page) {
   return bytes;
 }
 
-/** Bytes of all memories of WebAssembly of a page or worker. */
+/** Returns the bytes of all WebAssembly memories of a page or worker. */
 async function wasmBytes(client) {
   await client.send("HeapProfiler.collectGarbage");
   const prototype = await client.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
@@ -146,7 +146,9 @@ async function wasmBytes(client) {
   return result.value;
 }
 
-/** Does one act after another until a time; counts how often each was done, and takes the poses of the fixed state. */
+/**
+ * Does one action after another until a time. Counts each kind of action, and collects the poses of the fixed state.
+ */
 async function use(page, random, until, { counts, poses }) {
   const names = Object.keys(ACTS);
   for (let acts = 1; performance.now() < until; acts++) {
@@ -159,7 +161,7 @@ async function use(page, random, until, { counts, poses }) {
   }
 }
 
-/** Takes the errors that the page says, which go after a while. */
+/** Collects the page's error messages, which disappear after a while. */
 function collectErrors(page) {
   return page.evaluate(() => {
     for (const note of document.querySelectorAll(".toast.error")) {
@@ -207,7 +209,7 @@ const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 const lineOf = ({ heap, code, wasm, workers }) =>
   `heap ${megabytes(heap)}, code ${megabytes(code)}, WebAssembly ${megabytes(wasm)}, ${workers} workers`;
 
-/** What must hold and does not, a sentence each. */
+/** Returns a message for each violated requirement. */
 function faultsOf({ quarter, end, errors, same }) {
   const growth = (kind) => (100 * (end[kind] - quarter[kind])) / quarter[kind];
   const grown = ["heap", "wasm"].filter((kind) => growth(kind) > MOST_GROWTH_PERCENT);

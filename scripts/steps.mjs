@@ -1,4 +1,4 @@
-// Runs the steps of a command one after another, each saying what it does and how long it took.
+// Runs the steps of a command one after another, and prints the label and the duration of each.
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -7,12 +7,12 @@ import { fileURLToPath } from "node:url";
 /** Root of the repository. */
 export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
-/** An error whose message is all a person needs; printed without a stack. */
+/** An error whose message is sufficient for users; printed without a stack. */
 export class Sentence extends Error {}
 
 const seconds = (since) => `${((performance.now() - since) / 1000).toFixed(1)} s`;
 
-/** Announces a step, runs it and prints its duration. A string it returns is printed beside it. */
+/** Prints a step's label, runs it and prints its duration, with a string that it may return. */
 export async function step(label, work) {
   const started = performance.now();
   console.log(`▸ ${label}`);
@@ -20,7 +20,7 @@ export async function step(label, work) {
   console.log(`  done in ${seconds(started)}${remark ? `: ${remark}` : ""}`);
 }
 
-/** Runs a program to its end with its output shown; rejects with a {@link Sentence} if it fails. */
+/** Runs a program with its output shown. Rejects with a {@link Sentence} if it fails. */
 export function run(program, args, { env = {}, cwd = root } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd, stdio: "inherit", env: { ...process.env, ...env } });
@@ -31,7 +31,7 @@ export function run(program, args, { env = {}, cwd = root } = {}) {
   });
 }
 
-/** Runs a program quietly; its standard output, trimmed, or undefined if it fails or does not exist. */
+/** Runs a program quietly. Returns its standard output, trimmed, or undefined if it fails or does not exist. */
 export function output(program, args, { env = {}, cwd = root } = {}) {
   return new Promise((resolve) => {
     const child = spawn(program, args, { cwd, stdio: ["ignore", "pipe", "ignore"], env: { ...process.env, ...env } });
@@ -44,14 +44,14 @@ export function output(program, args, { env = {}, cwd = root } = {}) {
   });
 }
 
-/** Path of a program on PATH or in the given folders; undefined if there is none. */
+/** Returns the path of a program on PATH or in the given folders, or undefined. */
 export function findProgram(name, folders = []) {
   const places = [...folders, ...(process.env.PATH ?? "").split(process.platform === "win32" ? ";" : ":")];
   const file = process.platform === "win32" ? `${name}.exe` : name;
   return places.map((folder) => join(folder, file)).find((path) => existsSync(path));
 }
 
-/** Runs a command's body, prints a {@link Sentence} plainly and sets the exit code. */
+/** Runs a command's body, prints a {@link Sentence} without a stack and sets the exit code. */
 export async function main(body) {
   const started = performance.now();
   try {

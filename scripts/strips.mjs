@@ -1,9 +1,10 @@
-// npm run strips [-- --recordings DIR --ours DIR --actions walk,jump]: film strips of the built-in motions beside recorded ones of
-// the same style and action, as pictures in tests/output. Recordings are those of Xia et al. 2015; --ours has what
-// `strut demo-db --bvh` wrote before.
-// npm run strips -- --quiz [--seed N --ours DIR --actions walk,jump]: a test of whether styles are named at sight. Ours only,
-// under shuffled names in tests/output/quiz with an answer sheet, index.html; the key is apart, tests/output/quiz-key.json.
-// Without a seed, one is drawn by chance; the key has it, and with it the same quiz is made again.
+// npm run strips [-- --recordings DIR --ours DIR --actions walk,jump]: film strips of the built-in motions next to
+// recorded ones of the same style and action, as pictures in tests/output. Recordings are those of Xia et al. 2015;
+// --ours has the output of `strut demo-db --bvh`.
+// npm run strips -- --quiz [--seed N --ours DIR --actions walk,jump]: a test of whether viewers recognise styles. It
+// shows the built-in motions with shuffled names in tests/output/quiz with an answer sheet, index.html; the key is in
+// tests/output/quiz-key.json. Without a seed, a random one is used; the key contains it, and with it the same quiz is
+// made again.
 import { randomInt } from "node:crypto";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -16,21 +17,21 @@ import { main, root, run, Sentence, step } from "./steps.mjs";
 
 const FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const STYLES = ["neutral", "proud", "angry", "depressed", "strutting", "childlike", "old", "sexy"];
-/** Number of an action in the names of the recordings, and the clip of ours that shows it. */
+/** Number of an action in the names of the recordings, by the name of our action. */
 const ACTIONS = { walk: "01", run: "13", jump: "16", punch: "18", kick: "22" };
 const VIEWS = ["side", "front"];
 const OUTPUT = join(root, "tests", "output");
 const QUIZ = { pictures: join(OUTPUT, "quiz"), key: join(OUTPUT, "quiz-key.json") };
-/** Size of the pictures, where strips do not need more height. Those of the quiz have room for two views of any action. */
+/** Size of the pictures, unless strips need more height. Those of the quiz have room for two views of any action. */
 const SIZE = { width: 1140, height: 800 };
 const QUIZ_SIZE = { width: 1140, height: 584 };
 /** One more than the highest seed. */
 const SEEDS = 2 ** 32;
 
-/** Our clip of an action in a style. */
+/** Returns our clip of an action in a style. */
 const oursOf = (folder, action, style) => join(folder, `${action}_${style}_001.bvh`);
 
-/** The strips of an action: ours and the recorded clip in every style. */
+/** Returns the strips of an action: our clip and the recorded clip in every style. */
 function stripsOf(action, view, ours, recordings) {
   return STYLES.flatMap((style) => {
     const files = [
@@ -43,7 +44,7 @@ function stripsOf(action, view, ours, recordings) {
   });
 }
 
-/** Opens Chromium for `work`, which gets a function that writes strips, one below the other, as a picture. */
+/** Opens Chromium for `work`, which receives a function that writes strips, one below the other, as a picture. */
 async function withDrawing(work) {
   const server = await createServer({ root, configFile: false, logLevel: "error", server: { port: 0 } });
   await server.listen();
@@ -66,7 +67,7 @@ async function withDrawing(work) {
   }
 }
 
-/** Draws every action in every style, ours beside the recorded ones, a picture an action and view. */
+/** Draws every action in every style, ours next to the recorded ones, one picture per action and view. */
 async function drawBeside(draw, actions, ours, recordings) {
   for (const action of actions)
     for (const view of VIEWS)
@@ -76,14 +77,14 @@ async function drawBeside(draw, actions, ours, recordings) {
 }
 
 /**
- * Draws the quiz, a picture a motion, in the order of the names, so that the times of the files say no more than these. Nothing
- * is said beside a strip: how long a stride lasts can be looked up in docs/demo-motions.md.
+ * Draws the quiz, one picture per motion, in the order of the names, so that the times of the files give no hint.
+ * Strips have no captions: the duration of a stride could be looked up in docs/demo-motions.md.
  */
 async function drawQuiz(draw, actions, ours, seed) {
   const key = keyOf(STYLES, actions, seed);
   const missing = key.strips.map(({ action, style }) => oursOf(ours, action, style)).find((path) => !existsSync(path));
   if (missing !== undefined) throw new Sentence(`${missing} is missing; a quiz needs every style of its actions.`);
-  // What an earlier quiz left would be taken for a part of this one.
+  // Files of an earlier quiz would be mistaken for a part of this one.
   for (const path of Object.values(QUIZ)) rmSync(path, { recursive: true, force: true });
   mkdirSync(QUIZ.pictures);
   for (const { name, style, action } of key.strips)
@@ -100,7 +101,7 @@ async function drawQuiz(draw, actions, ours, seed) {
   writeFileSync(QUIZ.key, `${JSON.stringify(key, undefined, 2)}\n`);
 }
 
-/** The seed that was asked for, or one by chance. */
+/** Returns the given seed, or a random one. */
 function seedOf({ quiz, seed }) {
   if (seed === undefined) return randomInt(SEEDS);
   if (!quiz) throw new Sentence("--seed is for --quiz: other strips are not shuffled.");

@@ -1,4 +1,4 @@
-// npm test: sets up all it needs and runs every test: Rust, Python, TypeScript, parity, end to end in Chromium.
+// npm test: sets up all requirements and runs every test: Rust, Python, TypeScript, parity, end to end in Chromium.
 import { join } from "node:path";
 import { keepCompiled, takeCompiled } from "./compiled_rust.mjs";
 import { checkPython } from "./python.mjs";

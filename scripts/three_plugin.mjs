@@ -1,8 +1,9 @@
-// three.js as its modules: its published build is one file, of which a page loads all that any of its views uses.
+// Uses the modules of three.js: its published build is one file, of which a page would load everything that any of its
+// views uses.
 
 const SHADER = /\/three\/src\/.*\.glsl\.js$/;
 
-/** GLSL without comments and indentation, as in the published build of three.js. */
+/** Returns GLSL without comments and indentation, as in the published build of three.js. */
 export function bareShader(glsl) {
   return glsl
     .replace(/\/\*[\s\S]*?\*\//g, "")
@@ -11,7 +12,7 @@ export function bareShader(glsl) {
     .trim();
 }
 
-/** Vite's plugin: what is built has those modules of three.js that it uses, with bare shaders. */
+/** Vite's plugin: a build contains only the modules of three.js that it uses, with minified shaders. */
 export function threePlugin() {
   return {
     name: "strut-three",

@@ -1,9 +1,9 @@
-// The WASM packages: cargo compiles a crate, xtask binds it to JavaScript, wasm-opt makes it small and fast.
+// The WASM packages: cargo compiles a crate, xtask binds it to JavaScript, wasm-opt optimises it for size and speed.
 //
-// Two modes. `full` is what visitors download: each package from a build of its own with fat LTO, then wasm-opt. `quick` is
-// for developers and tests: one build with the features of all packages and no wasm-opt; the same bits come out of it
-// (tests/parity), in a fifth of the time. A package that is up to date in full mode serves the quick one too. What another
-// clone of the same sources built on this machine is taken from there.
+// There are two modes. `full` is what visitors download: each package from a separate build with fat LTO, then
+// wasm-opt. `quick` is for developers and tests: one build with the features of all packages and no wasm-opt. It gives
+// bit-identical results (tests/parity) in a fifth of the time. A package that is up to date in full mode is used in
+// quick mode, too. Packages that another clone built from the same sources on this machine are taken from the cache.
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -12,49 +12,48 @@ import { keepBuilt, sourcesHash, takeBuilt } from "./build_cache.mjs";
 import { packFirstSteps } from "./first_steps.mjs";
 import { findProgram, output, root, run, step } from "./steps.mjs";
 
-/** What rustc calls WebAssembly without a system below it. */
+/** rustc's name of WebAssembly without an operating system. */
 export const TARGET = "wasm32-unknown-unknown";
 const RUST = join(root, "rust");
 
 /**
- * LLVM inlines what it thinks fast until the module is larger than visitors should have to load. At this threshold, and
- * with wasm-opt's -O3 for its -Os, a frame takes an eighth less than at a quarter of it, and the module is a twentieth
- * larger.
+ * LLVM's default inlining makes the module too large to download. At this threshold, and with wasm-opt's -O3 instead of
+ * -Os, a frame takes an eighth less time than at a quarter of the threshold, and the module is a twentieth larger.
  */
 const INLINE_LESS = "-Cllvm-args=-inline-threshold=100";
 
-/** A frame of driving takes microseconds, with less inlined as well, and the module is a twenty-fifth smaller. */
+/** Less inlining: a frame of driving still takes microseconds, and the module is a twenty-fifth smaller. */
 const DRIVE_FLAGS = ["-Cllvm-args=-inline-threshold=50"];
 
-/** What a lesson or a dragged style asks for may take a fifth longer, and the module is a tenth smaller. */
+/** Lessons and dragged styles may take a fifth longer, and the module is a tenth smaller. */
 const SMALL = {
   flags: ["-Cllvm-args=-inline-threshold=25"],
   config: ["--config", "profile.web.package.strut-motion-core.opt-level=2"],
 };
 
-/** A build of a database takes seconds of work: whoever waits for it would rather load more. */
+/** Fast code: building a database takes seconds, so that a larger download is worth it. */
 const FAST_BUILDING = ["--config", "profile.web.package.strut-motion-formats.opt-level=3"];
 
-/** A frame of a character takes microseconds as it is. */
+/** Small code: a frame of a character takes only microseconds. */
 const SMALL_CORE = ["--config", 'profile.web.package.strut-motion-core.opt-level="s"'];
 
-/** So does one of a stream. */
+/** Small code: a frame of a stream takes only microseconds. */
 const SMALL_STREAMS = { flags: ["-Cllvm-args=-inline-threshold=25"], config: SMALL_CORE };
 
-/** All that takes time is done by the graphics processor. */
+/** Small code: the GPU does all work that takes time. */
 const SMALL_GRAPHICS = ["--config", 'profile.web.package."*".opt-level="z"', "--config", 'profile.web.opt-level="z"'];
 
-/** The yardsticks in `strut-wasm` are optimised as the core is. */
+/** The reference implementations in `strut-wasm` are optimised like the core. */
 const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3"];
 
 /**
- * Each package: where it goes, its crate, the beginning of its files' names, features of the crate, and in full mode
- * whether it leaves out the crate's default features, further flags of the compiler and settings of cargo.
+ * Each package: its folder, its crate, the prefix of its files' names, features of the crate; and for full mode whether
+ * it omits the crate's default features, additional compiler flags and settings of cargo.
  */
 const PACKAGES = {
-  // What styles the first seconds of a page: the engine without what these do not need, as small as can be …
+  // The page's first seconds: the engine without what these do not need, as small as possible.
   start: { folder: "web/engine/start/pkg", crate: "strut-wasm", name: "strut_start", reduced: true, ...SMALL },
-  // … the engine, which takes its place …
+  // The engine, which replaces it.
   engine: {
     folder: "web/engine/pkg",
     crate: "strut-wasm",
@@ -62,19 +61,19 @@ const PACKAGES = {
     features: ["atlas", "drive", "performers"],
     flags: [INLINE_LESS],
   },
-  // … the same for other pages, without what only this one shows …
+  // The engine for other pages, without what only the playground shows.
   embed: { folder: "web/engine/embed/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
-  // … for those who build a database of their own clips …
+  // Database building from users' own clips.
   build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
-  // … for those who open the Walk view, the Key-style view …
+  // The Walk view.
   walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
-  // … (crowds are the same with one handle more, for a worker of their own; …
+  // Crowds: the same with an additional handle, for a separate worker.
   crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
-  // … those who perform a motion in a crowd have one of their own) …
+  // Crowds that perform a motion.
   performers: { folder: "web/engine/performers/pkg", crate: "strut-wasm-performers", name: "strut_performers" },
-  // … for those who steer …
+  // Driving.
   drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive", flags: DRIVE_FLAGS },
-  // … for those who perform …
+  // Live streams.
   live: { folder: "web/engine/live/pkg", crate: "strut-wasm-live", name: "strut_live", ...SMALL_STREAMS },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
@@ -82,14 +81,14 @@ const PACKAGES = {
     name: "strut_wasm_key_style",
     ...SMALL,
   },
-  // … for those who bring a character …
+  // Characters.
   character: {
     folder: "web/engine/character/pkg",
     crate: "strut-wasm-character",
     name: "strut_wasm_character",
     config: SMALL_CORE,
   },
-  // … for those who open the atlas and have a graphics processor …
+  // The atlas with a GPU.
   gpu: {
     folder: "web/engine/gpu/pkg",
     crate: "strut-wasm-gpu",
@@ -97,7 +96,7 @@ const PACKAGES = {
     flags: ["-Cllvm-args=-inline-threshold=5"],
     config: SMALL_GRAPHICS,
   },
-  // … the Compare view: the engine with what it is compared with …
+  // The Compare view: the engine with the methods that it is compared with.
   compare: {
     folder: "web/engine/compare/pkg",
     crate: "strut-wasm",
@@ -105,7 +104,7 @@ const PACKAGES = {
     features: ["compare", "motions"],
     flags: [INLINE_LESS],
   },
-  // … and the lessons: the same with a look inside.
+  // The lessons: the same with inspection.
   learn: {
     folder: "web/engine/learn/pkg",
     crate: "strut-wasm",
@@ -113,7 +112,7 @@ const PACKAGES = {
     features: ["learn"],
     ...SMALL,
   },
-  // The engine with the report that `tests/parity` compares and the yardsticks of `bench/` …
+  // The engine with the report that `tests/parity` compares and the reference implementations of `bench/`.
   bench: {
     folder: "bench/pkg/simd",
     crate: "strut-wasm",
@@ -122,7 +121,7 @@ const PACKAGES = {
     flags: [INLINE_LESS],
     config: FAST_YARDSTICKS,
   },
-  // … the paper's search on a graphics card with the engine's beside it …
+  // The paper's search on the GPU, with the engine's for comparison.
   benchGpu: {
     folder: "bench/pkg/gpu",
     crate: "strut-wasm-gpu",
@@ -130,7 +129,7 @@ const PACKAGES = {
     features: ["bench"],
     flags: [INLINE_LESS],
   },
-  // … and the first of these without SIMD, whose bits must be the same.
+  // The benchmark's engine without SIMD, whose bits must be the same.
   benchScalar: {
     folder: "bench/pkg/scalar",
     crate: "strut-wasm",
@@ -142,29 +141,29 @@ const PACKAGES = {
   },
 };
 
-/** The order in which packages are built in full mode, on two cores: each of these takes about as long as the other. */
+/** Order of the builds in full mode, on two cores: both lines take about the same time. */
 const LINES = [
   ["engine", "embed", "compare", "gpu", "bench", "benchGpu", "benchScalar"],
   ["start", "learn", "keyStyle", "walk", "crowd", "performers", "drive", "live", "build", "character"],
 ];
 
-/** What the page loads, and what benchmarks and parity tests need besides. */
+/** The page's packages, and those that benchmarks and parity tests need in addition. */
 const BENCH = ["bench", "benchGpu", "benchScalar"];
 const PAGE = LINES.flat().filter((name) => !BENCH.includes(name));
 
-/** The crates that what the page loads is made of. */
+/** The crates of the page's packages. */
 export const WASM_CRATES = [...new Set(PAGE.map((name) => PACKAGES[name].crate))];
 
-/** The built-in motions: what the page loads, and what the package `strut-motion` begins with. */
+/** The built-in motions: those that the page loads, and those that the package `strut-motion` starts with. */
 const MOTIONS = join(root, "web", "engine", "motions");
 const MOTIONS_STAMP = join(MOTIONS, "stamp");
 
 /**
- * Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits. Relaxed SIMD
- * stays off: its results differ between machines.
+ * Features that every browser with WASM SIMD has (Chrome 91, Firefox 89, Safari 16.4) and that rustc emits. Relaxed
+ * SIMD is off: its results differ between machines.
  */
 const WASM_OPT_FLAGS = [
-  // Twice: a third time, as `--converge` takes, changes less than a hundred bytes of the largest package.
+  // Twice: a third pass, as `--converge` does, changes less than a hundred bytes of the largest package.
   "-O3",
   "-O3",
   "--enable-simd",
@@ -176,14 +175,14 @@ const WASM_OPT_FLAGS = [
   "--enable-reference-types",
   "--enable-multivalue",
 ];
-/** Oldest wasm-opt that knows these flags. */
+/** Oldest wasm-opt that accepts these flags. */
 const MIN_WASM_OPT = 120;
 
 /**
- * Builds what the page loads, and what benchmarks and parity tests load; what is up to date stays.
+ * Builds the packages of the page, and those of benchmarks and parity tests. Up-to-date ones are kept.
  * @param env environment in which cargo builds for WebAssembly
- * @param mode `full` or `quick`, of what the page loads
- * @param bench the same of what benchmarks and parity tests load; without it that is not built
+ * @param mode `full` or `quick`, for the page's packages
+ * @param bench the mode for benchmarks and parity tests; without it their packages are not built
  */
 export async function buildPackages(env, { mode, bench }) {
   const stamp = await packagesHash(env);
@@ -203,7 +202,7 @@ export async function buildPackages(env, { mode, bench }) {
     });
 }
 
-/** One compilation for all packages with SIMD and, if it is wanted, one for those without. */
+/** Builds all packages with SIMD in one compilation and, if requested, those without SIMD in another. */
 async function buildQuick(env, names, stamp) {
   const binding = buildXtask(env);
   // A failure is reported where the result is awaited.
@@ -221,8 +220,9 @@ async function buildQuick(env, names, stamp) {
 }
 
 /**
- * A compilation a package. Most of one is done on a single core: two lines of packages are built side by side, each in a
- * folder of its own, as cargo locks the one it builds in. Packages with the same flags share a line and what both depend on.
+ * Builds one package per compilation. A compilation mostly uses a single core, so two lines of packages are built in
+ * parallel, each in its own folder, since cargo locks its folder. Packages with the same flags are in the same line and
+ * share their dependencies.
  */
 async function buildFull(env, names, stamp) {
   const xtask = await buildXtask(env);
@@ -231,7 +231,7 @@ async function buildFull(env, names, stamp) {
   await Promise.all(lines.map((line, i) => buildLine(env, line, { xtask, tool, stamp, folder: `full-${i}` })));
 }
 
-/** Builds packages one after the other; while the next one is compiled the last one is optimised. */
+/** Builds packages one after the other. While the next one is compiled the last one is optimised. */
 async function buildLine(env, names, { xtask, tool, stamp, folder }) {
   const modules = join(targetDir(env), folder);
   let optimising = Promise.resolve();
@@ -260,19 +260,19 @@ async function compile(env, { crates, features, profile, simd, flags = [], optio
     cwd: RUST,
     env: {
       ...env,
-      // The encoded form has precedence over RUSTFLAGS, so that no flag of the user's can change results.
+      // The encoded form has precedence over RUSTFLAGS, so that no flag of the user can change results.
       CARGO_ENCODED_RUSTFLAGS: [...flags, `-Ctarget-feature=${simd ? "+" : "-"}simd128`].join("\x1f"),
     },
   });
 }
 
-/** Builds the tool that binds modules to JavaScript; gives the path of it. */
+/** Builds the tool that binds modules to JavaScript. Returns its path. */
 async function buildXtask(env) {
   await run(env.CARGO ?? "cargo", ["build", "--quiet", "--profile", "tool", "--package", "xtask"], { cwd: RUST, env });
   return join(targetDir(env), "tool", "xtask");
 }
 
-/** Writes a package's JavaScript, its types and its module, which cargo left in the folder `modules`. */
+/** Writes a package's JavaScript, its types and its module, which cargo wrote to the folder `modules`. */
 async function bind(xtask, { folder, crate, name }, modules) {
   const module = join(modules, `${crate.replaceAll("-", "_")}.wasm`);
   rmSync(join(root, folder), { recursive: true, force: true });
@@ -289,7 +289,7 @@ async function optimise(tool, { folder, name, simd = true }) {
   console.log(`  ${folder}: ${kb(bound)} kB bound, ${kb(statSync(module).size)} kB optimised`);
 }
 
-/** An installed wasm-opt, which is native, if it is recent enough; else the one of npm's `binaryen`. */
+/** Returns an installed, native wasm-opt if it is recent enough; else the one of npm's `binaryen`. */
 async function findWasmOpt() {
   const native = findProgram("wasm-opt");
   const version = native && /version (\d+)/.exec((await output(native, ["--version"])) ?? "");
@@ -297,14 +297,14 @@ async function findWasmOpt() {
   return [process.execPath, join(root, "node_modules", "binaryen", "bin", "wasm-opt")];
 }
 
-/** A package's bindings, to be used here. */
+/** Imports a package's bindings. */
 async function glueOf({ folder, name }) {
   const glue = await import(pathToFileURL(join(root, folder, `${name}.js`)).href);
   glue.initSync({ module: readFileSync(join(root, folder, `${name}_bg.wasm`)) });
   return glue;
 }
 
-/** The walk model that the page would train on these motions. */
+/** Returns the walk model that the page would train on these motions. */
 async function walkModelOf(motions) {
   const { WalkTraining } = await glueOf(PACKAGES.build);
   const training = new WalkTraining(motions);
@@ -313,8 +313,8 @@ async function walkModelOf(motions) {
 }
 
 /**
- * The built-in motions are performed by the Compare view's package, which has them all, and the package that builds
- * databases learns to walk from them.
+ * Writes the built-in motions. The Compare view's package, which has all of them, generates the motions; the package
+ * that builds databases trains the walk model on them.
  */
 async function writeMotions() {
   const glue = await glueOf(PACKAGES.compare);
@@ -331,7 +331,7 @@ async function writeMotions() {
     "built_in.strutwalk": await walkModelOf(Buffer.concat([walks, besides])),
   };
   const sizes = Object.entries(sets).map(([name, motions]) => {
-    // Of all sizes of zlib's memory this one packs the motions best: its blocks are short, and the columns differ.
+    // Of all memory levels of zlib this one compresses the motions best: its blocks are short, and the columns differ.
     const bytes = gzipSync(motions, { level: 9, memLevel: 6 });
     writeFileSync(join(MOTIONS, name), bytes);
     return `${name} ${Math.round(bytes.length / 1000)} kB`;
@@ -339,7 +339,7 @@ async function writeMotions() {
   return sizes.join(", ");
 }
 
-/** The input of a set of motions as the page shows it until its engine is there. */
+/** Returns the input of a set of motions, which the page shows until the engine is loaded. */
 function firstSteps(glue, bytes) {
   const motions = new glue.PackedMotions(bytes);
   const database = glue.Database.fromPacked(motions);
@@ -355,13 +355,13 @@ function isCurrent(p, mode, stamp) {
   return builtStamp === stamp && (builtMode === mode || builtMode === "full");
 }
 
-/** The stamp is written last: an interrupted build has none and is done again. */
+/** Writes the stamp last: an interrupted build has none and is repeated. */
 function finish(p, mode, stamp) {
   writeFileSync(stampFile(p), `${mode} ${stamp}`);
   keepBuilt(stamp, keptAs(p, mode), join(root, p.folder));
 }
 
-/** Takes a package that another clone built; whether there is one. */
+/** Copies a package that another clone built. Returns whether there is one. */
 function takePackage(name, mode, stamp) {
   const p = PACKAGES[name];
   return ["full", mode].some((built) => takeBuilt(stamp, keptAs(p, built), join(root, p.folder)));
@@ -369,7 +369,7 @@ function takePackage(name, mode, stamp) {
 
 const keptAs = ({ folder }, mode) => join(mode, folder.replaceAll("/", "-"));
 
-/** What the packages depend on: the Rust sources, the compiler, this file and wasm-opt. */
+/** Returns a hash of what the packages depend on: the Rust sources, the compiler, this file and wasm-opt. */
 function packagesHash(env) {
   const { packages } = JSON.parse(readFileSync(join(root, "package-lock.json"), "utf8"));
   return sourcesHash(env, {

@@ -1,4 +1,4 @@
-/** The shipped TypeScript files below a folder, each with the files that it imports and how it names them. */
+/** Returns the shipped TypeScript files below a folder, each with the files that it imports and their specifiers. */
 export function webModules(folder: string): Map<string, Map<string, string>>;
-/** The circles among modules, a sentence each. */
+/** Returns a message for each cycle among modules. */
 export function importCircles(modules: Map<string, Map<string, string>>): string[];

@@ -1,4 +1,4 @@
-// Checks GitHub's workflows and CITATION.cff: their schemas, and what makes a workflow unsafe (zizmor).
+// Checks GitHub's workflows and CITATION.cff: their schemas, and the security of workflows (zizmor).
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import { programIn, setupEnvironment, setupPython } from "./python_environment.mjs";
@@ -7,7 +7,7 @@ import { root, run } from "./steps.mjs";
 const WORKFLOWS = join(".github", "workflows");
 const ENVIRONMENT = join(root, "rust", "target", "python", "lint");
 
-/** Checks the files; without Python that is left out. */
+/** Checks the files; without Python this is skipped. */
 export async function checkWorkflows() {
   const python = await setupPython("Lints of workflows");
   if (!python) return;

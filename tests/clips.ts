@@ -4,10 +4,10 @@ import { loadBuiltIn } from "../web/engine/built_in";
 import { Engine } from "../web/engine/engine";
 import { DEFAULT_OPTIONS } from "../web/engine/types";
 
-/** Frames that a clip of `clipsIn` has unless it says otherwise: about four steps. */
+/** Default number of frames of a clip of `walksIn`: about four steps. */
 const FRAMES = 150;
 
-/** BVH text of a walk of some frames in each of these styles of the built-in database, at 60 Hz. */
+/** Returns BVH texts of a walk in each of these styles of the built-in database, at 60 Hz. */
 export async function walksIn<S extends string>(styles: readonly S[], frames = FRAMES): Promise<Record<S, string>> {
   const [engine, motions] = await Promise.all([Engine.load(), loadBuiltIn()]);
   const database = engine.openDatabase({ kind: "demo", motions });
@@ -21,7 +21,7 @@ export async function walksIn<S extends string>(styles: readonly S[], frames = F
   return Object.fromEntries(styles.map((style) => [style, walk(style)])) as Record<S, string>;
 }
 
-/** The clip with every nth of its frames, at most so many. */
+/** Returns every nth frame of a clip, at most `most` frames. */
 export function everyNth(bvh: string, n: number, most = Number.MAX_SAFE_INTEGER): string {
   const [, head, time, body] = /^([\s\S]*)Frames:\s*\d+\s*Frame Time:\s*(\S+)\s*([\s\S]*)$/.exec(bvh)!;
   const lines = body!.trimEnd().split("\n");
@@ -29,12 +29,12 @@ export function everyNth(bvh: string, n: number, most = Number.MAX_SAFE_INTEGER)
   return `${head}Frames: ${kept.length}\nFrame Time: ${Number(time) * n}\n${kept.join("\n")}\n`;
 }
 
-/** The clip as if it had been recorded at another rate: faster or slower, not resampled. */
+/** Returns the clip with another frame rate: faster or slower, not resampled. */
 export function playedAt(bvh: string, rateHz: number): string {
   return bvh.replace(/Frame Time:\s*\S+/, `Frame Time: ${(1 / rateHz).toFixed(7)}`);
 }
 
-/** Joint names of another convention for parts of ours; those of arms and legs follow their side. */
+/** Parts of joint names in another convention; those of arms and legs depend on their side. */
 const FOREIGN_NAMES: readonly [ours: RegExp, theirs: string][] = [
   [/UpperArm$/, "Arm"],
   [/LowerArm$/, "ForeArm"],
@@ -44,7 +44,10 @@ const FOREIGN_NAMES: readonly [ours: RegExp, theirs: string][] = [
   [/^Chest$/, "Spine1"],
 ];
 
-/** The clip as another tool would write it: other joint names, inches instead of centimetres, and 30 frames a second. */
+/**
+ * Returns the clip as another tool would write it: other joint names, inches instead of centimetres, and 30 frames per
+ * second.
+ */
 export function asForeignTool(bvh: string): string {
   const inches = (centimetres: string) => (Number(centimetres) / 2.54).toFixed(5);
   const [hierarchy, motion] = everyNth(bvh, 2).split("MOTION\n") as [string, string];

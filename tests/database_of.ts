@@ -2,7 +2,7 @@
 import { createBuildClient } from "../web/client/build/client";
 import { InlineBuildWorker } from "./inline_build_worker";
 
-/** A `.strutdb` file of clips by their names, `action_style_take.bvh`. */
+/** Builds a `.strutdb` file of clips by their names, `action_style_take.bvh`. */
 export async function databaseOf(clips: Readonly<Record<string, string>>): Promise<Uint8Array> {
   const client = createBuildClient(() => new InlineBuildWorker());
   try {

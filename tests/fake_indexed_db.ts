@@ -1,20 +1,20 @@
 /**
- * As much of IndexedDB as the page uses, in memory, for tests without a browser. Its failures are those of browsers: no
- * database at all, as in a private window, and no room when a transaction is committed.
+ * The part of IndexedDB that the page uses, in memory, for tests without a browser. It simulates failures of browsers:
+ * no database at all, as in a private window, and no space when a transaction is committed.
  */
 
-/** How a database fails; change it while a test runs. */
+/** Failures of a database; they can be changed while a test runs. */
 export interface Failures {
   /** `open` is refused. */
   refused?: boolean;
-  /** Whatever is written is aborted for lack of room. */
+  /** Every write is aborted for lack of space. */
   full?: boolean;
 }
 
 type Key = string;
 type Store = { keyPath: string | null; items: Map<Key, unknown> };
 
-/** A request that succeeds in a later task, as all do. */
+/** A request that succeeds in a later task, like all requests. */
 class FakeRequest<T> {
   result!: T;
   error: DOMException | null = null;
@@ -78,7 +78,7 @@ class FakeTransaction {
   }
 }
 
-/** Puts a fake in the place of the global `indexedDB`; what was kept in one before is gone. */
+/** Replaces the global `indexedDB` by an empty fake. */
 export function fakeIndexedDb(failures: Failures = {}): void {
   const databases = new Map<string, Map<string, Store>>();
   const open = (name: string) => {

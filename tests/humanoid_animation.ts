@@ -1,4 +1,4 @@
-/** A motion in which everything moves, for tests of what writes animations. */
+/** A motion in which everything moves, for tests of animation export. */
 import { DEFAULT_PROPORTIONS, JOINT, JOINTS, POSE_FLOATS, restPose } from "../web/humanoid";
 
 /** A body larger than the mannequin's own, with longer shins. */
@@ -7,7 +7,7 @@ export const TALL_BODY: Float32Array = DEFAULT_PROPORTIONS.map((offset, i) => {
   return offset * (shin ? 1.25 : 1.15);
 });
 
-/** Two seconds in which the hips travel 1.5 m and every joint swings by as much as 45°; the times are uneven. */
+/** Returns two seconds in which the hips travel 1.5 m and every joint swings by up to 45°, at uneven times. */
 export function movingAnimation(proportions: ArrayLike<number> = TALL_BODY) {
   const frames = 61;
   const poses = new Float32Array(frames * POSE_FLOATS);
@@ -28,7 +28,7 @@ export function movingAnimation(proportions: ArrayLike<number> = TALL_BODY) {
   return { name: "moving", proportions, poses, times };
 }
 
-/** The pose of a frame. */
+/** Returns the pose of a frame. */
 export function poseOf({ poses }: { poses: Float32Array }, frame: number): Float32Array {
   return poses.slice(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
 }

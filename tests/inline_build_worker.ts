@@ -1,4 +1,4 @@
-/** The build worker on this thread, with the real module; messages arrive later, as from a real one. */
+/** The build worker on this thread, with the real module; messages arrive asynchronously, as from a real one. */
 import type { BuildWorkerPort } from "../web/client/build/client";
 import type { BuildReply, BuildRequest } from "../web/client/build/messages";
 import { type BuildPort, serveBuilds } from "../web/client/build/server";
@@ -6,7 +6,7 @@ import { type BuildPort, serveBuilds } from "../web/client/build/server";
 export class InlineBuildWorker implements BuildWorkerPort {
   onmessage: ((event: MessageEvent<BuildReply>) => void) | null = null;
   onerror: ((event: ErrorEvent) => void) | null = null;
-  /** Everything the worker was asked. */
+  /** All requests to the worker. */
   readonly received: BuildRequest[] = [];
   terminated = false;
   private readonly port: BuildPort;

@@ -1,4 +1,7 @@
-/** The engine's worker on this thread, with the real engine; messages are copied and arrive later, as with a real one. */
+/**
+ * The engine's worker on this thread, with the real engine; messages are copied and arrive asynchronously, as with a
+ * real one.
+ */
 import "../web/engine/whole";
 import type { WorkerPort } from "../web/client/client";
 import type { Call, Reply, Request } from "../web/client/messages";
@@ -9,10 +12,10 @@ import { recordMotion } from "../web/client/server/recorded_motion";
 import { type ServerPort, serve } from "../web/client/server/serve";
 import type { ErrorParts } from "../web/engine/errors";
 
-/** How a call is answered without reaching the engine. */
+/** Answers a call without the engine. */
 type Answer = (call: Call) => ErrorParts | undefined;
 
-/** What a trap in the engine is reported as. */
+/** Error of a trap in the engine. */
 export const TRAP: ErrorParts = { code: "fault", message: "The engine failed: unreachable.", hint: "" };
 
 export class InlineWorker implements WorkerPort {
@@ -22,10 +25,10 @@ export class InlineWorker implements WorkerPort {
   readonly received: Request[] = [];
   /** The method whose next call fails as if the engine had trapped. */
   faultAt: string | undefined;
-  /** Whether nothing is answered any more, as if the browser had ended the worker. */
+  /** Whether calls are no longer answered, as if the browser had ended the worker. */
   deaf = false;
   private readonly server: ServerPort;
-  /** What is on its way to the page while the worker is asleep. */
+  /** Replies that are delayed while the worker is asleep. */
   private held: Reply[] | undefined;
 
   /** @param answer refuses calls */
@@ -56,7 +59,7 @@ export class InlineWorker implements WorkerPort {
     this.terminated = true;
   }
 
-  /** Holds back everything that the worker says until {@link wake}, as a browser does while the machine is asleep. */
+  /** Delays all replies of the worker until {@link wake}, as a browser does while the machine is asleep. */
   sleep(): void {
     this.held = [];
   }
@@ -67,7 +70,7 @@ export class InlineWorker implements WorkerPort {
     for (const data of held) this.deliver(data);
   }
 
-  /** Methods that were called. */
+  /** Returns the called methods. */
   calls(): string[] {
     return this.received.flatMap((message) => (message.kind === "call" ? [message.method] : []));
   }

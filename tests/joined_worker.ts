@@ -1,4 +1,4 @@
-/** Both ends of a worker that answers calls from a table, joined without a thread. */
+/** Both ends of a worker that answers calls from a table, connected without a thread. */
 import {
   type AnswerMessage,
   answerCalls,
@@ -8,7 +8,7 @@ import {
   type ServerPort,
 } from "../web/client/rpc";
 
-/** A worker's port on the page's side; what is said is copied and moved as between threads. */
+/** Returns a worker's port on the page's side; messages are copied and transferred as between threads. */
 export function joinedWorker(table: Methods, onTerminate: () => void = () => {}): ClientPort {
   const server: ServerPort = {
     onmessage: null,

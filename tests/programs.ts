@@ -1,4 +1,7 @@
-/** The native programs that tests compare the page with: those of Rust's own tests, compiled as the released ones nearly are. */
+/**
+ * The native programs with which tests compare the page: those of Rust's own tests, compiled almost like the released
+ * ones.
+ */
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { root } from "./recordings";
@@ -7,13 +10,13 @@ const rust = join(root, "rust");
 
 /** The `strut` command, once {@link buildPrograms} has returned. */
 export const COMMAND = join(rust, "target", "debug", "strut");
-/** The report of `rust/strut-wasm/src/parity.rs`, likewise. */
+/** The report of `rust/strut-wasm/src/parity.rs`, once {@link buildPrograms} has returned. */
 export const REPORT = join(rust, "target", "debug", "examples", "parity");
 
-/** A drive by a script, `rust/strut-wasm-drive/examples/scripted_drive.rs`, likewise. */
+/** A scripted drive, `rust/strut-wasm-drive/examples/scripted_drive.rs`, once {@link buildPrograms} has returned. */
 export const DRIVE = join(rust, "target", "debug", "examples", "scripted_drive");
 
-/** Brings the programs up to date: after `cargo tests` there is nothing to do. */
+/** Updates the programs: after `cargo tests` there is nothing to do. */
 export function buildPrograms(): void {
   execFileSync(process.env.CARGO ?? "cargo", ["tests", "--no-run", "--quiet"], { cwd: rust, stdio: "pipe" });
 }

@@ -1,4 +1,4 @@
-/** Where real motion capture lies, for tests that need it. */
+/** Location of real motion capture, for tests that need it. */
 import { existsSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -6,7 +6,10 @@ import { fileURLToPath } from "node:url";
 /** Root of the repository. */
 export const root = dirname(dirname(fileURLToPath(import.meta.url)));
 
-/** The folder of recordings: `$STRUT_MOCAP`, else `../shared/data`; undefined, with a printed reason, if neither exists. */
+/**
+ * Returns the folder of recordings: `$STRUT_MOCAP`, else `../shared/data`; undefined, with a printed reason, if neither
+ * exists.
+ */
 export function recordings(): string | undefined {
   const places = [process.env.STRUT_MOCAP, resolve(root, "../shared/data")];
   const found = places.find((place) => place !== undefined && existsSync(join(place, "xia")));

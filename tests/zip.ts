@@ -1,4 +1,4 @@
-/** Zip archives for tests, hostile ones too. */
+/** Zip archives for tests, including hostile ones. */
 import { deflateRawSync } from "node:zlib";
 import { crc32 } from "../web/client/build/crc32";
 
@@ -6,13 +6,13 @@ import { crc32 } from "../web/client/build/crc32";
 export interface Packed {
   name: string;
   content: string | Uint8Array;
-  /** What the archive shall claim that it unpacks to, instead of the truth. */
+  /** Claimed unpacked size, instead of the true one. */
   claimedBytes?: number;
-  /** Whether it is stored as it is instead of deflated. */
+  /** Whether it is stored uncompressed. */
   stored?: boolean;
 }
 
-/** An archive of these files; `wide` writes counts and places with 64 bits, as archives of over 4 GB must. */
+/** Returns an archive of these files. `wide` writes counts and offsets with 64 bits, as archives of over 4 GB must. */
 export function zipOf(files: readonly Packed[], wide = false): Uint8Array<ArrayBuffer> {
   const bodies: Buffer[] = [];
   const directory: Buffer[] = [];
@@ -56,7 +56,7 @@ export function zipOf(files: readonly Packed[], wide = false): Uint8Array<ArrayB
   return Uint8Array.from(Buffer.concat([...bodies, entries, ...wideEnd, end]));
 }
 
-/** The end of the directory with 64 bits, and where it is. */
+/** Returns the 64-bit end of the directory, and its position. */
 function wideEndOf(count: number, bytes: number, offset: number): Buffer {
   const end = Buffer.alloc(56 + 20);
   end.write("PK\x06\x06");

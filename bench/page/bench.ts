@@ -1,4 +1,4 @@
-/** The page: starts the benchmark, shows how far it is, and prints what it found. */
+/** The benchmark page: starts the benchmark, shows its progress, and prints the results. */
 import "../../web/app/shell/trusted_types";
 import "../../web/ui/tokens.css";
 import "../../web/app/ui/type.css";
@@ -29,7 +29,7 @@ const doing = html("p", { role: "status" });
 const progress = html("div", { class: "progress", hidden: true }, bar, doing);
 const error = html("p", { class: "error", role: "alert" });
 const results = html("div", { class: "results" });
-/** For tests: `gpu=any` takes a program that plays the graphics processor, `motions=N` styles only N motions. */
+/** For tests: `gpu=any` accepts a software GPU, `motions=N` styles only N motions. */
 const parameters = new URLSearchParams(location.search);
 const box = cardBox(parameters.get("gpu") === "any");
 

@@ -9,22 +9,22 @@ import { makeWorkload } from "../workload";
 export interface Job {
   frames: number;
   machine: string;
-  /** How many of the motions are styled; all unless told. */
+  /** Number of motions that are styled; all if undefined. */
   motions?: number;
-  /** The graphics processor that is measured, too. */
+  /** The GPU that is measured, too. */
   card?: Card;
 }
 
 /** Messages to the page. */
 export type Message =
   | { kind: "progress"; what: string; done: number }
-  /** @property cardFault why the graphics processor could not be measured */
+  /** @property cardFault why the GPU could not be measured */
   | { kind: "report"; report: Report; cardFault?: string }
   | { kind: "failure"; reason: string };
 
 const post = (message: Message) => self.postMessage(message);
 
-/** Share of the work that a graphics processor's is, where there is one. */
+/** The GPU's share of the work, if there is one. */
 const CARD_SHARE = 0.1;
 
 self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEvent<Job>) => {
@@ -47,7 +47,7 @@ self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEve
   }
 };
 
-/** The sentence of a graphics processor that cannot go on; whatever else went wrong is thrown again. */
+/** Returns the message of a GPU failure; other errors are thrown again. */
 function stopped(thrown: unknown): string {
   if (thrown instanceof Error || !(thrown as { message?: string }).message) throw thrown;
   return `The graphics processor stopped: ${(thrown as { message: string }).message}`;

@@ -1,22 +1,22 @@
-/** The box of the graphics card: the paper's search on it, beside Strut's. */
+/** The box of the GPU: the paper's search on it, compared with Strut's. */
 import { html } from "../../web/ui/dom";
 import { type Card, findCard } from "../graphics_bench";
 import { type GraphicsComparison, medianOf, type Report } from "../report";
 import { milliseconds, PAPER_MS } from "../table";
 import { table } from "./tables";
 
-/** What stands on the page. */
+/** The box on the page. */
 export interface CardBox {
   element: HTMLElement;
-  /** The graphics processor that can be measured, once it is known. */
+  /** The GPU that can be measured, once it is known. */
   ready: Promise<Card | undefined>;
-  /** As before anything was measured. */
+  /** Resets the box. */
   clear(): void;
-  /** @param fault why the graphics processor could not be measured */
+  /** @param fault why the GPU could not be measured */
   show(report: Report, fault?: string): void;
 }
 
-/** The box, before anything is measured. @param software whether a program is measured in place of a card, too, as in tests */
+/** Creates the empty box. @param software whether a software GPU is accepted, as in tests */
 export function cardBox(software: boolean): CardBox {
   const found = findCard();
   const ready = found.then((card) => (card?.software && !software ? undefined : card));
@@ -61,7 +61,7 @@ export function cardBox(software: boolean): CardBox {
   return box;
 }
 
-/** Why there is nothing to measure. */
+/** Returns the reason why nothing can be measured. */
 function absence(found: Card | undefined): string {
   return found
     ? "In this browser a program plays the graphics processor. Its times would tell nothing of a card: the processor is measured alone."

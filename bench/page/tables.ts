@@ -11,13 +11,13 @@ const ENGINE_NAMES: Readonly<Record<EngineName, string>> = {
   "js-naive": "Plain JavaScript",
 };
 
-/** What stages are called where the engine's own name for them is too short. */
+/** Longer names of stages for the page. */
 const STAGE_NAMES: Readonly<Record<string, string>> = { open: "Opening", frame: "Whole frame" };
 const stageName = (stage: string) => STAGE_NAMES[stage] ?? `${stage[0]!.toUpperCase()}${stage.slice(1)}`;
 
 type Cell = Node | string;
 
-/** A table under a heading. @param total first cell of the line that is set off */
+/** Returns a table with a heading. @param total first cell of the emphasised line */
 export function table(caption: string, heading: string[], lines: Cell[][], total?: string): HTMLElement[] {
   const row = (cells: Cell[]) =>
     html(
@@ -36,7 +36,7 @@ export function table(caption: string, heading: string[], lines: Cell[][], total
   ];
 }
 
-/** Everything that was found, under headings. */
+/** Returns all results, with headings. */
 export function tables(report: Report): HTMLElement[] {
   const modes = MODES.map((mode) => MODE_NAMES[mode]);
   const ours = report.rows.filter((row) => row.engine === "wasm-simd");

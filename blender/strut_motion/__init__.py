@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Strut in Blender: gives the motion of an armature another style."""
+"""Strut in Blender: changes the style of an armature's motion."""
 
 
 def register() -> None:
-    """Adds properties, operators and the panel. Blender is imported here, so that the other modules can be tested without it."""
+    """Registers properties, operators and the panel. Imports Blender here, so that the other modules can be tested without it."""
     from . import operators, panel, properties
 
     for module in (properties, operators, panel):
@@ -11,7 +11,7 @@ def register() -> None:
 
 
 def unregister() -> None:
-    """Takes them away."""
+    """Unregisters them."""
     from . import operators, panel, properties
 
     for module in (panel, operators, properties):

@@ -1,4 +1,4 @@
-"""Armatures as arrays: the tree of their bones, rest and sampled poses."""
+"""Armatures as arrays: the bone tree, rest poses and sampled poses."""
 
 from typing import Any, NamedTuple
 
@@ -11,33 +11,33 @@ from .skeleton import tree_of
 from .styling import Problem
 
 class Tree(NamedTuple):
-    """Bones that hang on one root, parents first."""
+    """Bones with a common root, parents first."""
 
     names: list[str]
     parents: list[int]
     """−1 for the root."""
     rest: Array
-    """Matrices in the armature at rest, j × 4 × 4."""
+    """Rest matrices in armature space, j × 4 × 4."""
     places: list[int]
-    """Where each bone stands among the armature's bones."""
+    """Index of each bone among the armature's bones."""
 
     @property
     def parent_names(self) -> dict[str, str | None]:
-        """The name of each bone's parent."""
+        """Returns the name of each bone's parent."""
         return {name: self.names[p] if p >= 0 else None for name, p in zip(self.names, self.parents, strict=True)}
 
 
 class Samples(NamedTuple):
-    """The armature in every frame."""
+    """Matrices of the armature and its bones in every frame."""
 
     objects: Array
     """World matrices of the armature, n × 4 × 4."""
     poses: Array
-    """Matrices of the tree's bones in the armature, n × j × 4 × 4."""
+    """Matrices of the tree's bones in armature space, n × j × 4 × 4."""
 
 
 def tree(armature: Any, hips: str | None = None) -> Tree:
-    """The tree of bones that holds the bone `hips`, or the largest."""
+    """Returns the bone tree that contains the bone `hips`, or the largest one."""
     bones = list(armature.data.bones)
     index = {bone.name: i for i, bone in enumerate(bones)}
     parents = [index[bone.parent.name] if bone.parent else -1 for bone in bones]
@@ -54,7 +54,7 @@ def tree(armature: Any, hips: str | None = None) -> Tree:
 
 
 def frame_range(scene: Any, armature: Any) -> tuple[int, int]:
-    """First and last frame to style: the preview range if it is in use, else the action's, else the scene's."""
+    """Returns the first and the last frame to style: the preview range if it is in use, else the action's, else the scene's."""
     if scene.use_preview_range:
         return scene.frame_preview_start, scene.frame_preview_end
     data = armature.animation_data
@@ -65,12 +65,12 @@ def frame_range(scene: Any, armature: Any) -> tuple[int, int]:
 
 
 def rate_of(scene: Any) -> float:
-    """Frames per second."""
+    """Returns the frame rate, frames per second."""
     return float(scene.render.fps / scene.render.fps_base)
 
 
 class Sampler:
-    """Reads an armature's poses, one frame at a time. Goes through the scene's frames: whoever uses it sets the frame back."""
+    """Reads an armature's poses, one frame at a time. It changes the scene's current frame, which the caller must restore."""
 
     def __init__(self, scene: Any, armature: Any, bones: Tree, frames: range) -> None:
         self._scene, self._armature, self._frames = scene, armature, frames
@@ -81,22 +81,22 @@ class Sampler:
         self._poses = np.empty((len(frames), len(bones.places), 4, 4))
 
     def read(self, number: int) -> None:
-        """Reads the frame of this number, from 0."""
+        """Reads the frame with this index, from 0."""
         self._scene.frame_set(self._frames[number])
         evaluated = self._armature.evaluated_get(bpy.context.evaluated_depsgraph_get())
         evaluated.pose.bones.foreach_get("matrix", self._buffer.reshape(-1))
-        # Blender lays matrices out by columns.
+        # Blender stores matrices column by column.
         self._poses[number] = self._buffer[self._places].swapaxes(-1, -2)
         self._objects[number] = evaluated.matrix_world
 
     @property
     def samples(self) -> Samples:
-        """All that was read."""
+        """Returns all frames that were read."""
         return Samples(self._objects, self._poses)
 
 
 def moved_by_constraint(armature: Any, bones: set[str]) -> tuple[str, str] | None:
-    """A bone of these that a constraint moves, and the constraint's name."""
+    """Returns the first of these bones that a constraint moves, and the constraint's name."""
     for bone in armature.pose.bones:
         if bone.name in bones:
             for constraint in bone.constraints:
@@ -106,12 +106,12 @@ def moved_by_constraint(armature: Any, bones: set[str]) -> tuple[str, str] | Non
 
 
 def has_default_inheritance(bone: Any) -> bool:
-    """Whether a bone's channels are relative to its parent and its own rest."""
+    """Returns whether a bone's channels are relative to its parent and its own rest pose."""
     return bool(bone.use_inherit_rotation and bone.use_local_location)
 
 
 def converted(bone: Any, poses: Array, parent_poses: Array | None) -> Array:
-    """What `keys.basis_matrices` gives, for bones that inherit in other ways, by Blender's own rules."""
+    """Returns the result of `keys.basis_matrices` for bones with other inheritance settings, by Blender's own rules."""
     out = np.empty_like(poses)
     for number, pose in enumerate(poses):
         above = {}

@@ -1,4 +1,4 @@
-"""The BVH text that `strut.StyledMotion.to_bvh` gives, as arrays."""
+"""The BVH text of `strut.StyledMotion.to_bvh` as arrays."""
 
 from typing import NamedTuple
 
@@ -23,7 +23,7 @@ class Clip(NamedTuple):
 
 
 def read(text: str) -> Clip:
-    """Reads a clip. Only what the engine writes is known: there is no check of what it never does."""
+    """Parses a clip. It accepts only the engine's own output, without further checks."""
     head, motion = text.split("MOTION\n", 1)
     names: list[str] = []
     parents: list[int] = []

@@ -1,4 +1,4 @@
-"""Databases of styles, each opened once while its file stays the same."""
+"""Databases of styles. Each is opened once while its file is unchanged."""
 
 import os
 from importlib.metadata import version
@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 from .styling import engine
 
 BUILT_IN = ""
-"""The path that means the engine's own motions."""
+"""The path that stands for the built-in database."""
 
 
 class Stamp(NamedTuple):
-    """What tells whether a file is still the one that was opened."""
+    """Identity of a file: shows whether it is still the one that was opened."""
 
     path: str
     size: int
@@ -20,7 +20,7 @@ class Stamp(NamedTuple):
 
 
 kept_in: Path | None = None
-"""The folder where the built-in database is kept as a file, as it takes seconds to make; None keeps it in memory alone."""
+"""Folder in which the built-in database is cached as a file, since it takes seconds to make; None keeps it only in memory."""
 
 _opened: tuple[Stamp, Any] | None = None
 
@@ -34,7 +34,7 @@ def _stamp(path: str) -> Stamp:
 
 def open_database(path: str) -> Any:
     """
-    The database in a file, the built-in one for `BUILT_IN`. The latest is kept: only one is in memory, and any thread may ask.
+    Returns the database in a file, or the built-in one for `BUILT_IN`. Only the latest is kept in memory. Thread-safe.
 
     Raises `OSError` or `strut.StrutError`.
     """
@@ -49,7 +49,7 @@ def open_database(path: str) -> Any:
 
 
 def _built_in() -> Any:
-    """The built-in database, from its file where there is one of this version. Without a place to write it is made anew."""
+    """Returns the built-in database, from its cache file if that is of this version. Without a cache folder it is made again."""
     database = engine().Database
     if kept_in is None:
         return database.demo()
@@ -68,6 +68,6 @@ def _built_in() -> Any:
 
 
 def forget() -> None:
-    """Frees the memory of the database that is kept."""
+    """Frees the memory of the open database."""
     global _opened
     _opened = None

@@ -1,4 +1,4 @@
-"""Poses of an armature as values of F-curves: transforms of bones relative to rest and parent, per channel."""
+"""Poses of an armature as values of F-curves: transforms of bones relative to rest pose and parent, per channel."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -18,20 +18,21 @@ from .rotations import (
 
 
 class Channel(NamedTuple):
-    """The keys of one F-curve, one a frame."""
+    """The keys of one F-curve, one per frame."""
 
     bone: str
     property: str
     """Name of the property of the pose bone: location, rotation_quaternion, rotation_euler or rotation_axis_angle."""
     axis: int
-    """Index in that property."""
+    """Index of the component of that property."""
     values: Array
 
 
 def basis_matrices(rest: Array, parent_rest: Array | None, pose: Array, parent_pose: Array | None) -> Array:
     """
-    The transform of a pose bone by its own channels, from its matrix in the armature at rest, 4 × 4, and in the pose, n × 4 × 4,
-    and those of its parent. Holds for bones that inherit location, rotation and scale, which is Blender's default.
+    Returns the transform of a pose bone by its own channels, from its rest matrix in armature space, 4 × 4, and its pose
+    matrices, n × 4 × 4, and those of its parent. Requires bones that inherit location, rotation and scale, which is Blender's
+    default.
     """
     offset = rest if parent_rest is None else np.linalg.inv(parent_rest) @ rest
     local = pose if parent_pose is None else np.linalg.inv(parent_pose) @ pose
@@ -40,13 +41,13 @@ def basis_matrices(rest: Array, parent_rest: Array | None, pose: Array, parent_p
 
 
 def rotation_channels(bone: str, mode: str, basis: Array) -> Iterator[Channel]:
-    """The rotation of a bone in its rotation mode, continuous from frame to frame."""
+    """Yields the rotation of a bone in its rotation mode, continuous from frame to frame."""
     axes = basis[:, :3, :3]
     if mode in EULER_ORDERS:
         name, values = "rotation_euler", continuous_euler(euler_of(axes, mode), mode)
     else:
         q = continuous_quaternions(quaternions_of(axes))
-        # Blender has w first.
+        # Blender's order is w first.
         name, values = "rotation_quaternion", q[:, [3, 0, 1, 2]]
         if mode == "AXIS_ANGLE":
             name, values = "rotation_axis_angle", axis_angles_of(q)
@@ -55,12 +56,12 @@ def rotation_channels(bone: str, mode: str, basis: Array) -> Iterator[Channel]:
 
 
 def location_channels(bone: str, basis: Array) -> Iterator[Channel]:
-    """The location of a bone."""
+    """Yields the location of a bone."""
     for index in range(3):
         yield Channel(bone, "location", index, basis[:, index, 3])
 
 
 def key_points(first_frame: float, values: Array) -> NDArray[np.float32]:
-    """What `foreach_set("co", …)` takes: frame and value of each key in turn, one key a frame."""
+    """Returns the values for `foreach_set("co", …)`: frame and value of each key in turn, one key per frame."""
     frames = first_frame + np.arange(len(values))
     return np.stack([frames, values], -1).astype(np.float32).ravel()

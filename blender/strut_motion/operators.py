@@ -1,4 +1,4 @@
-"""The operators: opening a database, finding roles, styling."""
+"""The operators: opening a database, detecting roles, styling."""
 
 import time
 from collections.abc import Generator
@@ -16,17 +16,17 @@ from .skeleton import likely_unit, motion_arrays
 from .styling import Cancelled, Problem, Request, motion_of, sentence
 
 TICK_SECS = 0.05
-"""Longest time between two looks at the keyboard."""
+"""Longest time between two checks of the keyboard, seconds."""
 
 
 def active_armature(context: Any) -> Any:
-    """The active armature, or the one that the active mesh follows."""
+    """Returns the active armature, or the armature of the active mesh."""
     active = context.active_object
     return active and (active if active.type == "ARMATURE" else active.find_armature())
 
 
 def order_of(settings: Any, armature: Any) -> stylization.Order:
-    """What the panel asks for. Raises `Problem`."""
+    """Returns the settings of the panel. Raises `Problem`."""
     path = database_path(settings)
     if not settings.styles:
         load_styles(settings)
@@ -69,7 +69,7 @@ class STRUT_OT_find_roles(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: Any) -> bool:
-        """There must be an armature."""
+        """Requires an armature."""
         return active_armature(context) is not None
 
     def execute(self, context: Any) -> set[str]:
@@ -86,7 +86,7 @@ class STRUT_OT_find_roles(bpy.types.Operator):
 
 
 def _rest_motion(scene: Any, armature: Any) -> Any:
-    """One frame in the rest pose. Raises `Problem`."""
+    """Returns one frame in the rest pose. Raises `Problem`."""
     tree = rig.tree(armature)
     rest = np.array(armature.matrix_world) @ tree.rest
     request = Request(
@@ -121,7 +121,7 @@ class STRUT_OT_stylize(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: Any) -> bool:
-        """There must be an armature, which is not edited, and nothing else under way."""
+        """Requires an armature that is not in edit mode, and no other work in progress."""
         armature = active_armature(context)
         return armature is not None and armature.mode != "EDIT" and not context.window_manager.strut_motion.is_running
 
@@ -130,7 +130,7 @@ class STRUT_OT_stylize(bpy.types.Operator):
         self._work = stylization.stylize(context.scene, armature, order_of(context.scene.strut_motion, armature))
 
     def execute(self, context: Any) -> set[str]:
-        """All at once, for scripts."""
+        """Does all steps at once, for scripts."""
         try:
             self._begin(context)
             while True:
@@ -142,7 +142,7 @@ class STRUT_OT_stylize(bpy.types.Operator):
             return _refused(self, problem)
 
     def invoke(self, context: Any, _event: Any) -> set[str]:
-        """In steps, while Blender stays alive."""
+        """Starts to work in steps, so that Blender stays responsive."""
         try:
             self._begin(context)
         except Problem as problem:
@@ -155,7 +155,7 @@ class STRUT_OT_stylize(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context: Any, event: Any) -> set[str]:
-        """Goes on for as long as a tick lasts."""
+        """Continues the work for the duration of a tick."""
         if event.type == "ESC":
             self._end(context)
             say("Cancelled.")
@@ -176,7 +176,7 @@ class STRUT_OT_stylize(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def cancel(self, context: Any) -> None:
-        """Blender stops it, as when its window is closed."""
+        """Called when Blender stops the operator, for example when its window is closed."""
         self._end(context)
 
     def _end(self, context: Any) -> None:
@@ -194,9 +194,9 @@ class STRUT_OT_stylize(bpy.types.Operator):
 
 def advance(work: Generator[stylization.Step, None, stylization.Outcome], secs: float) -> float:
     """
-    Goes on until the time is over or a thread must be waited for, and says how far it is.
+    Continues the work until the time has elapsed or a thread must finish. Returns the progress.
 
-    Raises `StopIteration` with the outcome at the end, and what the work raises.
+    Raises `StopIteration` with the outcome at the end, and exceptions of the work.
     """
     deadline = time.monotonic() + secs
     while True:
@@ -215,13 +215,13 @@ CLASSES = (STRUT_OT_open_database, STRUT_OT_find_roles, STRUT_OT_stylize)
 
 
 def register() -> None:
-    """Adds the operators."""
+    """Registers the operators."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
 
 
 def unregister() -> None:
-    """Takes the operators away."""
+    """Unregisters the operators."""
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
     databases.forget()

@@ -8,7 +8,7 @@ import bpy
 from .operators import active_armature
 
 PIXELS_A_LETTER = 7
-"""Of Blender's usual font, without scaling."""
+"""Average width in Blender's default font, without scaling."""
 
 
 class STRUT_UL_roles(bpy.types.UIList):
@@ -76,7 +76,7 @@ class STRUT_PT_parts(_Part, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: Any) -> bool:
-        """A database must be open."""
+        """Requires an open database."""
         return len(context.scene.strut_motion.parts) > 0
 
     def draw(self, context: Any) -> None:
@@ -116,7 +116,7 @@ class STRUT_PT_options(_Part, bpy.types.Panel):
 
 
 def _sentence(layout: Any, context: Any, text: str, icon: str) -> None:
-    """Labels do not wrap."""
+    """Draws a sentence on several lines, since labels do not wrap."""
     width = context.region.width if context.region else 300
     # Without a window there is no scale.
     scale = context.preferences.system.ui_scale or 1
@@ -130,12 +130,12 @@ CLASSES = (STRUT_UL_roles, STRUT_PT_panel, STRUT_PT_parts, STRUT_PT_roles, STRUT
 
 
 def register() -> None:
-    """Adds the panel."""
+    """Registers the panel."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
 
 
 def unregister() -> None:
-    """Takes the panel away."""
+    """Unregisters the panel."""
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

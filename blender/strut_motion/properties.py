@@ -1,4 +1,4 @@
-"""What the panel shows and the file keeps: settings of the scene, roles of an armature's bones, the state of the work."""
+"""Properties of the panel and the file: settings of the scene, roles of an armature's bones, the state of the work."""
 
 from pathlib import Path
 from typing import Any
@@ -12,13 +12,13 @@ from .styling import Problem, sentence
 
 
 def say(text: str, *, is_error: bool = False) -> None:
-    """Has the panel show a sentence."""
+    """Shows a message in the panel."""
     state = bpy.context.window_manager.strut_motion
     state.message, state.is_error = text, is_error
 
 
 def database_path(settings: Any) -> str:
-    """The path that is chosen, absolute. Raises `Problem` for a file that is not chosen yet."""
+    """Returns the selected path, absolute. Raises `Problem` if no file is selected."""
     if settings.source == "BUILT_IN":
         return databases.BUILT_IN
     if not settings.path:
@@ -27,14 +27,14 @@ def database_path(settings: Any) -> str:
 
 
 def load_styles(settings: Any) -> None:
-    """Lists the styles of the chosen database; weights of styles that stay are kept. Raises `Problem`."""
+    """Lists the styles of the selected database. Weights of remaining styles are kept. Raises `Problem`."""
     path = database_path(settings)
     try:
         database = databases.open_database(path)
     except Problem:
         raise
     except Exception as error:
-        # A panel is narrow: the file's name says enough.
+        # A panel is narrow, so only the file's name is shown.
         raise Problem(sentence(error).replace(path or "\0", Path(path).name)) from error
     weights = {row.name: row.weight for row in settings.styles}
     settings.styles.clear()
@@ -63,7 +63,7 @@ def _database_changed(settings: Any, _context: Any) -> None:
 
 
 class StyleWeight(bpy.types.PropertyGroup):
-    """A style and its weight; its name is the style's."""
+    """A style and its weight; the name of the item is the style's."""
 
     weight: FloatProperty(
         name="Weight",
@@ -77,7 +77,7 @@ class StyleWeight(bpy.types.PropertyGroup):
 
 
 class PartStyle(bpy.types.PropertyGroup):
-    """A style for a part of the body; its name is the part's."""
+    """A style for a part of the body; the name of the item is the part's."""
 
     label: StringProperty()
     style: StringProperty(name="Style", description="Style of this part. Empty: as the whole body")
@@ -85,14 +85,14 @@ class PartStyle(bpy.types.PropertyGroup):
 
 
 class RoleBone(bpy.types.PropertyGroup):
-    """The bone that has a role; its name is the role's."""
+    """The bone of a role; the name of the item is the role's."""
 
     label: StringProperty()
     bone: StringProperty(name="Bone", description="The bone that is this joint of the body. Empty: there is none")
 
 
 class Settings(bpy.types.PropertyGroup):
-    """How motions are styled."""
+    """Settings of the styling."""
 
     source: EnumProperty(
         name="Database",
@@ -121,7 +121,7 @@ class Settings(bpy.types.PropertyGroup):
 
 
 class State(bpy.types.PropertyGroup):
-    """What the extension is doing, and its last sentence. Not saved, and not undone."""
+    """State of the extension's work, and its last message. It is neither saved nor part of undo."""
 
     is_running: BoolProperty()
     share: FloatProperty()
@@ -142,7 +142,7 @@ def list_roles(armature: Any, bones: dict[str, str]) -> None:
 
 
 def _user_folder() -> Path | None:
-    """The folder where an installed extension may write; None for modules that are imported otherwise."""
+    """Returns the folder in which an installed extension may write; None for modules that are imported otherwise."""
     try:
         return Path(bpy.utils.extension_path_user(__package__, create=True))
     except ValueError:
@@ -150,7 +150,7 @@ def _user_folder() -> Path | None:
 
 
 def register() -> None:
-    """Adds the properties."""
+    """Registers the properties."""
     databases.kept_in = _user_folder()
     for cls in CLASSES:
         bpy.utils.register_class(cls)
@@ -161,7 +161,7 @@ def register() -> None:
 
 
 def unregister() -> None:
-    """Takes the properties away."""
+    """Unregisters the properties."""
     del bpy.types.WindowManager.strut_motion
     del bpy.types.Object.strut_motion_role
     del bpy.types.Object.strut_motion_roles

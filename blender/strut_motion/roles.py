@@ -1,4 +1,4 @@
-"""The joints of the engine's humanoid, and the bones that play them."""
+"""The joints of the engine's humanoid, and the bones with these roles."""
 
 from collections.abc import Iterable, Mapping
 
@@ -25,7 +25,7 @@ LABELS = {
     "right_foot": "Right Foot",
     "right_toes": "Right Toes",
 }
-"""What each role is called in the panel."""
+"""Names of the roles in the panel."""
 
 PARTS = {
     "head": "Head",
@@ -34,19 +34,19 @@ PARTS = {
     "right_arm": "Right Arm",
     "legs": "Legs",
 }
-"""Parts of the body that may have a style of their own."""
+"""Parts of the body with optional separate styles."""
 
 
 def given_roles(rows: Iterable[tuple[str, str]]) -> dict[str, str | None] | None:
     """
-    What `strut.Motion.from_arrays` takes as roles, from the rows of the list: role and name of the bone, empty where there is none.
-    None for an empty list: all roles are then detected.
+    Returns the roles for `strut.Motion.from_arrays`, from the rows of the list: role and name of the bone, empty for none. None
+    for an empty list: all roles are then detected.
     """
     return {role: bone or None for role, bone in rows} or None
 
 
 def bones_on_the_way(roles: Mapping[str, str], parents: Mapping[str, str | None]) -> set[str]:
-    """The bones with a role and all above them up to the hips, which a styled motion moves."""
+    """Returns the bones with a role and their ancestors up to the hips, which a styled motion moves."""
     hips = roles.get("hips")
     moved: set[str] = set()
     for bone in roles.values():
@@ -58,10 +58,12 @@ def bones_on_the_way(roles: Mapping[str, str], parents: Mapping[str, str | None]
 
 
 def style_weights(rows: Iterable[tuple[str, float]]) -> dict[str, float]:
-    """The styles that have a weight."""
+    """Returns the styles with a weight other than 0."""
     return {style: weight for style, weight in rows if weight != 0}
 
 
 def part_styles(rows: Iterable[tuple[str, str, float]]) -> dict[str, dict[str, float]] | None:
-    """What `strut.stylize` takes as parts, from rows of part, style and weight; a part without a style is as the whole body."""
+    """
+    Returns the parts for `strut.stylize`, from rows of part, style and weight; a part without a style follows the whole body.
+    """
     return {part: {style: weight} for part, style, weight in rows if style} or None

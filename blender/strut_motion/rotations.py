@@ -1,4 +1,4 @@
-"""Rotations as arrays: matrices, quaternions (x y z w), Euler angles. All functions work on any number of leading axes."""
+"""Rotations as arrays: matrices, quaternions (x y z w), Euler angles. All functions accept any number of leading axes."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ EULER_ORDERS = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX")
 
 
 def multiplied(a: Array, b: Array) -> Array:
-    """The quaternion of the rotation b, then a."""
+    """Returns the quaternion of rotation b followed by rotation a."""
     vector = a[..., 3:] * b[..., :3] + b[..., 3:] * a[..., :3] + np.cross(a[..., :3], b[..., :3])
     scalar = a[..., 3:] * b[..., 3:] - (a[..., :3] * b[..., :3]).sum(-1, keepdims=True)
     product: Array = np.concatenate([vector, scalar], -1)
@@ -17,12 +17,12 @@ def multiplied(a: Array, b: Array) -> Array:
 
 
 def inverse(q: Array) -> Array:
-    """The inverse of a unit quaternion."""
+    """Returns the inverse of a unit quaternion."""
     return q * np.array([-1.0, -1.0, -1.0, 1.0])
 
 
 def matrices_of(q: Array) -> Array:
-    """Unit quaternions as 3 × 3 matrices."""
+    """Converts unit quaternions to 3 × 3 matrices."""
     x, y, z, w = np.moveaxis(q, -1, 0)
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -33,11 +33,11 @@ def matrices_of(q: Array) -> Array:
 
 
 def quaternions_of(matrices: Array) -> Array:
-    """Rotation matrices, 3 × 3, as unit quaternions with w ≥ 0."""
+    """Converts 3 × 3 rotation matrices to unit quaternions with w ≥ 0."""
     m = matrices
     diagonal = np.moveaxis(np.diagonal(m, axis1=-2, axis2=-1), -1, 0)
     trace = diagonal.sum(0)
-    # Four times the products of the largest component with all four, by Shepperd's method; the largest avoids cancellation.
+    # Four times the products of the largest component with all four (Shepperd's method); the largest avoids cancellation.
     products = np.empty((*m.shape[:-2], 4, 4))
     for i in range(3):
         products[..., i, i] = 1 + 2 * diagonal[i] - trace
@@ -54,7 +54,7 @@ def quaternions_of(matrices: Array) -> Array:
 
 
 def about(axis: int, angles: Array) -> Array:
-    """The quaternions of turns about a coordinate axis, radians."""
+    """Returns the quaternions of rotations about a coordinate axis, radians."""
     q = np.zeros((*np.shape(angles), 4))
     q[..., axis], q[..., 3] = np.sin(np.asarray(angles) / 2), np.cos(np.asarray(angles) / 2)
     return q
@@ -62,7 +62,7 @@ def about(axis: int, angles: Array) -> Array:
 
 def euler_of(matrices: Array, order: str) -> Array:
     """
-    Euler angles about x, y and z, radians, of rotation matrices; the middle angle is within a quarter turn.
+    Returns Euler angles about x, y and z, radians, of rotation matrices; the middle angle is within a quarter turn.
 
     Blender's order "XYZ" turns about X first, then Y, then Z.
     """
@@ -72,7 +72,7 @@ def euler_of(matrices: Array, order: str) -> Array:
     angles = np.empty(m.shape[:-1])
     middle = np.hypot(m[..., i, i], m[..., j, i])
     angles[..., j] = np.arctan2(-sign * m[..., k, i], middle)
-    # Without a first angle at the poles, where only the sum of the other two is determined.
+    # The first angle is 0 at the poles, where only the sum of the other two is determined.
     pole = middle < 1e-9
     angles[..., i] = np.where(pole, 0.0, np.arctan2(sign * m[..., k, j], m[..., k, k]))
     last = np.arctan2(sign * m[..., j, i], m[..., i, i])
@@ -82,8 +82,8 @@ def euler_of(matrices: Array, order: str) -> Array:
 
 def continuous_euler(angles: Array, order: str, before: Array | None = None) -> Array:
     """
-    The same rotations with angles that follow each other along the first axis: of the two triples that mean a rotation, and of
-    all turns by 360°, the nearest to the angles before, which begin with `before`.
+    Returns the same rotations with angles that are continuous along the first axis: of the two equivalent triples, and of all
+    turns by 360°, those nearest to the previous angles, which start with `before`.
     """
     j = "XYZ".index(order[1])
     others = [axis for axis in range(3) if axis != j]
@@ -104,14 +104,14 @@ def continuous_euler(angles: Array, order: str, before: Array | None = None) -> 
 
 
 def continuous_quaternions(q: Array) -> Array:
-    """The same rotations with signs that make each the nearer to the one before, along the first axis."""
+    """Returns the same rotations with signs that make each quaternion nearer to the previous one, along the first axis."""
     dots = (q[1:] * q[:-1]).sum(-1)
     signs = np.cumprod(np.concatenate([np.ones_like(dots[:1]), np.where(dots < 0, -1.0, 1.0)]), 0)
     return q * signs[..., None] if len(q) > 1 else q
 
 
 def axis_angles_of(q: Array) -> Array:
-    """Quaternions as angle, then axis, in Blender's order; no turn is one about +Y."""
+    """Converts quaternions to angle, then axis, in Blender's order; the identity has the axis +Y."""
     length = np.linalg.norm(q[..., :3], axis=-1, keepdims=True)
     axis = np.where(length > 1e-12, q[..., :3] / np.maximum(length, 1e-12), np.array([0.0, 1.0, 0.0]))
     return np.concatenate([2 * np.arctan2(length, q[..., 3:]), axis], -1)

@@ -1,8 +1,8 @@
 """
-Between world matrices of bones and motions of a skeleton.
+Conversion between world matrices of bones and motions of a skeleton.
 
-A motion's joints have frames that are aligned with the world at rest, so that its zero pose is the armature's rest pose,
-however bones are rolled.
+The frames of a motion's joints are aligned with the world at rest, so that its zero pose is the armature's rest pose, for any
+bone roll.
 """
 
 from typing import NamedTuple
@@ -12,15 +12,15 @@ import numpy as np
 from .rotations import Array, about, inverse, matrices_of, multiplied, quaternions_of
 
 SAME_PLACE = 1e-5
-"""A translation that differs from the offset by less than this share of the body's height is the offset."""
+"""A translation that differs from the offset by less than this share of the body's height counts as the offset."""
 SAME_SCALE = 0.01
-"""Share by which a bone's scale may differ from that at rest."""
+"""Greatest relative difference between a bone's scale and that at rest."""
 LIKELY_HEIGHTS = (0.3, 6.0)
-"""Heights of bodies at rest, metres, whose unit is believed to be the scene's."""
+"""Heights of bodies at rest, metres, for which the scene's unit is accepted."""
 
 
 class MotionArrays(NamedTuple):
-    """The arguments of `strut.Motion.from_arrays` that are arrays; +Z is up."""
+    """The array arguments of `strut.Motion.from_arrays`; +Z is up."""
 
     offsets: Array
     translations: Array
@@ -29,9 +29,9 @@ class MotionArrays(NamedTuple):
 
 def tree_of(parents: list[int], joint: int | None = None) -> list[int]:
     """
-    The joints that hang on one root, each followed by those below it: the root above `joint`, else the one with the most.
+    Returns the joints of one tree in depth-first order: the tree that contains `joint`, else the largest one.
 
-    `parents` has −1 for roots; any order will do.
+    `parents` has −1 for roots, and may be in any order.
     """
     below: list[list[int]] = [[] for _ in parents]
     roots = []
@@ -52,13 +52,13 @@ def tree_of(parents: list[int], joint: int | None = None) -> list[int]:
 
 
 def rotations_of(matrices: Array) -> Array:
-    """Rotations of 4 × 4 matrices without their even scale, as quaternions."""
+    """Returns the rotations of 4 × 4 matrices with uniform scale, as quaternions."""
     axes = matrices[..., :3, :3]
     return quaternions_of(axes / np.linalg.norm(axes, axis=-2, keepdims=True))
 
 
 def scales_of(matrices: Array) -> Array:
-    """Lengths of the three axes of 4 × 4 matrices; negative where they are mirrored."""
+    """Returns the lengths of the three axes of 4 × 4 matrices; negative for mirrored ones."""
     axes = matrices[..., :3, :3]
     sign = np.where(np.linalg.det(axes) < 0, -1.0, 1.0)
     lengths: Array = np.linalg.norm(axes, axis=-2) * sign[..., None]
@@ -66,32 +66,32 @@ def scales_of(matrices: Array) -> Array:
 
 
 def scaled_joints(rest: Array, world: Array) -> list[int]:
-    """Joints that some frame scales, mirrors or shears, or that are mirrored at rest."""
+    """Returns joints that are scaled, mirrored or sheared in any frame, or mirrored at rest."""
     ratio = scales_of(world) / np.abs(scales_of(rest))
     return [int(joint) for joint in np.flatnonzero((np.abs(ratio - 1) > SAME_SCALE).any((0, 2)))]
 
 
 def is_even(objects: Array) -> bool:
-    """Whether an object's matrices, n × 4 × 4, scale all axes alike and mirror none."""
+    """Returns whether an object's matrices, n × 4 × 4, have uniform scale and no mirroring."""
     scales = scales_of(objects)
     return bool((scales > 0).all() and (np.ptp(scales, -1) <= SAME_SCALE * scales.max(-1)).all())
 
 
 def height_of(rest: Array) -> float:
-    """Height of the joints at rest."""
+    """Returns the height of the joints at rest."""
     heights = rest[:, 2, 3]
     return float(heights.max() - heights.min())
 
 
 def likely_unit(rest: Array, metres_per_unit: float) -> float | None:
-    """The scene's metres per unit if they make the body at rest as tall as bodies are."""
+    """Returns the scene's metres per unit if they give the body at rest a plausible height."""
     low, high = LIKELY_HEIGHTS
     return metres_per_unit if low <= height_of(rest) * metres_per_unit <= high else None
 
 
 def motion_arrays(parents: list[int], rest: Array, world: Array) -> MotionArrays:
     """
-    World matrices of joints at rest, j × 4 × 4, and in each frame, n × j × 4 × 4, as a motion.
+    Converts world matrices of joints at rest, j × 4 × 4, and in each frame, n × j × 4 × 4, to a motion.
 
     The first joint is the root, parents come first.
     """
@@ -110,7 +110,7 @@ def motion_arrays(parents: list[int], rest: Array, world: Array) -> MotionArrays
 
 
 def z_up(translations: Array, rotations: Array) -> tuple[Array, Array]:
-    """Local transforms of a motion with +Y up as of one with +Z up: the root turns, all else hangs on it."""
+    """Converts local transforms of a motion from +Y up to +Z up: only the root is rotated."""
     turn = about(0, np.array(np.pi / 2))
     translations, rotations = translations.copy(), rotations.copy()
     translations[:, 0] = translations[:, 0] @ matrices_of(turn).T
@@ -119,8 +119,10 @@ def z_up(translations: Array, rotations: Array) -> tuple[Array, Array]:
 
 
 def world_matrices(parents: list[int], rest: Array, translations: Array, rotations: Array) -> Array:
-    """World matrices, n × j × 4 × 4, without scale, of local transforms of a skeleton with this rest: the inverse of
-    `motion_arrays`."""
+    """
+    Returns world matrices, n × j × 4 × 4, without scale, of local transforms of a skeleton with this rest pose: the inverse of
+    `motion_arrays`.
+    """
     turns, places = rotations.copy(), translations.copy()
     for joint, parent in enumerate(parents):
         if parent >= 0:
@@ -136,7 +138,7 @@ def world_matrices(parents: list[int], rest: Array, translations: Array, rotatio
 
 
 def in_object(objects: Array, world: Array) -> Array:
-    """Unscaled world matrices in the frame of an armature with these matrices, one a frame, of even scale."""
+    """Converts unscaled world matrices to the space of an armature with these uniformly scaled matrices, one per frame."""
     turn = matrices_of(inverse(rotations_of(objects)))[:, None]
     scale = np.abs(scales_of(objects)[:, None, :1])
     out = world.copy()

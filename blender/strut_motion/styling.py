@@ -1,4 +1,4 @@
-"""Styling on a thread: the engine's calls, their progress, cancelling, and errors as sentences."""
+"""Styling on a thread: calls of the engine, progress, cancellation, and errors as sentences."""
 
 import threading
 from collections.abc import Callable, Mapping
@@ -10,7 +10,7 @@ from .skeleton import MotionArrays
 
 
 class Problem(Exception):
-    """What is wrong, in a sentence for the panel."""
+    """An error with a sentence for the panel."""
 
 
 class Cancelled(Exception):
@@ -18,7 +18,7 @@ class Cancelled(Exception):
 
 
 class Request(NamedTuple):
-    """All that styling needs, without anything of Blender's: it may be used on any thread."""
+    """All inputs of the styling, without Blender objects, so that it can be used on any thread."""
 
     names: list[str]
     parents: list[int]
@@ -33,7 +33,7 @@ class Request(NamedTuple):
 
 
 class Result(NamedTuple):
-    """A styled motion and how the skeleton was read."""
+    """A styled motion, and how the skeleton was read."""
 
     bvh: str
     roles: dict[str, str]
@@ -41,7 +41,7 @@ class Result(NamedTuple):
 
 
 def engine() -> Any:
-    """The package `strut`, which comes with the extension."""
+    """Returns the package `strut`, which is part of the extension."""
     try:
         import strut
     except ImportError as error:
@@ -50,7 +50,7 @@ def engine() -> Any:
 
 
 def sentence(error: BaseException) -> str:
-    """An error in a sentence for people."""
+    """Returns an error as a sentence for users."""
     strut = engine()
     if isinstance(error, strut.StrutError):
         parts = [error.message, error.hint]
@@ -63,7 +63,7 @@ def sentence(error: BaseException) -> str:
 
 
 def motion_of(request: Request) -> Any:
-    """The motion of a request. Raises what the engine raises."""
+    """Returns the motion of a request. Raises the engine's exceptions."""
     offsets, translations, rotations = (np.ascontiguousarray(a, np.float32) for a in request.arrays)
     return engine().Motion.from_arrays(
         request.names,
@@ -79,7 +79,7 @@ def motion_of(request: Request) -> Any:
 
 
 def style(request: Request, progress: Callable[[str, int, int], object] | None = None) -> Result:
-    """Styles the motion of a request. Raises what the engine and `progress` raise."""
+    """Styles the motion of a request. Raises exceptions of the engine and of `progress`."""
     database = request.open_database()
     motion = motion_of(request)
     styled = engine().stylize(
@@ -89,7 +89,7 @@ def style(request: Request, progress: Callable[[str, int, int], object] | None =
 
 
 class Job:
-    """Styling on a thread of its own."""
+    """Styling on a separate thread."""
 
     def __init__(self, request: Request) -> None:
         self._request = request
@@ -113,20 +113,20 @@ class Job:
 
     @property
     def share(self) -> float:
-        """How much is done, 0 to 1."""
+        """Returns the progress, 0 to 1."""
         return self._share
 
     @property
     def is_done(self) -> bool:
-        """Whether the thread has ended."""
+        """Returns whether the thread has ended."""
         return not self._thread.is_alive()
 
     def cancel(self) -> None:
-        """Has the thread end soon."""
+        """Requests that the thread ends soon."""
         self._cancelled.set()
 
     def result(self) -> Result:
-        """Waits for the end. Raises `Cancelled`, or `Problem` with a sentence."""
+        """Waits for the end and returns the result. Raises `Cancelled`, or `Problem` with a sentence."""
         self._thread.join()
         if isinstance(self._error, Cancelled):
             raise self._error

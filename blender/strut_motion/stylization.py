@@ -1,4 +1,4 @@
-"""Styling the motion of an armature: sampling, the engine on a thread, a new action. In steps, so that it can show how far it is."""
+"""Styling of an armature's motion, in steps that report the progress: sampling, the engine on a thread, a new action."""
 
 from collections.abc import Generator, Mapping
 from typing import Any, NamedTuple
@@ -15,29 +15,29 @@ SHARE_OF_SAMPLING = 0.2
 
 
 class Order(NamedTuple):
-    """What is asked for, apart from the motion."""
+    """Settings of the styling, apart from the motion."""
 
     open_database: Any
-    """A function that gives the database, on any thread."""
+    """Function that returns the database, on any thread."""
     styles: Mapping[str, float]
     parts: Mapping[str, Mapping[str, float]] | None
     roles: Mapping[str, str | None] | None
     options: Mapping[str, Any]
     as_strip: bool
-    """Whether the result becomes a strip of the NLA, and the source another below it."""
+    """Whether the result becomes an NLA strip, and the source another one below it."""
 
 
 class Step(NamedTuple):
-    """How far it is."""
+    """Progress of the styling."""
 
     share: float
-    """0 to 1."""
+    """Progress, 0 to 1."""
     waits: bool
-    """Whether there is nothing to do until a thread has gone on."""
+    """Whether the work must wait for a thread."""
 
 
 class Outcome(NamedTuple):
-    """What was made."""
+    """Result of the styling."""
 
     action: Any
     first_frame: int
@@ -48,7 +48,8 @@ class Outcome(NamedTuple):
 
 def stylize(scene: Any, armature: Any, order: Order) -> Generator[Step, None, Outcome]:
     """
-    Styles what the armature does. Nothing is changed before the last step; when the generator is closed, nothing is.
+    Styles the motion of an armature. Only the last step changes anything; if the generator is closed earlier, nothing is
+    changed.
 
     Raises `Problem`.
     """
@@ -78,7 +79,7 @@ def stylize(scene: Any, armature: Any, order: Order) -> Generator[Step, None, Ou
 
 
 def request_of(scene: Any, tree: rig.Tree, samples: rig.Samples, order: Order) -> Request:
-    """What the engine is asked. Raises `Problem` for motions that cannot be written back."""
+    """Returns the request for the engine. Raises `Problem` for motions that cannot be written back."""
     if not skeleton.is_even(samples.objects):
         raise Problem("The armature is scaled differently along its axes, or mirrored. Apply its scale (Ctrl+A), then try again.")
     rest = samples.objects[0] @ tree.rest
@@ -101,7 +102,7 @@ def request_of(scene: Any, tree: rig.Tree, samples: rig.Samples, order: Order) -
 
 
 def write(armature: Any, tree: rig.Tree, samples: rig.Samples, result: Result, order: Order, first: int) -> Outcome:
-    """Makes the action of a result and has the armature play it. Raises `Problem` before anything is changed."""
+    """Creates the action of a result and makes the armature play it. Raises `Problem` before anything is changed."""
     moved = bones_on_the_way(result.roles, tree.parent_names)
     held = rig.moved_by_constraint(armature, moved)
     if held:
@@ -123,13 +124,15 @@ def write(armature: Any, tree: rig.Tree, samples: rig.Samples, result: Result, o
     else:
         curves.assign(data, action, new_slot)
     if source and source.users == 0:
-        # Blender does not save what nobody uses.
+        # Blender does not save unused data.
         source.use_fake_user = True
     return Outcome(action, first, len(poses), result.roles, result.note)
 
 
 def styled_poses(tree: rig.Tree, samples: rig.Samples, result: Result) -> tuple[Array, set[str]]:
-    """Matrices of the tree's bones in the armature, n × j × 4 × 4, and the bones that leave their place in the parent."""
+    """
+    Returns the bones' matrices in armature space, n × j × 4 × 4, and the bones that are translated relative to their parent.
+    """
     clip = bvh.read(result.bvh)
     order = [clip.names.index(name) for name in tree.names]
     translations, rotations = skeleton.z_up(clip.translations, clip.rotations)
@@ -151,7 +154,7 @@ def channels_of(
     shifted: set[str],
     animated: Mapping[str, set[str]],
 ) -> list[keys.Channel]:
-    """The channels of all bones that move, in the rotation mode of each."""
+    """Returns the channels of all moving bones, in the rotation mode of each."""
     channels: list[keys.Channel] = []
     for joint, (name, parent) in enumerate(zip(tree.names, tree.parents, strict=True)):
         if not (name in moved or name in shifted or name in animated):
@@ -171,7 +174,7 @@ def channels_of(
 
 
 def add_strips(data: Any, source: Any, slot: Any, styled: tuple[Any, Any], first: int) -> None:
-    """Pushes the source down into a track of its own, and the styled action into one above it, which is what is seen."""
+    """Pushes the source down into a separate track, and the styled action into one above it, which is visible."""
     pairs = [("Source", source, slot)] if source else []
     for track_name, action, action_slot in [*pairs, ("Styled", *styled)]:
         track = data.nla_tracks.new()
@@ -185,7 +188,7 @@ def add_strips(data: Any, source: Any, slot: Any, styled: tuple[Any, Any], first
 
 def name_of(styles: Mapping[str, float]) -> str:
     """
-    Styles and weights for the names of actions: "proud 70%, old 30%". No decimal point: Blender would number "0.7" as "0.001" where
-    the name is taken.
+    Returns styles and weights as a name of actions: "proud 70%, old 30%". There is no decimal point: Blender would number "0.7"
+    as "0.001" if the name is in use.
     """
     return ", ".join(style if weight == 1 else f"{style} {100 * weight:.0f}%" for style, weight in styles.items())

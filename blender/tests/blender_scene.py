@@ -1,4 +1,4 @@
-"""Scenes for tests: a BVH as Blender imports it, rigs that perform a motion, and what an armature does as arrays."""
+"""Scenes for tests: a BVH imported by Blender, rigs that perform a motion, and the motion of an armature as arrays."""
 
 import json
 import struct
@@ -17,17 +17,17 @@ strut_motion.register()
 
 Z_UP = about(0, np.array(np.pi / 2))
 RATE_HZ, SECS = 30, 4
-"""Of what rigs perform."""
+"""Frame rate and duration of the rigs' motions."""
 HUMANOID_PARENTS = [-1, 0, 1, 2, 3, 2, 5, 6, 7, 2, 9, 10, 11, 0, 13, 14, 15, 0, 17, 18, 19]
 
 
 def in_z_up(q: np.ndarray) -> np.ndarray:
-    """Rotations of a world with +Y up as those of one with +Z up."""
+    """Converts rotations from a world with +Y up to one with +Z up."""
     return multiplied(multiplied(np.broadcast_to(Z_UP, q.shape), q), np.broadcast_to(inverse(Z_UP), q.shape))
 
 
 def empty_scene(database: Path) -> Any:
-    """A scene without anything, in which a database is open."""
+    """Creates an empty scene with an open database."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     settings = bpy.context.scene.strut_motion
     settings.source = "FILE"
@@ -37,13 +37,13 @@ def empty_scene(database: Path) -> Any:
 
 
 def import_bvh(path: Path, scale: float = 0.01) -> Any:
-    """An armature with the motion of a file in centimetres."""
+    """Imports an armature with the motion of a file in centimetres."""
     bpy.ops.import_anim.bvh(filepath=str(path), global_scale=scale, update_scene_fps=True, update_scene_duration=True)
     return bpy.context.active_object
 
 
 def world_turns(parents: list[int], rotations: np.ndarray) -> np.ndarray:
-    """World rotations of local ones."""
+    """Converts local to world rotations."""
     world = rotations.copy()
     for joint, parent in enumerate(parents):
         if parent >= 0:
@@ -52,7 +52,7 @@ def world_turns(parents: list[int], rotations: np.ndarray) -> np.ndarray:
 
 
 def bind_rotations(glb: bytes) -> dict[str, np.ndarray]:
-    """World rotations of the nodes of a GLB, +Y up."""
+    """Returns the world rotations of the nodes of a GLB, +Y up."""
     (length,) = struct.unpack_from("<I", glb, 12)
     nodes = json.loads(glb[20 : 20 + length])["nodes"]
     parents = {child: i for i, node in enumerate(nodes) for child in node.get("children", [])}
@@ -65,7 +65,7 @@ def bind_rotations(glb: bytes) -> dict[str, np.ndarray]:
 
 
 def import_rig(folder: Path, about_it: dict, motion: strut.Motion, database: strut.Database) -> Any:
-    """A rig that performs a motion: every joint turns from the T-pose as the humanoid's does, the hips move."""
+    """Imports a rig that performs a motion: every joint rotates from the T-pose as the humanoid's does, and the hips move."""
     file = folder / about_it["file"]
     bpy.ops.import_scene.gltf(filepath=str(file))
     armature = next(o for o in bpy.context.scene.objects if o.type == "ARMATURE")
@@ -96,7 +96,7 @@ def import_rig(folder: Path, about_it: dict, motion: strut.Motion, database: str
     translations = np.tile(arrays.offsets, (len(poses), 1, 1))
     hips = tree.names.index(about_it["joints"]["hips"])
     place = poses[:, :3] @ matrices_of(Z_UP).T * about_it["legRatio"]
-    # Joints above the hips stand still and are not turned at rest.
+    # Joints above the hips do not move and are not rotated at rest.
     translations[:, hips] = place - (rest[tree.parents[hips], :3, 3] if hips else 0)
     matrices = skeleton.world_matrices(tree.parents, rest, translations, rotations)
     objects = np.broadcast_to(np.array(armature.matrix_world), (len(poses), 4, 4))
@@ -118,7 +118,7 @@ def import_rig(folder: Path, about_it: dict, motion: strut.Motion, database: str
 
 
 def sampled(armature: Any) -> tuple[rig.Tree, np.ndarray, np.ndarray]:
-    """The tree of an armature, its world matrices at rest, and those in every frame of its action."""
+    """Returns the tree of an armature, its world matrices at rest, and those in every frame of its action."""
     scene = bpy.context.scene
     tree = rig.tree(armature)
     first, last = rig.frame_range(scene, armature)
@@ -132,12 +132,12 @@ def sampled(armature: Any) -> tuple[rig.Tree, np.ndarray, np.ndarray]:
 
 
 def turns_from_rest(rest: np.ndarray, world: np.ndarray) -> np.ndarray:
-    """World rotations relative to rest."""
+    """Returns world rotations relative to rest."""
     return multiplied(skeleton.rotations_of(world), inverse(skeleton.rotations_of(rest)))
 
 
 def degrees_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Angles between rotations."""
+    """Returns the angles between rotations, degrees."""
     sine = np.linalg.norm(multiplied(inverse(a), b)[..., :3], axis=-1)
     return np.degrees(2 * np.arcsin(np.minimum(1, sine)))
 
@@ -145,7 +145,7 @@ def degrees_between(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 def styled(
     tree: rig.Tree, arrays: list[np.ndarray], rate_hz: float, database: strut.Database, styles: dict[str, float]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What the engine makes of a motion with +Z up: world turns and places of the tree's joints."""
+    """Returns the engine's result for a motion with +Z up: world rotations and positions of the tree's joints."""
     a = [np.ascontiguousarray(x, np.float32) for x in arrays]
     motion = strut.Motion.from_arrays(tree.names, tree.parents, *a, rate_hz, up="z", metres_per_unit=1.0)
     clip = bvh.read(strut.stylize(motion, database, styles).to_bvh())
@@ -155,14 +155,14 @@ def styled(
 
 
 def world_of(parents: list[int], translations: np.ndarray, rotations: np.ndarray, order: list[int]) -> tuple:
-    """World turns and places of these joints, of local transforms."""
+    """Returns world rotations and positions of these joints, from local transforms."""
     aligned = np.broadcast_to(np.eye(4), (len(parents), 4, 4))
     world = skeleton.world_matrices(parents, aligned, translations, rotations)
     return world_turns(parents, rotations)[:, order], world[:, order][..., :3, 3]
 
 
 def exported(armature: Any, action: Any, folder: Path) -> bvh.Clip:
-    """What an armature does by an action, as Blender's own exporter writes it."""
+    """Returns the motion of an armature with an action, exported by Blender's own exporter."""
     curves.assign(armature.animation_data, action, action.slots[0] if curves.has_slots() else None)
     path = folder / "exported.bvh"
     first, last = rig.frame_range(bpy.context.scene, armature)

@@ -1,5 +1,5 @@
 """
-What the tests share. `STRUT_BLENDER_FILES` is a folder that `npm run blender` fills: `demo.strutdb` and `clips/` of
+Common fixtures of the tests. `STRUT_BLENDER_FILES` is a folder that `npm run blender` fills: `demo.strutdb` and `clips/` of
 `strut demo-db`, `rigs/` of scripts/blender/rigs.mjs.
 """
 
@@ -19,13 +19,13 @@ RIGS = json.loads((FILES / "rigs" / "rigs.json").read_text()) if (FILES / "rigs"
 
 @pytest.fixture(scope="session")
 def clip() -> Path:
-    """A neutral walk."""
+    """Path of a neutral walk."""
     return min((FILES / "clips").glob("walk*neutral*.bvh"))
 
 
 @pytest.fixture(scope="session")
 def database() -> Path:
-    """The built-in styles."""
+    """Path of the built-in database."""
     return FILES / "demo.strutdb"
 
 
@@ -35,6 +35,6 @@ def pytest_sessionfinish(exitstatus: int) -> None:
 
 
 def pytest_unconfigure() -> None:
-    """Ends the process at once: where tests have failed, bpy may wait for ever while it frees what is left."""
+    """Ends the process immediately: after failed tests, bpy may hang while it frees its data."""
     sys.stdout.flush()
     os._exit(status)

@@ -1,4 +1,4 @@
-"""What the extension does without Blender."""
+"""Tests of the extension without Blender."""
 
 import numpy as np
 import pytest
@@ -66,7 +66,7 @@ def test_motions_of_matrices_are_these_matrices() -> None:
     arrays = skeleton.motion_arrays(PARENTS, rest, world)
     again = skeleton.world_matrices(PARENTS, rest, arrays.translations, arrays.rotations_xyzw)
     np.testing.assert_allclose(again, world, atol=1e-9)
-    # At rest nothing is turned, and everything is at its place to the bit.
+    # At rest all rotations are the identity, and all positions are bit-identical.
     zero = skeleton.motion_arrays(PARENTS, rest, rest[None])
     assert same(zero.rotations_xyzw, np.eye(4)[3]) and (zero.translations[0] == zero.offsets).all()
 

@@ -1,4 +1,4 @@
-"""The extension in Blender's own Python module, bpy: `npm run blender`."""
+"""Tests of the extension in Blender's own Python module, bpy: `npm run blender`."""
 
 import time
 from collections.abc import Sequence
@@ -30,10 +30,10 @@ from strut_motion.styling import Problem  # noqa: E402
 
 STYLES = {"proud": 0.7}
 GREATEST_ANGLE = 0.01
-"""Degrees."""
+"""Greatest angle, degrees."""
 GREATEST_ANGLE_OF_LEGS = 0.1
 GREATEST_DISTANCE = 1e-4
-"""Metres."""
+"""Greatest distance, metres."""
 
 
 @pytest.fixture
@@ -55,8 +55,8 @@ def message() -> str:
 
 def skates(db: strut.Database, rest: np.ndarray, tree: Any, worlds: Sequence[np.ndarray], folder: Path) -> list[float]:
     """
-    Foot skate from key to key of what an armature does, on its own body, metres per second: between keys joints are interpolated, and
-    on legs of other lengths every foot slides a little, that of the input as well.
+    Returns the foot skate of an armature's motion from key to key, on its own body, metres per second. Joints are interpolated
+    between keys, so on legs of other lengths every foot slides slightly, also in the input.
     """
     arrays = [skeleton.motion_arrays(tree.parents, rest, world) for world in worlds]
     motions = [
@@ -65,12 +65,12 @@ def skates(db: strut.Database, rest: np.ndarray, tree: Any, worlds: Sequence[np.
         )
         for a in arrays
     ]
-    # A database of this armature alone has its body.
+    # A database of only this armature has its body.
     file = folder / "walk_neutral_001.bvh"
     file.write_text(strut.stylize(motions[0], db, {}).to_bvh())
     body = strut.Database.build([file])
     step = round(body.rate_hz) // RATE_HZ
-    # The metric takes poses for frames of the database.
+    # The metric requires poses at the frames of the database.
     return [
         strut.metrics.foot_skate(body, *(np.ascontiguousarray(x[::step]) for x in (m.poses(body), m.contacts(body)))) / step
         for m in motions
@@ -80,7 +80,9 @@ def skates(db: strut.Database, rest: np.ndarray, tree: Any, worlds: Sequence[np.
 def compare(
     expected: tuple[np.ndarray, np.ndarray], tree: Any, rest: np.ndarray, world: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Angles between joints' rotations and those expected, degrees, and distances of their places, metres, n × j each."""
+    """
+    Returns angles between actual and expected joint rotations, degrees, and distances of their positions, metres, n × j each.
+    """
     turns, places = expected
     assert len(world) == len(turns)
     return degrees_between(turns_from_rest(rest, world), turns), np.linalg.norm(world[..., :3, 3] - places, axis=-1)
@@ -88,8 +90,9 @@ def compare(
 
 def check(compared: tuple[np.ndarray, np.ndarray], tree: Any, roles: dict[str, str], what: str) -> None:
     """
-    All joints are within 0.01° and 0.1 mm but thighs, shins and knees. There the engine's own rounding shows, as the same motion has
-    come to it through another file: the angle of a knee that is almost straight hangs on the square root of the rounding of lengths.
+    Checks that all joints are within 0.01° and 0.1 mm except thighs, shins and knees. These show the engine's own rounding,
+    since it received the same motion from another file: the angle of an almost straight knee depends on the square root of the
+    rounding error of lengths.
     """
     angles, distances = compared
     legs = {roles[f"{side}_{part}_leg"] for side in ("left", "right") for part in ("upper", "lower")}
@@ -121,7 +124,7 @@ def test_a_bvh_comes_out_as_the_engine_styles_the_file(settings: Any, clip: Path
     y_up = (in_z_up(turns), 0.01 * places[..., [0, 2, 1]] * [1, -1, 1])
     check(compare(y_up, tree, rest, after), tree, motion.roles, "BVH")
 
-    # The very motion that Blender plays.
+    # Exactly the motion that Blender plays.
     same = styled(tree, list(skeleton.motion_arrays(tree.parents, rest, before)), motion.rate_hz, opened, STYLES)
     angles, distances = compare(same, tree, rest, after)
     print(f"BVH as sampled: {angles.max():.5f} degrees, {1000 * distances.max():.3f} mm")
@@ -148,20 +151,21 @@ def test_a_rig_comes_out_as_the_engine_styles_it(
     assert angles.max() < GREATEST_ANGLE and distances.max() < GREATEST_DISTANCE
     assert slides[1] <= slides[0]
 
-    # By Blender's own exporter, which writes lengths of the armature, not of the world.
+    # With Blender's own exporter, which writes lengths in armature space, not in world space.
     if np.array_equal(np.array(armature.matrix_world), np.eye(4)):
         file = exported(armature, bpy.data.actions["walk"], tmp_path)
         order = [file.names.index(bone) for bone in tree.names]
         local = [arrays.offsets, file.translations[:, order], file.rotations[:, order]]
         by_file = styled(tree, local, RATE_HZ, opened, STYLES)
         if name == "Biped":
-            # In four frames a difference in rounding of the exported file changes what is found: 0.040° at the feet, 0.0103° at the head.
+            # In four frames a rounding difference of the exported file changes the result: 0.040° at the feet, 0.0103° at the
+            # head.
             request.applymarker(pytest.mark.xfail(reason="an export of Biped misses 0.01 degrees, see docs/blender.md"))
         check(compare(by_file, tree, rest, after), tree, about_it["joints"], f"{name} as exported")
 
 
 def state_of(armature: Any) -> tuple:
-    """What undo must bring back: actions, their keys, what is played, tracks, frame."""
+    """Returns the state that undo must restore: actions, their keys, the assigned action, tracks, frame."""
     actions = {}
     for action in bpy.data.actions:
         slots = list(action.slots) if curves.has_slots() else [None]
@@ -183,7 +187,7 @@ def test_one_undo_brings_everything_back(settings: Any, clip: Path) -> None:
     before = state_of(armature)
     bpy.ops.strut_motion.stylize()
     assert state_of(armature) != before
-    # What Blender does after an operator of a person's.
+    # Blender does this after an operator that a user starts.
     bpy.ops.ed.undo_push(message="Stylize")
     bpy.ops.ed.undo()
     assert state_of(bpy.data.objects[name]) == before
@@ -229,7 +233,7 @@ def test_esc_ends_it_at_once_and_changes_nothing(settings: Any, clip: Path, shar
     work.close()
     cancelled = time.perf_counter() - began
     print(f"longest tick {1000 * max(ticks):.0f} ms ({1000 * max(used):.0f} ms of this thread), cancelled in {1000 * cancelled:.0f} ms")
-    # Esc is seen after a tick.
+    # Esc is handled after a tick.
     assert max(ticks) + cancelled < 0.2
     assert state_of(armature) == before
 
@@ -246,7 +250,7 @@ def test_how_long_ten_seconds_take(settings: Any, clip: Path) -> None:
 
 
 def refused(settings: Any) -> str:
-    """The sentence of a refusal, which the panel has, too."""
+    """Returns the message of a refusal, which the panel shows, too."""
     count = len(bpy.data.actions)
     with pytest.raises(RuntimeError) as error:
         bpy.ops.strut_motion.stylize()
@@ -293,7 +297,7 @@ def test_roles_are_found_and_corrected(settings: Any, clip: Path) -> None:
 
 
 class Layout:
-    """Stands for Blender's layout, which needs a window: notes what is drawn, and fails for properties that are not there."""
+    """Fake of Blender's layout, which needs a window: records what is drawn, and fails for missing properties."""
 
     def __init__(self, texts: list[str]) -> None:
         self.texts = texts
@@ -325,7 +329,7 @@ class Layout:
 
 
 def drawn() -> list[str]:
-    """The texts of all panels."""
+    """Returns the texts of all panels."""
     from types import SimpleNamespace
 
     from strut_motion import panel

@@ -1,16 +1,16 @@
-/** The page that draws film strips: the instants of a clip side by side, performed by the playground's mannequin. */
+/** The page that draws film strips: instants of a clip side by side, performed by the playground's mannequin. */
 import { JOINT, POSE_FLOATS, createWorldPose, headingOf, worldFromLocal } from "../../web/humanoid";
 import { DatabaseBuilder, type Preview } from "../../web/engine/build/builder";
 import { type CameraView } from "../../web/viewer";
 import { SideBySideViewer } from "../../web/viewer/side_by_side_viewer";
 
-/** What is drawn of a clip. */
+/** A strip of a clip. */
 export interface Strip {
-  /** Words beside the strip, before its duration; without them nothing is said beside it. */
+  /** Caption of the strip, before its duration; without it there is no caption. */
   title?: string;
   /** The BVH file. */
   bvh: string;
-  /** Which stretch of it: a stride, or the time around the moment that makes the action. */
+  /** Action, which determines the displayed part: a stride, or the time around the action's key moment. */
   action: string;
   view: CameraView;
 }
@@ -24,9 +24,9 @@ declare global {
 
 const COLUMNS = 9;
 const COLUMN_PX = { width: 112, height: 190 };
-/** Height of a column for those who leave the ground with raised arms: who is seen in a taller one is seen from farther away. */
+/** Height of a column for figures that jump with raised arms. A taller column needs a greater camera distance. */
 const TALL_PX = 290;
-/** Seconds before and after the moment that makes an action. */
+/** Seconds before and after an action's key moment. */
 const AROUND = { before: 0.9, after: 0.9 };
 /** Time between two renderings, seconds. */
 const STEP = 0.2;
@@ -53,7 +53,7 @@ async function draw({ title, bvh, action, view }: Strip): Promise<void> {
   viewer.setFigures(Array.from({ length: COLUMNS }, (_, i) => ({ pose: pose(i), reference: null })));
   viewer.camera(view);
   viewer.settle();
-  // Until glides have ended and the finer picture is there, which can be read in the same task.
+  // Until transitions have ended and the refined picture is drawn, which can be read in the same task.
   do {
     await new Promise(requestAnimationFrame);
     time += STEP;
@@ -70,13 +70,13 @@ async function draw({ title, bvh, action, view }: Strip): Promise<void> {
   document.querySelector("main")!.append(figure);
 }
 
-/** First and last frame of what is shown. */
+/** Returns the first and the last frame of the displayed part. */
 function stretchOf(clip: Preview, action: string): [number, number] {
   const measures = measuresOf(clip);
   if (action === "walk" || action === "run") return strideOf(measures, clip);
   const of = { jump: (m: Measure) => m.hips, kick: (m: Measure) => m.foot, punch: (m: Measure) => m.reach }[action];
   const values = measures.map(of ?? (() => 0));
-  // The first moment that comes near to the most.
+  // The first moment that is close to the maximum.
   const [least, most] = [Math.min(...values), Math.max(...values)];
   const near = values.findIndex((v) => v > least + 0.9 * (most - least));
   const peak = values.findIndex((v, i) => i >= near && !(values[i + 1]! > v));
@@ -84,13 +84,13 @@ function stretchOf(clip: Preview, action: string): [number, number] {
   return [frame(-AROUND.before), frame(AROUND.after)];
 }
 
-/** What tells the moments of an action, metres. */
+/** Values that identify the moments of an action, metres. */
 interface Measure {
   hips: number;
   foot: number;
-  /** How far the hand that is farther ahead is before the hips. */
+  /** Distance of the more advanced hand in front of the hips. */
   reach: number;
-  /** How far the left ankle is before the hips. */
+  /** Distance of the left ankle in front of the hips. */
   left: number;
 }
 
@@ -111,7 +111,10 @@ function measuresOf({ poses, proportions, frames }: Preview): Measure[] {
   });
 }
 
-/** From one strike of the left foot to the next, in the middle of the clip: the ankle is then farthest ahead. */
+/**
+ * Returns a stride from one strike of the left foot to the next, in the middle of the clip. At a strike the ankle is
+ * farthest in front.
+ */
 function strideOf(measures: readonly Measure[], { frames, rateHz }: Preview): [number, number] {
   const reach = Math.round(0.25 * rateHz);
   const strikes = measures.flatMap(({ left }, f) => {

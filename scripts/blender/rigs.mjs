@@ -6,8 +6,9 @@ import { runnerImport } from "vite";
 import { main, root } from "../steps.mjs";
 
 /**
- * Writes a GLB a rig, and `rigs.json`: for each its name, its file, the names of the joints of the 21 roles, the world rotation of
- * each in the T-pose facing +Z (x y z w, +Y up), and the length of its legs over that of the mannequin's.
+ * Writes one GLB per rig, and `rigs.json`: for each its name, its file, the names of the joints of the 21 roles, the
+ * world rotation of each in the T-pose facing +Z (x y z w, +Y up), and the length of its legs relative to the
+ * mannequin's.
  */
 export async function writeRigs(folder) {
   mkdirSync(folder, { recursive: true });

@@ -1,4 +1,4 @@
-// Where a link of a Markdown file leads in the documentation site.
+// Translation of links in Markdown files to addresses of the documentation site.
 import { existsSync, statSync } from "node:fs";
 import { join, posix } from "node:path";
 import { root } from "../steps.mjs";
@@ -6,21 +6,21 @@ import { slugOf } from "./markdown.mjs";
 
 const PICTURE = /\.(svg|png|jpg|webp)$/;
 
-/** Whether an address leads out of the repository, or stays on its page. */
+/** Returns whether an address leads out of the repository, or stays on its page. */
 export const isElsewhere = (href) => /^([a-z][a-z+.-]*:|#)/i.test(href);
 
 /**
- * The addresses of one site.
- * @param pages each with `file`, its Markdown, and `out`, its place in the site
- * @returns `resolverOf(page)`, which translates the addresses of a page; `pictures`, a map from the files that pages show to
- * their places in the site; `faults`, a sentence for each address that leads nowhere
+ * Returns the addresses of one site.
+ * @param pages each with `file`, its Markdown, and `out`, its path in the site
+ * @returns `resolverOf(page)`, which translates the addresses of a page; `pictures`, a map from the files that pages
+ * show to their paths in the site; `faults`, a message for each broken link
  */
 export function addressesOf(pages) {
   const outOf = new Map(pages.map(({ file, out }) => [file, out]));
   const pictures = new Map();
   const faults = [];
 
-  /** The place in the site of a file or folder of the repository. */
+  /** Returns the path in the site of a file or folder of the repository. */
   function placeOf(target, hash) {
     if (outOf.has(target)) return `${outOf.get(target)}${hash}`;
     const example = /^examples\/([\w-]+)(?:\/([\w.-]+))?\/?$/.exec(target);

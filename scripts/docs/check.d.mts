@@ -1,4 +1,4 @@
-/** Links of the site's pages that lead nowhere, a sentence each. */
+/** Returns a message for each broken link of the site's pages. */
 export function linkFaults(): string[];
-/** Parts of the site that are larger than they may be, and all sizes in a sentence. */
+/** Returns the parts of the site that exceed their size, and a message with all sizes. */
 export function sizes(): { faults: string[]; report: string };

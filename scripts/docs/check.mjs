@@ -1,10 +1,10 @@
-// Whether the documentation site is whole: links and anchors, and sizes.
+// Checks of the documentation site: links, anchors and sizes.
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { gzipSync } from "node:zlib";
 import { OUT } from "./site.mjs";
 
-/** Most kilobytes after gzip: what every page loads, what the search loads, and both together. */
+/** Greatest sizes after gzip, kilobytes: what every page loads, what the search loads, and both together. */
 const BUDGET_KB = [
   { name: "scripts", files: ["manual.js", "search.js"], budget: 60 },
   { name: "the index of the search", files: ["search_index.js"], budget: 100 },
@@ -17,14 +17,14 @@ const pagesOf = (folder) =>
 
 const ids = new Map();
 
-/** The anchors of a page. */
+/** Returns the anchors of a page. */
 function idsOf(path) {
   if (!ids.has(path))
     ids.set(path, new Set([...readFileSync(path, "utf8").matchAll(/\sid="([^"]+)"/g)].map(([, id]) => id)));
   return ids.get(path);
 }
 
-/** Links of the site's pages that lead nowhere, a sentence each. */
+/** Returns a message for each broken link of the site's pages. */
 export function linkFaults() {
   return pagesOf(OUT).flatMap((page) => {
     const html = readFileSync(page, "utf8");
@@ -45,7 +45,7 @@ function leads(page, address) {
   return !anchor || !target.startsWith(OUT) || idsOf(target).has(decodeURIComponent(anchor));
 }
 
-/** Parts of the site that are larger than they may be, a sentence each, and all sizes in one. */
+/** Returns a message for each part of the site that exceeds its size, and one with all sizes. */
 export function sizes() {
   const found = BUDGET_KB.map(({ name, files, budget }) => {
     const bytes = files.map((file) => gzipSync(readFileSync(join(OUT, "assets", file))).length);

@@ -4,12 +4,12 @@ import MarkdownIt from "markdown-it";
 const md = new MarkdownIt({ html: true });
 
 /**
- * The code of a document in the order of its lines: blocks, each with its language (empty where none is named), markup with the
- * language `html`, and code between words, without a language.
+ * Returns the code of a document in the order of its lines: blocks, each with its language (empty if none is named),
+ * markup with the language `html`, and inline code, without a language.
  */
 export function codesOf(markdown) {
   const found = [];
-  // Cells of tables have the line of their row.
+  // Table cells have the line of their row.
   let line = 1;
   for (const token of md.parse(markdown, {})) {
     if (token.map) line = token.map[0] + 1;

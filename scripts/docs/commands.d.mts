@@ -1,7 +1,7 @@
-/** One command as `strut reference` prints it. */
+/** A command in the output of `strut reference`. */
 export interface Command {
   name: string;
   arguments: { long: string | null; short: string | null; possible_values: string[] }[];
 }
-/** Commands and options in the code of a document that do not exist, a sentence for each. */
+/** Returns a message for each command or option in the code of a document that does not exist. */
 export function commandFaults(markdown: string, file: string, commands: readonly Command[]): string[];

@@ -1,57 +1,56 @@
-// Whether the commands that documents name are as they are written: `strut` with its options, scripts of npm, programs of the
-// repository.
+// Checks that the commands in documents exist: `strut` with its options, npm scripts, programs of the repository.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { root } from "../steps.mjs";
 import { codesOf } from "./codes.mjs";
 
-/** Languages of blocks that hold commands. */
+/** Languages of blocks with commands. */
 const SHELL = new Set(["sh", "bash", "shell"]);
 
-/** What npm does itself. */
+/** npm's built-in commands. */
 const NPM = new Set(["start", "test", "init", "install", "ci", "pack", "publish"]);
 
-/** Folders whose programs have options of their own. */
+/** Folders with programs that have their own options. */
 const PROGRAMS = ["scripts", "bench", "evaluation"];
 
-/** Settings of the environment, which stand before a command. */
+/** Environment settings before a command. */
 const SETTINGS = /^([A-Z_]+=\S+ )+/;
-/** What begins a command that is checked. */
+/** Beginning of a command that is checked. */
 const COMMAND = /^(strut|npm|npx|node|python) /;
 
-/** A line of a block that needs no test: a command that is checked, a comment, or nothing. */
+/** Returns whether a line of a block needs no test: a command that is checked, a comment, or an empty line. */
 export const isChecked = (line) =>
   /^\s*(#|$)/.test(line) || COMMAND.test(line.trim().replace(SETTINGS, "")) || /^pip install /.test(line);
 
-/** The commands in a block of code: its lines, with those that go on. */
+/** Returns the commands in a block of code: its lines, with continuation lines joined. */
 const linesOf = (code) =>
   code
     .replace(/\\?\n\s+(?=\S)/g, " ")
     .split("\n")
     .map((line) => line.trim());
 
-/** The words of a command, without the brackets and bars of a synopsis. */
+/** Returns the words of a command, without the brackets and bars of a synopsis. */
 const wordsOf = (command) =>
   command
     .replace(/'[^']*'|"[^"]*"/g, "TEXT")
     .split(/[\s()[\]|]+/)
     .filter(Boolean);
 
-/** Options among words: `--long`, `--long=VALUE`, `-s`. */
+/** Returns the options among words: `--long`, `--long=VALUE`, `-s`. */
 const optionsOf = (words) => words.flatMap((word) => /^--?[a-zA-Z][\w-]*/.exec(word)?.[0] ?? []);
 
 const isOptionOf = ({ arguments: known }, option) =>
   ["--help", "-h", "--version"].includes(option) ||
   known.some(({ long, short }) => option === `--${long}` || option === `-${short}`);
 
-/** The values that a long option is given; words in capitals stand for some. */
+/** Returns the values of a long option. Words in capitals are placeholders. */
 function valuesAfter(words, long) {
   const index = words.indexOf(`--${long}`);
   const value = index < 0 ? "" : (words[index + 1] ?? "");
   return /^[a-z]/.test(value) ? value.split(",") : [];
 }
 
-/** What is wrong with the words after `strut`. */
+/** Returns the faults of the words after `strut`. */
 function strutFaults(words, commands) {
   const [name, ...rest] = words;
   if (name === undefined || !/^[a-z][a-z-]*$/.test(name)) return [];
@@ -69,7 +68,7 @@ function strutFaults(words, commands) {
 
 let read;
 
-/** The text of all programs that scripts of npm run. */
+/** Returns the text of all programs that npm scripts run. */
 function programs() {
   read ??= PROGRAMS.flatMap((folder) =>
     readdirSync(join(root, folder), { recursive: true })
@@ -79,11 +78,11 @@ function programs() {
   return read;
 }
 
-/** Options that no text of a program has. */
+/** Returns options that do not occur in the text of a program. */
 const missingOptions = (options, text, what) =>
   options.filter((option) => !text.includes(option)).map((option) => `${what} has no option '${option}'`);
 
-/** What is wrong with the words after `npm`. */
+/** Returns the faults of the words after `npm`. */
 function npmFaults([first, second, ...rest], commands) {
   if (first === "run" && second === "strut")
     return strutFaults(
@@ -98,16 +97,16 @@ function npmFaults([first, second, ...rest], commands) {
   return missingOptions(optionsOf(rest), programs(), `'npm run ${name}'`);
 }
 
-/** What is wrong with a program of the repository: `node FILE …`. */
+/** Returns the faults of a program of the repository: `node FILE …`. */
 function programFaults([path, ...rest], file) {
   if (path === undefined || !/\.(m?js|py)$/.test(path)) return [];
   const found = [path, join(dirname(file), path)].map((each) => join(root, each)).find((each) => existsSync(each));
-  // A name alone is that of a file of one's own.
+  // A name without a folder is the user's own file.
   if (!found) return path.includes("/") ? [`there is no ${path}`] : [];
   return missingOptions(optionsOf(rest), readFileSync(found, "utf8"), path);
 }
 
-/** What is wrong with `npx PROGRAM … PATH`. */
+/** Returns the faults of `npx PROGRAM … PATH`. */
 function npxFaults([program, ...rest]) {
   const paths = rest.filter((word) => /^(tests|web|scripts)\//.test(word));
   return [
@@ -116,7 +115,7 @@ function npxFaults([program, ...rest]) {
   ];
 }
 
-/** What is wrong with a command, a sentence for each fault. @param file the document, a path in the repository */
+/** Returns a message for each fault of a command. @param file the document, a path in the repository */
 function faultsOf(text, file, commands) {
   const [program, ...words] = wordsOf(text.replace(SETTINGS, ""));
   if (program === "strut") return strutFaults(words, commands);
@@ -131,9 +130,9 @@ function faultsOf(text, file, commands) {
 }
 
 /**
- * Commands and options in the code of a document that do not exist.
- * @param commands what `strut reference` prints
- * @returns a sentence for each
+ * Returns commands and options in the code of a document that do not exist.
+ * @param commands output of `strut reference`
+ * @returns a message for each
  */
 export function commandFaults(markdown, file, commands) {
   return codesOf(markdown).flatMap(({ line, language, code }) => {

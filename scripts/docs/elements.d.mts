@@ -1,2 +1,5 @@
-/** Attributes in the code of a document that its elements do not have, a sentence for each. @param tables of `readTables()` */
+/**
+ * Returns a message for each attribute in the code of a document that its element does not have. @param tables result
+ * of `readTables()`
+ */
 export function elementFaults(markdown: string, file: string, tables: unknown): string[];

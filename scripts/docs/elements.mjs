@@ -1,4 +1,4 @@
-// Whether the elements that documents write have the attributes that they are given.
+// Checks that the elements in documents have the attributes that are used.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "../steps.mjs";
@@ -8,36 +8,36 @@ const FIGURE = join(root, "web", "element", "figure");
 
 /** A tag with its attributes. */
 const TAG = /<(strut-[\w-]+)((?:\s+[\w-]+(?:=(?:"[^"]*"|'[^']*'|\{[^}]*\}))?)*)\s*\/?>/g;
-/** The parameters of a page for frames. */
+/** The parameters of a page for iframes. */
 const FRAME = /\b(embed|figure)\.html\?([^#"'`\s]*)/g;
 /** Attributes of every element. */
 const GLOBAL = /^(id|class|style|slot|title|hidden|tabindex|lang|key|ref)$|^(aria|data)-|^on/;
 
-/** The attributes of `<strut-figure>`: those that its class observes, and those that its comment names. */
+/** Returns the attributes of `<strut-figure>`: those that its class observes, and those that its comment names. */
 function figureAttributes() {
   const source = readFileSync(join(FIGURE, "figure_element.ts"), "utf8");
   const comment = /\* Attributes: ([\s\S]*?)\n \* Events:/.exec(source)[1];
   return new Set([...comment.matchAll(/(?:^|; |\* )`(\w+)`/g)].map(([, name]) => name));
 }
 
-/** The values that an attribute takes, where they are a choice of words. */
+/** Returns the values of an attribute that is a choice of words. */
 const choicesOf = ({ type }) => [...type.matchAll(/"(\w+)"/g)].map(([, value]) => value);
 
-/** Attributes as they are written: `name`, and `value` where it is a text. */
+/** Returns attributes as written: `name`, and `value` if it is a text. */
 const written = (text) =>
   [...text.matchAll(/([\w-]+)(?:=(?:"([^"]*)"|'([^']*)'|\{[^}]*\}))?/g)].map(([, name, double, single]) => ({
     name,
     value: double ?? single,
   }));
 
-/** The parameters of an address, as attributes. */
+/** Returns the parameters of an address as attributes. */
 const parameters = (query) =>
   [...new URLSearchParams(query.replaceAll("&amp;", "&"))].map(([name, value]) => ({
     name,
     value: value || undefined,
   }));
 
-/** @param given attributes as they are written */
+/** @param given attributes as written */
 function attributeFaults(element, given, tables) {
   if (element === "strut-figure") {
     const known = figureAttributes();
@@ -54,7 +54,7 @@ function attributeFaults(element, given, tables) {
   });
 }
 
-/** Faults of the elements, and of the addresses of pages for frames, in a piece of code. */
+/** Returns the faults of the elements, and of the addresses of pages for iframes, in a piece of code. */
 function faultsOf(code, tables) {
   const tags = [...code.matchAll(TAG)].flatMap(([, element, attributes]) =>
     ["strut-player", "strut-figure"].includes(element)
@@ -68,9 +68,9 @@ function faultsOf(code, tables) {
 }
 
 /**
- * Attributes in the code of a document that its elements do not have.
- * @param tables those of `readTables()`
- * @returns a sentence for each
+ * Returns attributes in the code of a document that its elements do not have.
+ * @param tables result of `readTables()`
+ * @returns a message for each
  */
 export function elementFaults(markdown, file, tables) {
   return codesOf(markdown).flatMap(({ line, code }) =>
@@ -78,5 +78,5 @@ export function elementFaults(markdown, file, tables) {
   );
 }
 
-/** Whether a block of HTML has an element whose attributes are checked. */
+/** Returns whether a block of HTML has an element whose attributes are checked. */
 export const hasElement = (code) => /<strut-(player|figure)[\s>]/.test(code);

@@ -1,4 +1,4 @@
-// Example files: shown as pages, and copied into the code blocks that name them.
+// Example files, which are shown as pages and copied into the code blocks that name them.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root, Sentence } from "../steps.mjs";
@@ -8,26 +8,26 @@ import { hasElement } from "./elements.mjs";
 import { codeBlock, escapeHtml, slugOf } from "./markdown.mjs";
 
 const FOLDER = join(root, "examples");
-/** What tests use themselves may be shown, too. */
+/** Files of tests may be shown, too. */
 const TESTS = /^tests\//;
 
-/** Languages whose code blocks must come from examples, which are run or compiled by tests. */
+/** Languages of code blocks that must come from examples, which tests run or compile. */
 const TESTED = new Set(["js", "javascript", "mjs", "jsx", "ts", "typescript", "py", "python"]);
 
-/** Languages whose code blocks come from examples, or are checked as they stand: their commands, or their elements. */
+/** Languages of code blocks that come from examples or are checked directly: their commands, or their elements. */
 const CHECKED = {
   sh: (code) => code.split("\n").every(isChecked),
   bash: (code) => code.split("\n").every(isChecked),
   html: hasElement,
 };
 
-/** What looks like code that could be tested. */
+/** Code that could be tested. */
 const CODE = /^\s*(import [\w{]|const |let |await |def |class |<\w|(npm|npx|node|pip|python) )/m;
 
-/** What stands before a code block that comes from an example, and the block. */
+/** The comment before a code block that comes from an example, and the block. */
 const BLOCK = /^( *)(<!-- example: (\S+?)(?:#([\w-]+))? -->\n\n?) *(```)(\w*)\n([\s\S]*?)^ *```$/gm;
 
-/** The lines of a file between `anchor NAME` and `end NAME`, without their common indentation. */
+/** Returns the lines of a file between `anchor NAME` and `end NAME`, without their common indentation. */
 export function anchorOf(text, name) {
   const lines = text.split("\n");
   const at = (word) => lines.findIndex((line) => new RegExp(`(#|//|<!--) ${word} ${name}( -->)?$`).test(line.trim()));
@@ -42,8 +42,9 @@ export function anchorOf(text, name) {
 }
 
 /**
- * Markdown with its examples as they are now.
- * @returns `text`, and `faults`, a sentence for each block that names no example, or none although its language is run
+ * Returns Markdown with up-to-date examples.
+ * @returns `text`, and `faults`, a message for each block that names no existing example, or names none although its
+ * language is tested
  */
 export function withExamples(markdown, file) {
   const faults = [];
@@ -59,7 +60,7 @@ export function withExamples(markdown, file) {
   return { text, faults: [...faults, ...uncheckedBlocks(markdown, file)] };
 }
 
-/** A block of code with an example, as it stands in a page. */
+/** Returns a block of code with an example, as it appears in a page. */
 export function exampleBlock(path, anchor, language) {
   const code = exampleCode(path, anchor);
   if (code === undefined) throw new Sentence(`there is no example ${path}#${anchor}.`);
@@ -76,11 +77,11 @@ function exampleCode(path, anchor) {
   return anchor ? anchorOf(text, anchor) : text;
 }
 
-/** Blocks of code that nothing tests, although something could. */
+/** Returns blocks of code that are not tested, although they could be. */
 function uncheckedBlocks(markdown, file) {
   const lines = markdown.split("\n");
   return codesOf(markdown).flatMap(({ line, language, code }) => {
-    // Markup and code between words are no blocks.
+    // Markup and inline code are not blocks.
     if (!/^\s*(```|~~~)/.test(lines[line - 1]) || language === undefined) return [];
     const before = lines.slice(0, line - 1).findLast((other) => other.trim() !== "") ?? "";
     if (before.trim().startsWith("<!-- example: ")) return [];
@@ -89,7 +90,7 @@ function uncheckedBlocks(markdown, file) {
   });
 }
 
-/** What is wrong with a block that comes from no example. */
+/** Returns the fault of a block that comes from no example. */
 function faultOf(language, code) {
   if (language === "") return "this block names no language; text is one";
   if (language === "text") return CODE.test(code) ? "this block of text looks like code; name its language" : undefined;
@@ -98,14 +99,14 @@ function faultOf(language, code) {
   return undefined;
 }
 
-/** Pages of the folders of `examples/`: every file, with its parts marked. */
+/** Returns pages of the folders of `examples/`: every file, with its parts marked. */
 export function examplePages() {
   return readdirSync(FOLDER, { withFileTypes: true })
     .filter((entry) => entry.isDirectory())
     .map(({ name }) => examplePage(name));
 }
 
-/** The page of a folder, and the anchors of its files. */
+/** Returns the page of a folder, and the anchors of its files. */
 function examplePage(name) {
   const files = readdirSync(join(FOLDER, name), { withFileTypes: true })
     .filter((entry) => entry.isFile() && entry.name !== "package-lock.json")

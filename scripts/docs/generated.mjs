@@ -1,4 +1,4 @@
-// What is generated and committed: the pages of the reference, and the code blocks that come from examples.
+// Generated and committed texts: the pages of the reference, and the code blocks that come from examples.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { readTables } from "../element_manifest.mjs";
@@ -16,14 +16,14 @@ import { pythonPage } from "./reference/python.mjs";
 const REFERENCE = "docs/reference/";
 const NOTE = "<!-- Written by `npm run docs`; changes here are lost. -->\n\n";
 
-/** What `strut reference` prints. @param command the path of `strut` */
+/** Returns the output of `strut reference`. @param command the path of `strut` */
 async function readCommands(command) {
   const printed = await output(command, ["reference"]);
   if (printed === undefined) throw new Sentence(`${command} does not print its reference.`);
   return JSON.parse(printed);
 }
 
-/** The pages of the reference, as Markdown, by their files. */
+/** Returns the pages of the reference, as Markdown, by file. */
 function pages(commands, tables) {
   return {
     "command-line.md": commandLinePage(commands),
@@ -35,7 +35,7 @@ function pages(commands, tables) {
   };
 }
 
-/** Markdown that people write: what may hold code blocks. */
+/** Returns handwritten Markdown files, which may have code blocks. */
 function writtenFiles() {
   const inDocs = readdirSync(join(root, "docs"), { recursive: true })
     .filter((name) => name.endsWith(".md") && !`docs/${name}`.startsWith(REFERENCE))
@@ -52,8 +52,8 @@ function writtenFiles() {
 }
 
 /**
- * Everything that is generated, as it should be.
- * @returns `files`, texts by their paths in the repository, and `faults` of code blocks
+ * Returns the up-to-date content of everything that is generated.
+ * @returns `files`, texts by path in the repository, and `faults` of code blocks
  */
 async function generate(command) {
   const [commands, tables] = await Promise.all([readCommands(command), readTables()]);
@@ -64,19 +64,19 @@ async function generate(command) {
     const { text, faults: found } = withExamples(readFileSync(join(root, file), "utf8"), file);
     files.set(file, text);
     faults.push(...found);
-    // The log of changes tells of what was.
+    // The changelog describes former versions.
     if (file !== "CHANGELOG.md")
       faults.push(...commandFaults(text, file, commands), ...elementFaults(text, file, tables));
   }
   return { files, faults };
 }
 
-/** A page with a note for those who read its source, below the title. */
+/** Adds a note for readers of the source below the title of a page. */
 const withNote = (markdown) => markdown.replace(/^(# .*\n\n)/, `$1${NOTE}`);
 
 const isCommitted = (file, text) => existsSync(join(root, file)) && readFileSync(join(root, file), "utf8") === text;
 
-/** Brings the generated texts up to date; says which changed. */
+/** Updates the generated texts and prints which changed. */
 export async function writeGenerated(command) {
   const { files, faults } = await generate(command);
   if (faults.length > 0) throw new Sentence(`code blocks are untested:\n  ${faults.join("\n  ")}`);
@@ -85,7 +85,7 @@ export async function writeGenerated(command) {
   return changed.map(([file]) => file).join(", ");
 }
 
-/** Sentences about what is not as it should be. */
+/** Returns a message for each text that is not up to date. */
 export async function generatedFaults(command) {
   const { files, faults } = await generate(command);
   const stale = [...files]

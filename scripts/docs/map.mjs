@@ -1,9 +1,12 @@
-// The map of the documentation site: its sections, and the Markdown file of each page.
+// The structure of the documentation site: its sections, and the Markdown file of each page.
 import { readdirSync, readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import { root, Sentence } from "../steps.mjs";
 
-/** Sections in the order of the navigation. Paths are those below docs/; a page outside it says where it goes, one with a long title what it is called. */
+/**
+ * Sections in the order of the navigation. Paths are relative to docs/. A page outside it has a path in the site, one
+ * with a long title a label.
+ */
 const SECTIONS = [
   { title: "Start", pages: [{ path: "README.md", label: "Overview" }, "get-started.md"] },
   {
@@ -84,7 +87,9 @@ const SECTIONS = [
   },
 ];
 
-/** The page of a Markdown file: where it lies, what it is called there and in the navigation, where it goes in the site. */
+/**
+ * Returns the page of a Markdown file: its path, its title and its label in the navigation, and its path in the site.
+ */
 function pageOf(entry) {
   const { path, out, label } = typeof entry === "string" ? { path: entry } : entry;
   const file = posix.normalize(posix.join("docs", path));
@@ -97,14 +102,14 @@ function pageOf(entry) {
 /** `a/b.md` → `a/b.html`; the README of a folder is its index. */
 const htmlName = (path) => path.replace(/(^|\/)README\.md$/, "$1index.md").replace(/\.md$/, ".html");
 
-/** Documents that no section names, a sentence each. */
+/** Returns a message for each document that is in no section. */
 function strayFiles(sections) {
   const mapped = new Set(sections.flatMap(({ pages }) => pages.map(({ file }) => file)));
   const files = readdirSync(join(root, "docs"), { recursive: true }).filter((name) => name.endsWith(".md"));
   return files.map((name) => `docs/${name}`).filter((file) => !mapped.has(file));
 }
 
-/** Reads all pages: sections of `{ title, pages: { file, out, source, title, label }[] }`. */
+/** Reads all pages. Returns sections of `{ title, pages: { file, out, source, title, label }[] }`. */
 export function readMap() {
   const sections = SECTIONS.map(({ title, pages }) => ({ title, pages: pages.map(pageOf) }));
   const stray = strayFiles(sections);

@@ -1,6 +1,6 @@
-/** The anchor of a heading as GitHub makes it. */
+/** Returns the anchor of a heading as on GitHub. */
 export function slugOf(text: string): string;
-/** A page's markup, its headings, its text by sections, and the addresses that it has. */
+/** Returns a page's markup, its headings, its text by sections, and its addresses. */
 export function renderMarkdown(
   source: string,
   resolve?: (href: string) => string,

@@ -1,4 +1,4 @@
-// Markdown → the body of a page, its headings, and the text that is searched.
+// Conversion of Markdown to the body of a page, its headings, and its text for the search.
 import hljs from "highlight.js/lib/core";
 import bash from "highlight.js/lib/languages/bash";
 import css from "highlight.js/lib/languages/css";
@@ -13,23 +13,23 @@ import MarkdownIt from "markdown-it";
 import { mathematics } from "./mathematics.mjs";
 
 const LANGUAGES = { bash, css, javascript, json, nginx, python, rust, typescript, xml };
-/** Names of languages in code blocks that are called otherwise by highlight.js. */
+/** Languages of code blocks that have other names in highlight.js. */
 const ALIASES = { sh: "bash", js: "javascript", jsx: "javascript", mjs: "javascript", ts: "typescript", html: "xml" };
 
 for (const [name, language] of Object.entries(LANGUAGES)) hljs.registerLanguage(name, language);
 
-/** Code as markup with its parts marked; plain text where the language is not known. */
+/** Returns highlighted code as markup, or plain text if the language is unknown. */
 export function highlight(code, language) {
   const name = ALIASES[language] ?? language;
   return name in LANGUAGES ? hljs.highlight(code, { language: name }).value : escapeHtml(code);
 }
 
-/** Text that may stand between tags and in attributes. */
+/** Escapes text for use between tags and in attributes. */
 export function escapeHtml(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 }
 
-/** The anchor of a heading as GitHub makes it. */
+/** Returns the anchor of a heading as on GitHub. */
 export function slugOf(text) {
   return text
     .trim()
@@ -49,12 +49,12 @@ md.renderer.rules.code_block = (tokens, index) => codeBlock(tokens[index].conten
 md.renderer.rules.table_open = () => '<div class="table wide"><table>\n';
 md.renderer.rules.table_close = () => "</table></div>\n";
 
-/** A block of code; it may be wider than the page. */
+/** Returns a block of code, which may be wider than the page. */
 export function codeBlock(code, language) {
   return `<pre class="wide"><code>${highlight(code.replace(/\n$/, ""), language)}</code></pre>\n`;
 }
 
-/** The text of an inline token, as it is read. */
+/** Returns the visible text of an inline token. */
 function textOf(inline) {
   return (inline.children ?? [])
     .filter(({ type }) => ["text", "code_inline", "softbreak"].includes(type))
@@ -65,9 +65,9 @@ function textOf(inline) {
 /**
  * Renders a page.
  * @param source Markdown
- * @param resolve from the address of a link or a picture in the source to that in the site
- * @returns `html`; `headings`, each with `level`, `id` and `text`; `sections`, the text below each heading for the search;
- * `links`, the addresses as they are written
+ * @param resolve converts the address of a link or a picture in the source to that in the site
+ * @returns `html`; `headings`, each with `level`, `id` and `text`; `sections`, the text below each heading for the
+ * search; `links`, the addresses as written
  */
 export function renderMarkdown(source, resolve = (href) => href) {
   const tokens = md.parse(source, {});
@@ -79,7 +79,7 @@ export function renderMarkdown(source, resolve = (href) => href) {
     else if (token.type === "fence") page.sections.at(-1)?.text.push(token.content);
     else if (token.type === "html_block") token.content = withAddresses(page, token.content, resolve);
     else if (token.type === "th_open" && textOf(tokens[index + 1]) === "") {
-      // A header without a word is no header.
+      // An empty header cell is no header.
       token.tag = "td";
       tokens.slice(index).find(({ type }) => type === "th_close").tag = "td";
       token.type = "td_open";
@@ -118,7 +118,7 @@ function addInline(page, inline, isHeading, resolve) {
   }
 }
 
-/** Markup as written in Markdown with the addresses of the site; anchors of the page itself stay. */
+/** Returns inline markup with the addresses of the site; anchors of the page itself are kept. */
 function withAddresses(page, markup, resolve) {
   return markup.replace(/(<(?:a|img)\b[^>]*\s(?:href|src)=")([^"#][^"]*)"/g, (_, before, address) => {
     page.links.push(address);

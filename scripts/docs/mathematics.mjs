@@ -1,12 +1,12 @@
 // Equations of the documentation: KaTeX's HTML and MathML, written when the site is built.
 import katex from "katex";
 
-/** A formula as markup. @param display whether it stands on lines of its own */
+/** Returns a formula as markup. @param display whether it is a separate block */
 export function renderFormula(tex, display) {
   return katex.renderToString(tex.trim(), { displayMode: display, output: "htmlAndMathml", strict: "error" });
 }
 
-/** Adds to markdown-it what GitHub's Markdown has for mathematics: blocks of `$$` and, in a line, $`…`$. */
+/** Adds GitHub's syntax for mathematics to markdown-it: blocks of `$$` and, in a line, $`…`$. */
 export function mathematics(md) {
   md.block.ruler.before("fence", "formula", formulaBlock, { alt: ["paragraph", "reference", "blockquote", "list"] });
   md.inline.ruler.before("backticks", "formula", formulaInline);

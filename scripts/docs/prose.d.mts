@@ -1,6 +1,6 @@
-/** The paragraphs of a text, without code and tables. */
+/** Returns the paragraphs of a text, without code and tables. */
 export function paragraphsOf(markdown: string): { line: number; text: string }[];
-/** Sentences of a paragraph. */
+/** Returns the sentences of a paragraph. */
 export function sentencesOf(text: string): string[];
-/** Number of words. */
+/** Returns the number of words. */
 export function wordCount(sentence: string): number;

@@ -1,4 +1,4 @@
-// Long sentences of the documentation, as a list for those who mend them.
+// List of long sentences of the documentation, for editors.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import MarkdownIt from "markdown-it";
@@ -8,7 +8,7 @@ const MOST_WORDS = 30;
 
 const md = new MarkdownIt({ html: true });
 
-/** Files whose prose is read. */
+/** Returns the files whose prose is checked. */
 function files() {
   const docs = readdirSync(join(root, "docs"), { recursive: true }).filter((name) => name.endsWith(".md"));
   return [
@@ -20,7 +20,9 @@ function files() {
   ];
 }
 
-/** The paragraphs of a text: their lines and, without code and formulas, their words. Cells of tables are passed over. */
+/**
+ * Returns the paragraphs of a text: their lines and, without code and formulas, their words. Table cells are skipped.
+ */
 export function paragraphsOf(markdown) {
   const found = [];
   let isTable = false;
@@ -36,17 +38,17 @@ export function paragraphsOf(markdown) {
   return found;
 }
 
-/** Sentences of a paragraph: what ends with a full stop, a question mark or a colon before a space. */
+/** Returns the sentences of a paragraph, which end with a full stop, a question mark or a colon before a space. */
 export const sentencesOf = (text) =>
   text.split(/(?<=[.?!:])\s+(?=["“(`A-Z]|code)/).filter((sentence) => sentence.trim() !== "");
 
-/** Whether a sentence is one, and no list of names in code. */
+/** Returns whether a sentence is prose, and not a list of names in code. */
 const isProse = (sentence) => /\p{L}/u.test(sentence.replace(/\bcode\b/g, ""));
 
-/** Number of words: what holds a letter or a digit between spaces. */
+/** Returns the number of words, which contain a letter or a digit. */
 export const wordCount = (sentence) => sentence.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word)).length;
 
-/** Sentences that are too long, the longest first: `words file:line sentence`. */
+/** Returns the sentences that are too long, longest first: `words file:line sentence`. */
 export function longSentences() {
   const found = files().flatMap((file) =>
     paragraphsOf(readFileSync(join(root, file), "utf8")).flatMap(({ line, text }) =>

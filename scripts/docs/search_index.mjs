@@ -1,13 +1,13 @@
-// What the search of the documentation reads: for each section of each page its title and the words that are in it.
+// Index of the documentation's search: for each section of each page its title and its words.
 
-/** Words of a text, each once; numbers are left out, as nobody looks for them. */
+/** Returns the words of a text, each once. Numbers are omitted, since they are not searched. */
 export function wordsOf(text) {
   const words = text.toLowerCase().match(/[\p{L}][\p{L}\p{N}]*/gu) ?? [];
   return [...new Set(words.filter((word) => word.length > 1))].join(" ");
 }
 
 /**
- * The index as a classic script, which a page opened from a disk can load as well.
+ * Returns the index as a classic script, which pages opened from a disk can load, too.
  * @param pages each with `out`, `title` and `sections`
  */
 export function searchIndex(pages) {

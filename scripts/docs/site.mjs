@@ -13,7 +13,7 @@ import { pageHtml } from "./template.mjs";
 /** The folder of the site. */
 export const OUT = join(root, "dist", "docs");
 
-/** The pages of the site as they are rendered; throws a sentence where a link of one leads nowhere. */
+/** Returns the rendered pages of the site. Throws a message if a link is broken. */
 export function renderPages(sections) {
   const pages = sections.flatMap((section) => section.pages);
   const { resolverOf, pictures, faults } = addressesOf(pages);
@@ -22,7 +22,7 @@ export function renderPages(sections) {
   return { pages: [...rendered, ...examplePages()], pictures };
 }
 
-/** Writes the site; says how many pages it has. */
+/** Writes the site and returns how many pages it has. */
 export async function writeDocs() {
   const sections = readMap();
   const { pages, pictures } = renderPages(sections);
@@ -43,9 +43,9 @@ function write(place, text) {
   writeFileSync(path, text);
 }
 
-/** The style sheets, with the fonts, and the scripts. */
+/** Writes the style sheets, with the fonts, and the scripts. */
 async function writeAssets() {
-  // A clean checkout installs it after this file is read.
+  // A clean checkout installs it only after this file is read.
   const { build } = await import("esbuild");
   const source = join(root, "web", "manual");
   await build({
@@ -68,7 +68,7 @@ async function writeAssets() {
 
 const outName = (path) => path.replace(/^.*\//, "").replace(/\.\w+$/, "");
 
-/** KaTeX's style sheet with the fonts that are used alone. */
+/** KaTeX's style sheet with only the fonts that are used. */
 const FORMULAS = {
   name: "formulas",
   setup({ onLoad }) {

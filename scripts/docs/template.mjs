@@ -7,10 +7,10 @@ const ICON =
 const MENU = `<svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linecap="round" aria-hidden="true"><path d="M2.5 4.5h11M2.5 8h11M2.5 11.5h11"/></svg>`;
 const MOON = `<svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor" stroke-width="1.4" stroke-linejoin="round" aria-hidden="true"><path d="M13 9.6A5.4 5.4 0 0 1 6.4 3a5.4 5.4 0 1 0 6.6 6.6z"/></svg>`;
 
-/** The theme that was chosen, before anything is painted. */
+/** Applies the chosen theme before the first paint. */
 const THEME = `try{const t=localStorage.getItem("strut-manual-theme");if(t)document.documentElement.dataset.theme=t}catch{}`;
 
-/** Scripts of the components that a page shows, by their elements: files of the site that the documentation is part of. */
+/** Scripts of the components that a page shows, by element: files of the site that contains the documentation. */
 const COMPONENTS = {
   "strut-player": (root) => `<script src="${root}../package/strut-player.js" defer></script>`,
   "strut-figure": (root) => `<script src="${root}../strut-figure.js" type="module"></script>`,
@@ -19,7 +19,7 @@ const COMPONENTS = {
 const link = (root, out, title, current) =>
   `<a href="${root}${out}"${out === current ? ' aria-current="page"' : ""}>${escapeHtml(title)}</a>`;
 
-/** The map of all pages. */
+/** Returns the navigation with all pages. */
 function navigation(sections, root, out) {
   const groups = sections.map(
     ({ title, pages }) =>
@@ -30,7 +30,7 @@ function navigation(sections, root, out) {
   return `<nav id="map" aria-label="Pages" popover><a class="playground" href="${root}../index.html">Playground</a>${groups.join("")}</nav>`;
 }
 
-/** The headings of a page, where there are several. */
+/** Returns the list of a page's headings, if there are several. */
 function contents(headings) {
   const shown = headings.filter(({ level }) => level === 2 || level === 3);
   if (shown.length < 3) return "";
@@ -40,7 +40,7 @@ function contents(headings) {
   return `<nav class="contents" aria-label="On this page"><h2>On this page</h2><ul>${items.join("")}</ul></nav>`;
 }
 
-/** The pages before and after this one. */
+/** Returns links to the previous and the next page. */
 function neighbours(sections, root, out) {
   const pages = sections.flatMap((section) => section.pages);
   const at = pages.findIndex((page) => page.out === out);
@@ -52,10 +52,12 @@ function neighbours(sections, root, out) {
   return `<footer>${side(pages[at - 1], "prev", "Previous")}${side(pages[at + 1], "next", "Next")}</footer>`;
 }
 
-/** Characters of a page's description at most. */
+/** Greatest length of a page's description, characters. */
 const DESCRIPTION = 200;
 
-/** What search engines show of a page: how its text begins or, where it begins with no sentence, its title. */
+/**
+ * Returns the description for search engines: the beginning of the page's text or, if that is no sentence, its title.
+ */
 function descriptionOf({ title, sections }) {
   const [text = ""] = sections[0]?.text ?? [];
   if (!text.includes(".")) return `${title}: documentation of Strut, real-time motion style transfer.`;
@@ -63,8 +65,9 @@ function descriptionOf({ title, sections }) {
 }
 
 /**
- * A whole page.
- * @param sections the map; `page` has `out`, its place in the site, `title`, `headings`, `html` and `sections`, its text
+ * Returns a whole page.
+ * @param sections the structure; `page` has `out`, its path in the site, `title`, `headings`, `html` and `sections`,
+ * its text
  */
 export function pageHtml(sections, page) {
   const { out, title, html, headings } = page;

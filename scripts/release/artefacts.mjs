@@ -1,5 +1,5 @@
-// What a release consists of, each built into one folder: the command, Python's wheel and source distribution, npm's package
-// and the crates.
+// Artefacts of a release, all built into one folder: the command, Python's wheel and source distribution, the npm
+// package and the crates.
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -13,15 +13,15 @@ import { currentVersion } from "./versions.mjs";
 const RUST = join(root, "rust");
 const PYTHON = join(RUST, "strut-python");
 
-/** In the order in which they can be published: each needs only those before it. */
+/** In the order of publishing: each needs only those before it. */
 export const CRATES = ["core", "formats", "demo", "gpu", "tasks", "cli"].map((name) => `strut-motion-${name}`);
 
-/** What kinds of artefacts there are, and what writes those of a kind into a folder. */
+/** Kinds of artefacts, and the functions that write them into a folder. */
 export const ARTEFACTS = { command, wheel, sdist, npm, crates };
 
 const cargoOf = (rust) => rust.CARGO ?? "cargo";
 
-/** The target that rustc builds for where none is named. */
+/** Returns the default target of rustc. */
 async function hostTarget(rust) {
   const version = await output(rust.RUSTC ?? "rustc", ["-vV"], { env: rust });
   const target = /^host: (.*)$/m.exec(version ?? "")?.[1];
@@ -29,7 +29,7 @@ async function hostTarget(rust) {
   return target;
 }
 
-/** An archive with the command and the licences. */
+/** Writes an archive with the command and the licences. */
 async function command(out) {
   const rust = await setupRust();
   const target = await hostTarget(rust);
@@ -48,7 +48,7 @@ async function command(out) {
   rmSync(folder, { recursive: true });
 }
 
-/** The environment that wheels are built in; Python is needed here. */
+/** Returns the environment in which wheels are built; Python is required here. */
 async function maturin() {
   const python = await setupPython("Python package");
   if (!python) throw new Sentence("A release needs Python 3.11 or newer with its module venv.");
@@ -63,8 +63,8 @@ async function maturin() {
 }
 
 /**
- * What maturin is told on each system. On Linux zig links against the oldest C library that numpy's own wheels support; on
- * macOS one wheel serves both kinds of processors.
+ * Options of maturin by system. On Linux zig links against the oldest C library that numpy's own wheels support; on
+ * macOS one wheel serves both processor types.
  */
 const WHEEL_OPTIONS = {
   linux: ["--zig", "--compatibility", "manylinux2014"],
@@ -72,27 +72,27 @@ const WHEEL_OPTIONS = {
   win32: [],
 };
 
-/** The wheel for this system, for all versions of Python from 3.11 on. */
+/** Writes the wheel for this system, for all versions of Python from 3.11 on. */
 async function wheel(out) {
   const { program, env } = await maturin();
   const options = WHEEL_OPTIONS[process.platform];
   await run(program, ["build", "--quiet", "--locked", ...options, "--out", out], { env, cwd: PYTHON });
 }
 
-/** The source distribution. */
+/** Writes the source distribution. */
 async function sdist(out) {
   const { program, env } = await maturin();
   await run(program, ["sdist", "--out", out], { env, cwd: PYTHON });
 }
 
-/** npm's package, fully optimised. */
+/** Writes the npm package, fully optimised. */
 async function npm(out) {
   await buildWasm({ mode: "full" });
   await writePackage();
   await run("npm", ["pack", "--silent", join(root, "dist", "package"), "--pack-destination", out]);
 }
 
-/** The crates as crates.io takes them. Trying the release compiles them, and so does publishing. */
+/** Writes the crates in the form for crates.io. The test of the release compiles them, and so does publishing. */
 async function crates(out) {
   const rust = await setupRust();
   const packages = join(process.env.CARGO_TARGET_DIR ?? join(RUST, "target"), "package");
@@ -102,14 +102,14 @@ async function crates(out) {
     cpSync(join(packages, `${name}-${currentVersion()}.crate`), join(out, `${name}-${currentVersion()}.crate`));
 }
 
-/** Publishes the crates, each after those that it needs. The token is that of the environment. */
+/** Publishes the crates, each after those that it needs. The token comes from the environment. */
 export async function publishCrates() {
   const rust = await setupRust();
   const selected = CRATES.flatMap((name) => ["-p", name]);
   await run(cargoOf(rust), ["publish", "--locked", ...selected], { env: rust, cwd: RUST });
 }
 
-/** Path of the artefact in `folder` whose name matches, or undefined. */
+/** Returns the path of the artefact in `folder` whose name matches, or undefined. */
 export function findArtefact(folder, pattern) {
   const name = existsSync(folder) ? readdirSync(folder).find((name) => pattern.test(name)) : undefined;
   return name && join(folder, name);

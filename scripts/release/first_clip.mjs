@@ -1,4 +1,5 @@
-// Each artefact as a new user has it: installed into an empty folder, it styles one clip; all must write the same bytes.
+// Tests each artefact as a new user has it: installed into an empty folder, it styles one clip; all must write the same
+// bytes.
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -29,18 +30,18 @@ const stylized = (input, out) => [
   out,
 ];
 
-/** Unpacks the command of an archive; its path. */
+/** Unpacks the command of an archive and returns its path. */
 function unpackCommand(archive, folder) {
   run("tar", ["-xzf", archive, "-C", folder, "--strip-components=1"]);
   return join(folder, process.platform === "win32" ? "strut.exe" : "strut");
 }
 
-/** What the command writes. */
+/** Returns the output of the command. */
 async function byCommand(archive, folder, input) {
   run(unpackCommand(archive, folder), stylized(input, "out.bvh"), { cwd: folder });
 }
 
-/** What the package writes that pip installs into an empty environment, with numpy alone beside it. */
+/** Returns the output of the package that pip installs into an empty environment, with only numpy as dependency. */
 async function byPython(archive, folder, input) {
   const python = await setupPython("Python package");
   if (!python) throw new Sentence("Trying the Python package needs Python 3.11 or newer with its module venv.");
@@ -58,7 +59,7 @@ async function byPython(archive, folder, input) {
   inEnvironment(["-c", script.join("\n"), input.db, input.clip]);
 }
 
-/** What the package writes in Node, that npm installs into an empty folder. */
+/** Returns the output in Node of the package that npm installs into an empty folder. */
 async function byNpm(archive, folder, input) {
   writeFileSync(join(folder, "package.json"), '{ "private": true, "type": "module" }\n');
   run("npm", ["install", "--silent", "--no-audit", "--no-fund", archive], { cwd: folder });
@@ -78,7 +79,10 @@ async function byNpm(archive, folder, input) {
   run(process.execPath, ["style.mjs", input.db, input.clip], { cwd: folder });
 }
 
-/** What the command writes that cargo installs from the crates. Until they are published each takes the place of its name. */
+/**
+ * Returns the output of the command that cargo installs from the crates. Local crates replace those that are not
+ * published yet.
+ */
 async function byCrates(archives, folder, input) {
   const rust = await setupRust();
   for (const archive of archives) run("tar", ["-xzf", archive, "-C", folder]);
@@ -103,8 +107,8 @@ const TRIED = [
 ];
 
 /**
- * Installs every artefact of a folder and compares what each makes of one clip with what the command makes of it.
- * @throws a {@link Sentence} where they differ, or the command is not among them
+ * Installs every artefact of a folder and compares its output for one clip with the command's.
+ * @throws a {@link Sentence} if they differ, or the command is missing
  */
 export async function tryArtefacts(artefacts) {
   const folder = mkdtempSync(join(tmpdir(), "strut-try-"));

@@ -1,14 +1,16 @@
-// One version everywhere: where it stands, whether it is the same, and how it is raised.
+// The version: the files that contain it, their consistency, and the raising of it.
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { root as projectRoot, Sentence } from "../steps.mjs";
 
 const SEMVER = String.raw`\d+\.\d+\.\d+(?:-[0-9A-Za-z.-]+)?`;
 
-/** The files that state the version, below the folder `root` that the functions here take; it is the project's by default. */
+/**
+ * Returns the files that contain the version, below the folder `root` of the functions here, by default the project's.
+ */
 export const versionedFiles = () => [...new Set([...PLACES.map(({ file }) => file), "CHANGELOG.md"])];
 
-/** Files that state the version, and how: the first group is what stands before it, the second the version. */
+/** Files with the version, and its pattern: the first group is the text before it, the second the version. */
 const PLACES = [
   { file: "package.json", pattern: '(^  "version": ")(VERSION)' },
   // The first two are the project's own.
@@ -27,10 +29,10 @@ const PLACES = [
 const expression = ({ pattern }) => new RegExp(pattern.replace("VERSION", SEMVER), "gm");
 const read = (root, file) => readFileSync(join(root, file), "utf8");
 
-/** The version of package.json, which the others must have. */
+/** Returns the version of package.json, which the others must have. */
 export const currentVersion = (root = projectRoot) => JSON.parse(read(root, "package.json")).version;
 
-/** What is wrong with the versions, a sentence each. */
+/** Returns a message for each inconsistent version. */
 export function versionFaults(root = projectRoot) {
   const version = currentVersion(root);
   return PLACES.flatMap((place) => {
@@ -45,7 +47,10 @@ export function versionFaults(root = projectRoot) {
 
 const HEADING = new RegExp(String.raw`^## (?:(Unreleased)|(${SEMVER}) \((\d{4}-\d{2}-\d{2})\))$`, "m");
 
-/** What is wrong with a release of this tag, a sentence each: `v1.2.3` needs the version and a dated section of changes. */
+/**
+ * Returns a message for each fault of a release with this tag: `v1.2.3` needs the version and a dated section of
+ * changes.
+ */
 export function tagFaults(tag, root = projectRoot) {
   const version = currentVersion(root);
   const faults = [];
@@ -56,7 +61,7 @@ export function tagFaults(tag, root = projectRoot) {
   return faults;
 }
 
-/** The changes of the newest section of the changelog, Markdown. */
+/** Returns the changes of the newest section of the changelog, as Markdown. */
 export function newestChanges(root = projectRoot) {
   const [, ...sections] = read(root, "CHANGELOG.md").split(/^## .*$/m);
   return sections[0]?.trim() ?? "";

@@ -1,4 +1,4 @@
-// The check of references to docs/methods/.
+// Tests of the check of references to docs/methods/.
 import { join } from "node:path";
 import { expect, test } from "vitest";
 import { referenceFaults } from "../../scripts/methods.mjs";

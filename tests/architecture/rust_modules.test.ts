@@ -1,4 +1,4 @@
-// The check of circles between Rust modules, on crates of a few lines.
+// Tests of the check for cycles between Rust modules, on crates of a few lines.
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
@@ -7,7 +7,7 @@ import { moduleCircles } from "../../scripts/rust_modules.mjs";
 
 const folders: string[] = [];
 
-/** The circles of a crate made of these files. */
+/** Returns the cycles of a crate with these files. */
 function circles(files: Record<string, string>): string[] {
   const folder = mkdtempSync(join(tmpdir(), "strut-modules-"));
   folders.push(folder);

@@ -1,4 +1,4 @@
-// The check of circles between web modules, on a folder of a few files.
+// Tests of the check for cycles between web modules, on a folder of a few files.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -10,7 +10,7 @@ afterEach(() => {
   for (const folder of folders.splice(0)) rmSync(folder, { recursive: true });
 });
 
-/** The circles of a folder of files. */
+/** Returns the cycles of a folder with these files. */
 function circlesOf(files: Record<string, string>): string[] {
   const folder = mkdtempSync(join(tmpdir(), "strut-web-"));
   folders.push(folder);

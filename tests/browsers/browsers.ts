@@ -1,4 +1,4 @@
-/** The browsers beside Chromium in which tasks are done. */
+/** Browsers other than Chromium in which the tasks are tested. */
 import { firefoxPath, launchFirefox } from "./firefox";
 import { launchWebkit, webkitPath } from "./webkit";
 

@@ -1,4 +1,7 @@
-/** A textured character of other people in Firefox and WebKit: on the page, under the recommended policy, in a sandboxed frame. */
+/**
+ * A textured third-party character in Firefox and WebKit: on the page, under the recommended policy, in a sandboxed
+ * iframe.
+ */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "playwright-core";
@@ -11,14 +14,14 @@ import { othersAbsent, rigOfOthers } from "../rigs/others";
 import { BROWSERS } from "./browsers";
 import { type BrowserPage, dropOn } from "./page";
 
-/** Where the body stands on the page, beside the panels, whose corners have colours of their own. */
+/** Part of the page with the body, away from the panels, whose corners are coloured. */
 const STAGE: Part = { x: 0.25, y: 0.15, width: 0.3, height: 0.6 };
 
 describe.skipIf(othersAbsent).for(BROWSERS)("$name", ({ name, path, launch }) => {
   let page: BrowserPage;
   let site: Awaited<ReturnType<typeof serveSite>>;
   let embedded: Awaited<ReturnType<typeof serveEmbedded>>;
-  /** Reads the pictures. */
+  /** Browser that reads the pictures. */
   let reader: Browser;
 
   beforeAll(async () => {

@@ -3,17 +3,17 @@ import { existsSync } from "node:fs";
 import puppeteer, { type KeyInput } from "puppeteer-core";
 import { type BrowserPage, DRAG_STEPS, SIZE } from "./page";
 
-/** Where Debian's package `firefox-esr` puts it. */
+/** Path in Debian's package `firefox-esr`. */
 const DEBIAN = "/usr/bin/firefox-esr";
 
-/** Path of the browser; `undefined` where there is none. */
+/** Path of the browser; `undefined` if it is missing. */
 export const firefoxPath = [process.env.FIREFOX_PATH, DEBIAN].find((path) => path && existsSync(path));
 
 export async function launchFirefox(): Promise<BrowserPage> {
   const browser = await puppeteer.launch({
     browser: "firefox",
     executablePath: firefoxPath!,
-    // Without a window Firefox offers no WebGL on a machine without a graphics card.
+    // Without a window Firefox has no WebGL on a machine without a GPU.
     headless: false,
     protocolTimeout: 240_000,
     env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1" },

@@ -1,39 +1,39 @@
-/** A page in a browser that Playwright does not drive, as the tasks use it. */
+/** Interface of a page for the tasks, in browsers that Playwright does not control. */
 
-/** A place on the page, CSS pixels. */
+/** A point on the page, CSS pixels. */
 export interface Place {
   x: number;
   y: number;
 }
 
-/** One movement of a pointer that is pressed at `from` and let go at `to`. */
+/** A pointer movement, pressed at `from` and released at `to`. */
 export interface Drag {
   from: Place;
   to: Place;
 }
 
-/** A value that a page can take and give. */
+/** A value that can be passed to and from a page. */
 export type Plain = string | number | boolean | null | undefined | Plain[] | { [name: string]: Plain };
 
 export interface BrowserPage {
   /** Name and version of the browser. */
   readonly browser: string;
   open(url: string): Promise<void>;
-  /** Runs a function in the page; it may use nothing but its arguments and the page. */
+  /** Runs a function in the page. It may use only its arguments and the page. */
   evaluate<T, A extends Plain[]>(work: (...args: A) => T | Promise<T>, ...args: A): Promise<T>;
   click(at: Place, times?: 1 | 2): Promise<void>;
   drag(movement: Drag): Promise<void>;
-  /** Presses a key by its name, as `KeyboardEvent.key` has it. */
+  /** Presses a key, named as in `KeyboardEvent.key`. */
   press(key: string): Promise<void>;
-  /** A picture of the page, PNG. */
+  /** Takes a picture of the page, PNG. */
   picture(): Promise<Uint8Array>;
   close(): Promise<void>;
 }
 
-/** How many movements a drag is made of. */
+/** Number of movements of a drag. */
 export const DRAG_STEPS = 10;
 
-/** The size of the window that the pages have. */
+/** Window size of the pages. */
 export const SIZE = { width: 1280, height: 800 };
 
 /** Drops a file on a page. */

@@ -1,4 +1,4 @@
-/** What a person does in each view, in Firefox and WebKit: `npm run browsers`. Chromium's tests are in tests/e2e. */
+/** User tasks of each view in Firefox and WebKit: `npm run browsers`. Chromium's tests are in tests/e2e. */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
@@ -30,7 +30,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
     await site?.close();
   });
 
-  /** Loads the page with a state, and records what goes wrong in it from then on. */
+  /** Loads the page with a state, and records its errors from then on. */
   async function open(hash: string): Promise<void> {
     await page.open(`${site.url}?${hash.length}#${hash}`);
     await page.evaluate(() => {
@@ -50,7 +50,9 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
     page.evaluate((selector) => document.querySelector(selector)?.textContent ?? "", selector);
   const view = () => page.evaluate(() => window.strut.state.view);
 
-  /** The middle of what is the first of a selector, or of those, the one with a text, once it stands still. */
+  /**
+   * Returns the middle of the first element of a selector, or of the first one with a text, once it has stopped moving.
+   */
   async function middle(selector: string, text?: string): Promise<Place> {
     const find = () =>
       page.evaluate(
@@ -108,7 +110,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
     await drop("mine.bvh", walks.old);
     await expect.poll(() => page.evaluate(() => window.strut.state.input)).toBe("mine");
     await expect.poll(() => page.evaluate(() => window.strut.analysed)).toBe(true);
-    // Clocks of whole milliseconds would show 0.00.
+    // Clocks with a resolution of a millisecond would show 0.00.
     await expect.poll(() => text(".read-out")).toMatch(/0\.(0[1-9]|[1-9]\d) ms|[1-9]\d*\.\d+ ms/);
     expect(await text("[role=alert]")).toBe("");
   });
@@ -141,7 +143,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
   it("Crowd: people walk", async () => {
     await goTo("Crowd", "crowd");
     await expect.poll(() => text(".crowd .stage-title")).toMatch(/people/);
-    // The drag of the task before has paused the page; the button works once there are people.
+    // The drag of the previous task has paused the page; the button works once there are people.
     const plays = () => page.evaluate(() => window.strut.state.playing);
     const play = async () => {
       if (!(await plays())) await click(".crowd button.play");
@@ -177,7 +179,7 @@ describe.for(BROWSERS)("$name", ({ name, path, launch }) => {
       .toBe(true);
     await click(".build button", "Build the database");
     await middle('.stored button[aria-label="Open small"]');
-    // WebKit's sessions by WebDriver are private: they keep no files.
+    // WebDriver sessions of WebKit are private and store no files.
     const refusal = name === "WebKit" ? /^“small” is ready, but .* does not let this page keep files/ : /^$/;
     expect(await text(".toasts [role=alert]")).toMatch(refusal);
     await picture("data");

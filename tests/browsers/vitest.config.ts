@@ -1,6 +1,6 @@
 import { defineConfig } from "vitest/config";
 
-/** The tasks in other browsers than Chromium: `npm run browsers`. */
+/** Configuration of the tasks in browsers other than Chromium: `npm run browsers`. */
 export default defineConfig({
   test: {
     include: ["tests/browsers/*.tasks.ts"],

@@ -4,16 +4,16 @@ import { existsSync } from "node:fs";
 import { createServer } from "node:net";
 import { type BrowserPage, DRAG_STEPS, type Place, type Plain, SIZE } from "./page";
 
-/** What Debian's package `webkit2gtk-driver` brings, and the browser that comes with its library. */
+/** The driver in Debian's package `webkit2gtk-driver`, and the browser of its library. */
 const DRIVER = "/usr/bin/WebKitWebDriver";
 const BROWSERS = ["x86_64", "aarch64"].map((arch) => `/usr/lib/${arch}-linux-gnu/webkit2gtk-4.1/MiniBrowser`);
 
 /** Path of the browser; `undefined` where it or its driver is missing. */
 export const webkitPath = existsSync(DRIVER) ? BROWSERS.find((path) => existsSync(path)) : undefined;
 
-/** How long the driver has to listen, milliseconds. */
+/** Timeout for the start of the driver, milliseconds. */
 const START_MS = 20_000;
-/** Codes of WebDriver for keys that are no characters. */
+/** WebDriver's codes of keys that are not characters. */
 const KEYS: Readonly<Record<string, string>> = {
   Enter: "\uE007",
   Escape: "\uE00C",
@@ -23,7 +23,7 @@ const KEYS: Readonly<Record<string, string>> = {
 
 const REST = { type: "pause", duration: 0 };
 
-/** Calls the driver; an answer that is an error is thrown. */
+/** Calls the driver; an error in its answer is thrown. */
 async function call<T>(base: string, method: string, path: string, body?: object): Promise<T> {
   const response = await fetch(base + path, { method, ...(body && { body: JSON.stringify(body) }) });
   const { value } = (await response.json()) as { value: T & { error?: string; message?: string } };
@@ -45,7 +45,7 @@ async function startDriver(): Promise<{ base: string; driver: ChildProcess }> {
   const port = await freePort();
   const driver = spawn(DRIVER, [`--port=${port}`], {
     stdio: "ignore",
-    // In a container there is nothing that a sandbox could be made of; the page is the project's own.
+    // In a container no sandbox is possible; the page is the project's own.
     env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1", WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: "1" },
   });
   const base = `http://127.0.0.1:${port}`;

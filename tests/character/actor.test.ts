@@ -1,4 +1,4 @@
-/** What the stage knows of a character on it: where its joints are, its size, and the way it goes. */
+/** Data of a character on the stage: positions of its joints, its size, and its direction. */
 import { Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { beforeAll, expect, test } from "vitest";
@@ -33,12 +33,12 @@ test.each(FAMILIES)("the $name is where the stage says", async (family) => {
     astray = Math.max(astray, Math.hypot(dx, dz));
   }
   console.log(`${family.name}: joints ${(1000 * farthest).toFixed(2)} mm, way ${(1000 * astray).toFixed(2)} mm`);
-  // Thighs that hang on the spine are not where those of a humanoid would be.
+  // Thighs whose parent is the spine are not exactly at a humanoid's positions.
   expect(farthest).toBeLessThan(family.isBiped ? 0.05 : 0.01);
   expect(astray).toBeLessThan(0.01);
 });
 
-/** Where the joint of a role really is. */
+/** Returns the true position of a role's joint. */
 function placeOf({ object, roles }: Awaited<ReturnType<typeof bindCharacter>>, role: (typeof ROLES)[number]): Vector3 {
   const place = new Vector3();
   object.traverse((node) => {

@@ -1,4 +1,7 @@
-/** The models of Debian's `assimp-testmodels`, many of them broken on purpose: none is a body, and each is refused in words. */
+/**
+ * The models of Debian's `assimp-testmodels`, many of them broken on purpose. None is a body, and each must be refused
+ * with a message.
+ */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
@@ -16,9 +19,9 @@ const files = existsSync(FOLDER)
 if (files.length === 0) console.info(`Skipped: ${FOLDER} is missing (apt-get install assimp-testmodels).`);
 
 beforeEach(() => {
-  // three.js says much of broken files.
+  // three.js prints many messages about broken files.
   for (const method of ["warn", "error"] as const) vi.spyOn(console, method).mockImplementation(() => {});
-  // What three.js's loaders ask a browser for; no picture can be had.
+  // Browser functions that three.js's loaders need; pictures cannot be loaded.
   vi.stubGlobal("window", { innerWidth: 1, innerHeight: 1 });
   vi.stubGlobal("document", { createElementNS: () => new NoPicture() });
   vi.stubGlobal("self", globalThis);
@@ -29,14 +32,14 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** An element of a picture that cannot be loaded. */
+/** An image element whose picture cannot be loaded. */
 class NoPicture extends EventTarget {
   set src(_: string) {
     queueMicrotask(() => this.dispatchEvent(new Event("error")));
   }
 }
 
-/** What a call says: nothing, or the words of a typed error. */
+/** Returns the message of a typed error of a call, or nothing. */
 async function said(call: () => Promise<unknown>): Promise<string> {
   try {
     await call();

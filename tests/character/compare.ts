@@ -1,25 +1,25 @@
-/** Compares two copies of a character, or two rotations. */
+/** Comparison of two copies of a character, or of two rotations. */
 import { type Object3D, Quaternion, Vector3 } from "three";
 import { POSE_FLOATS, ROLES } from "../../web/humanoid";
 
-/** How far two things lie apart: millimetres and degrees. */
+/** Difference of two objects: millimetres and degrees. */
 export interface Difference {
   millimetres: number;
   degrees: number;
 }
 
-/** Degrees between two rotations; exact for small angles, of which `angleTo` loses the digits. */
+/** Returns the degrees between two rotations. Unlike `angleTo` it is accurate for small angles. */
 export function angleBetween(a: Quaternion, b: Quaternion): number {
   const { x, y, z } = a.clone().normalize().invert().multiply(b.clone().normalize());
   return (2 * Math.asin(Math.min(1, Math.hypot(x, y, z))) * 180) / Math.PI;
 }
 
-/** Nodes of two copies of a file, one beside the other. */
+/** Returns corresponding nodes of two copies of a file. */
 export function pairs(a: Object3D, b: Object3D): [Object3D, Object3D][] {
   return [[a, b], ...a.children.flatMap((child, i) => pairs(child, b.children[i]!))];
 }
 
-/** The largest difference in the world between nodes; their world matrices must be up to date. */
+/** Returns the largest world difference between corresponding nodes. Their world matrices must be up to date. */
 export function farthest(
   twins: readonly (readonly [Object3D, Object3D])[],
   so: Difference = { millimetres: 0, degrees: 0 },
@@ -33,7 +33,7 @@ export function farthest(
 }
 
 /**
- * The largest angle between the joints of two motions, frame by frame, in degrees.
+ * Returns the largest angle between the joints of two motions, frame by frame, in degrees.
  * @param but names of roles that are not compared
  */
 export function turnsApart(

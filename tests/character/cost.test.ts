@@ -1,4 +1,4 @@
-/** What a frame of a character costs; timings are printed, not asserted. */
+/** Cost of a character's frame; timings are printed, not asserted. */
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test } from "vitest";
 import { bindCharacter } from "../../web/character/character";
@@ -24,7 +24,7 @@ test("a pose is applied in microseconds, and the module's memory stays as it is"
   console.info(
     `apply: ${micros.toFixed(1)} µs; heap ${((after.heapUsed - heap.heapUsed) / FRAMES).toFixed(0)} B a call before collection`,
   );
-  // Memory of WebAssembly only ever grows.
+  // WebAssembly memory never shrinks.
   expect(after.arrayBuffers).toBeLessThanOrEqual(heap.arrayBuffers);
   character.dispose();
 });

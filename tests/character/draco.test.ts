@@ -1,6 +1,7 @@
 /**
- * Characters that are compressed with Draco. `tests/rigs/mixamo_draco.glb` is the rig "Mixamo in cm" of `tests/rigs/rig.ts`,
- * written by `gltf-transform draco` (glTF-Transform 4.5, draco3dgltf 1.5.7): 14 bits a position, 10 a normal, 8 of the rest.
+ * Draco-compressed characters. `tests/rigs/mixamo_draco.glb` is the rig "Mixamo in cm" of `tests/rigs/rig.ts`, written
+ * by `gltf-transform draco` (glTF-Transform 4.5, draco3dgltf 1.5.7) with 14 bits per position, 10 per normal and 8 per
+ * other value.
  */
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -44,7 +45,7 @@ interface Document {
   extensionsRequired?: string[];
 }
 
-/** The packed file with changes. */
+/** Returns the compressed file with changes. */
 function changed(
   change: (document: Document, primitive: Primitive, binary: Uint8Array) => void,
 ): Uint8Array<ArrayBuffer> {
@@ -56,7 +57,7 @@ function changed(
 
 const extensionOf = (primitive: Primitive) => primitive.extensions![NAME];
 
-/** The stream of the only mesh, in the buffer. */
+/** Returns the stream of the only mesh, in the buffer. */
 function streamOf({ bufferViews }: Document, primitive: Primitive, binary: Uint8Array): Uint8Array {
   const { byteOffset = 0, byteLength } = bufferViews[extensionOf(primitive).bufferView]!;
   return binary.subarray(byteOffset, byteOffset + byteLength);
@@ -102,7 +103,7 @@ test("the mesh is that of the file without compression, within its bits", async 
   const { skinIndex: joints } = is.attributes;
   expect(joints).toMatchObject({ itemSize: 4, normalized: false });
   expect(joints!.array).toBeInstanceOf(Uint8Array);
-  // Vertices lie in another order: each is that whose place, joints and weights are nearest.
+  // Vertices are in another order: each corresponds to the nearest one in position, joints and weights.
   const size = new Vector3();
   was.computeBoundingBox();
   was.boundingBox!.getSize(size);
@@ -179,10 +180,10 @@ test("a file that has its arrays without compression as well needs no decoder", 
   document.extensionsUsed = [NAME];
   expect(await refusal(glbOf(document, binary))).toBe("loaded");
   expect(load).not.toHaveBeenCalled();
-  // A file that says so and has none of it.
+  // A file that declares the extension and does not use it.
   delete primitive!.extensions;
   expect(await refusal(glbOf(document, binary))).toBe("loaded");
-  // One that does not say so.
+  // A file that uses the extension and does not declare it.
   expect(await refusal(changed((d) => (d.extensionsUsed = d.extensionsRequired = [])))).toBe("loaded");
 });
 
@@ -200,7 +201,7 @@ test("damaged and lying files are refused in words", async () => {
     [(d, p) => (d.bufferViews[extensionOf(p).bufferView]!.byteLength = 0), DAMAGED],
     [(...all) => streamOf(...all).fill(0), DAMAGED],
     [(...all) => streamOf(...all).fill(255, 11, 60), DAMAGED],
-    // As those of 2017.
+    // Streams as of 2017.
     [
       (...all) => (streamOf(...all)[6] = 1),
       "bad-file: The meshes of this model are compressed with Draco's format 2.1; 2.2 can be read.",

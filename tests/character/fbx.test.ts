@@ -1,4 +1,4 @@
-/** FBX in, as Mixamo writes it, and out as GLB. */
+/** FBX files as Mixamo writes them, and their export as GLB. */
 import { validateBytes } from "gltf-validator";
 import { type AnimationClip, AnimationMixer, type Object3D, Quaternion, SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -48,7 +48,7 @@ const joint = (object: Object3D, name: string) => object.getObjectByName(name.re
 test.each([
   [1, 0.941],
   [2.54, 0.941 * 2.54],
-  // A body a hundred times as high as people has their size here, and a note says so.
+  // A body a hundred times as high as a person is scaled to a person's size, with a note.
   [100, DEFAULT_PROPORTIONS[1]!],
 ])("a unit of %d cm makes hips %d m high, and the soles stand on the ground", async (unitScaleFactor, height) => {
   const character = await loadCharacter(fbxFile(MIXAMO, { unitScaleFactor }).buffer);
@@ -72,7 +72,7 @@ test.each([
 });
 
 test("an FBX character goes out as GLB, and is read back", async () => {
-  // Browsers have it, and three.js's exporter needs it.
+  // three.js's exporter needs it; browsers have it.
   vi.stubGlobal("FileReader", Reader);
   const clip = await walkOf(MIXAMO);
   const character = await loadCharacter(fbxFile(MIXAMO, { clip }).buffer);
@@ -146,7 +146,7 @@ class Reader {
   }
 }
 
-/** A clip of a family's rig in which everything moves. */
+/** Returns a clip of a family's rig in which everything moves. */
 async function walkOf(family: Family): Promise<AnimationClip> {
   const character = await loadCharacter(makeRig(family).glb.buffer);
   const clip = character.toClip(motion, { name: "walk" });

@@ -1,4 +1,4 @@
-/** Eight rigs, every built-in input, three styles: the feet stand on the ground as the input's do (section 7). */
+/** Eight rigs, every built-in input, three styles: the feet must stand on the ground as the input's do. */
 import type { Object3D } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { beforeAll, expect, test } from "vitest";
@@ -25,7 +25,7 @@ beforeAll(async () => {
   inputs = motions.map(inputSoles);
 });
 
-/** Deepest that a sole may lie, metres. */
+/** Greatest depth of a sole below the ground, metres. */
 const DEEPEST = 0.005;
 
 const worst = (a: number, b: number) => (Math.abs(b) > Math.abs(a) ? b : a);
@@ -53,7 +53,7 @@ test.each(FAMILIES)("the feet of the $name meet the ground", async (family) => {
     for (const [k, planted] of motion.planted.entries()) {
       if (soles.heights[k]! < deepest) [deepest, deepestOf] = [soles.heights[k]!, motion.name];
       if (!planted) continue;
-      // Where the input sinks deeper than characters may, they stand as deep as they may.
+      // Where the input is deeper than characters may be, they stand at the limit.
       height = worst(height, soles.heights[k]! - Math.max(input.heights[k]! * rig.legRatio, -DEEPEST));
       literal = worst(literal, soles.heights[k]! - input.heights[k]!);
       if (k < 2 || !motion.planted[k - 2]) continue;

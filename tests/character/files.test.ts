@@ -1,4 +1,4 @@
-/** Files in and out: what is refused and in which words, and exports that keep the model's bytes. */
+/** Import and export of character files: refused files with their messages, and exports that keep the model's bytes. */
 import { validateBytes } from "gltf-validator";
 import { AnimationMixer, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -34,7 +34,7 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
   const [before, after] = [chunksOf(glb).binary, chunksOf(out).binary];
   expect(after.length).toBeGreaterThan(before.length);
   expect(Buffer.compare(after.subarray(0, before.length), before)).toBe(0);
-  // Meshes below their armature, and the name of VRM 0's extension, are warned of before as well.
+  // The validator also warns about the original: meshes below their armature, and the name of VRM 0's extension.
   const [was, is] = [await complaints(glb), await complaints(out)];
   expect(is).toEqual(was);
   expect(is.some(({ severity }) => severity === 0)).toBe(false);
@@ -45,7 +45,7 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
   expect(clip.name).toBe("moving");
   mixer.clipAction(clip).play();
   character.setBody(motion.proportions);
-  // What was written is read as a motion again, on the character's own body.
+  // The written file is read as a motion again, on the character's own body.
   const again = await bindCharacter(read);
   const poses = again.motions.at(-1)!;
   expect(poses).toMatchObject({ name: "moving", rateHz: 60 });
@@ -65,7 +65,7 @@ test.each(FAMILIES)("the $name performs from its file, and its export is read ba
   character.dispose();
 });
 
-/** Errors and warnings of Khronos' validator. */
+/** Returns errors and warnings of Khronos' validator. */
 async function complaints(file: Uint8Array) {
   const { messages } = (await validateBytes(file)).issues;
   return messages.flatMap(({ code, severity }) => (severity < 2 ? [{ code, severity }] : []));
@@ -87,7 +87,7 @@ test("a clip has a key a frame, and stays over its start if asked to", async () 
     return hips.getWorldPosition(new Vector3());
   };
   const [start, end] = [at(0), at(times.at(-1)! - 0.01)];
-  // The hip joints stay; the hips themselves swing about them.
+  // The hip joints stay in place; the hips swing about them.
   expect(Math.hypot(end.x - start.x, end.z - start.z)).toBeLessThan(0.15);
   character.dispose();
 });
@@ -211,7 +211,7 @@ test("files outside of the limits are refused before they are read", async () =>
   expect((await refusal(compressed)).message).toBe(
     "The textures of this model are KTX2 files (KHR_texture_basisu), which cannot be read here.",
   );
-  // The head of a PNG of 9000 × 10 pixels at the beginning of the buffer.
+  // The header of a PNG of 9000 × 10 pixels at the start of the buffer.
   const { glb } = makeRig(MIXAMO, {
     document: (d) => {
       d.images = [{ bufferView: 0, mimeType: "image/png" }];
@@ -220,7 +220,7 @@ test("files outside of the limits are refused before they are read", async () =>
   const start = glb.length - chunksOf(glb).binary.length;
   glb.set([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0x23, 0x28, 0, 0, 0, 10], start);
   expect((await refusal(glb.buffer)).message).toMatch(/^A texture of this model has 9000 × 10 pixels/);
-  // Indices without data are all zero: two million and one triangles of nothing.
+  // Indices without data are all zero: two million and one degenerate triangles.
   const whole = chunksOf(makeRig(MIXAMO).glb);
   const { meshes, accessors } = whole.json as {
     meshes: { primitives: { indices: number }[] }[];

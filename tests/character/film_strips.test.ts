@@ -1,6 +1,6 @@
 /**
- * Film strips of every rig, for people to look at: `tests/output/characters_<style>_<view>.png`. A row a rig, the input's own
- * body first; left limbs are red, right ones are blue. Drawn without a browser, in a second.
+ * Film strips of every rig, for visual inspection: `tests/output/characters_<style>_<view>.png`. One row per rig, the
+ * input's own body first; left limbs are red, right ones blue. Drawn without a browser, in a second.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -17,7 +17,7 @@ import { makeRig } from "../rigs/rig";
 import { type Performance, performances } from "./performance";
 
 const [COLUMNS, WIDTH, HEIGHT] = [10, 120, 150];
-/** Frames between two pictures of a strip. */
+/** Number of frames between two pictures of a strip. */
 const EVERY = 8;
 /** First frame of the strips. */
 const FIRST = 60;
@@ -33,7 +33,7 @@ interface Actor {
   name: string;
   character: Character;
   meshes: { mesh: SkinnedMesh; colours: (readonly [number, number, number])[] }[];
-  /** Pixels a metre. */
+  /** Pixels per metre. */
   zoom: number;
 }
 
@@ -66,7 +66,7 @@ beforeAll(async () => {
   );
 });
 
-/** A colour a vertex, by the side of the limb that it follows. */
+/** Returns one colour per vertex, by the side of the limb that it follows. */
 function coloursOf(mesh: SkinnedMesh, { roles }: Character): Actor["meshes"][number]["colours"] {
   const sides = new Map(Object.entries(roles).map(([role, name]) => [name, role as Role]));
   const colours = mesh.skeleton.bones.map((bone) => {
@@ -98,7 +98,7 @@ test.each([0, 1, 2])("strips of style %i, and limbs on their sides", (style) => 
   }
 });
 
-/** Whether the left thigh is on the body's left: a walk along +Z has it at +X. */
+/** Returns whether the left thigh is on the body's left, which is +X for a walk along +Z. */
 function onTheirSides({ character }: Actor): boolean {
   const at = (role: Role) => {
     let found = new Vector3();
@@ -139,7 +139,7 @@ function draw(picture: Picture, { character, meshes, zoom }: Actor, view: "front
   }
 }
 
-/** Pixels with depths. */
+/** Pixels with a depth buffer. */
 class Picture {
   private readonly pixels: Uint8Array;
   private readonly depths: Float32Array;
@@ -152,12 +152,12 @@ class Picture {
     this.depths = new Float32Array(width * height).fill(-Infinity);
   }
 
-  /** A horizontal line behind everything. */
+  /** Draws a horizontal line behind everything. */
   line(x: number, y: number, length: number): void {
     this.pixels.fill(190, 3 * (y * this.width + x), 3 * (y * this.width + x + length));
   }
 
-  /** A triangle within one cell, lit from where it is seen. */
+  /** Draws a triangle within one cell, lit from the camera. */
   triangle(a: Vector3, b: Vector3, c: Vector3, colour: readonly number[], [left, top]: [number, number]): void {
     const normal = b.clone().sub(a).cross(c.clone().sub(a)).normalize();
     const light = 0.35 + 0.65 * Math.abs(normal.z);

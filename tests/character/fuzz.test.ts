@@ -1,4 +1,7 @@
-/** Damaged models: each loads, or is refused by a typed error in words within 5 s, and nothing of it is left behind. */
+/**
+ * Damaged models: each must load, or be refused by a typed error with a message within 5 s, and leave no resources
+ * behind.
+ */
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
@@ -18,7 +21,7 @@ const SEED = 20_261_123;
 const { times, ...moving } = movingAnimation();
 const motion = { ...moving, timeOut: times };
 
-/** Whole files with a motion in each. */
+/** Valid files, each with a motion. */
 const files = await (async () => {
   const out: { name: string; file: Uint8Array }[] = [];
   for (const family of [FAMILIES[0]!, FAMILIES[1]!, FAMILIES[2]!]) {
@@ -35,7 +38,7 @@ const files = await (async () => {
 })();
 
 beforeEach(() => {
-  // three.js says much of damaged files.
+  // three.js prints many messages about damaged files.
   for (const method of ["warn", "error", "info"] as const) vi.spyOn(console, method).mockImplementation(() => {});
 });
 
@@ -43,7 +46,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-/** How a file ends. */
+/** Returns the outcome of loading a file. */
 async function outcome(file: Uint8Array): Promise<string> {
   const buffer = () => Uint8Array.from(file).buffer;
   const said: string[] = [];
@@ -78,10 +81,10 @@ async function outcome(file: Uint8Array): Promise<string> {
   return said.join();
 }
 
-/** Tries damaged files. */
+/** Tests damaged files. */
 async function holds<T>(damage: fc.Arbitrary<T>, damaged: (how: T) => Uint8Array, runs: number): Promise<void> {
   const { Character } = await characterPackage.load();
-  // Every binding asks for its roles once.
+  // Every binding requests its roles once.
   const [made, freed] = [vi.spyOn(Character.prototype, "roles"), vi.spyOn(Character.prototype, "free")];
   const outcomes = new Map<string, number>();
   let slowest = 0;
@@ -103,7 +106,7 @@ async function holds<T>(damage: fc.Arbitrary<T>, damaged: (how: T) => Uint8Array
 }
 
 const anyFile = fc.nat({ max: files.length - 1 });
-/** A place in a file, everywhere as probable. */
+/** A position in a file, uniformly distributed. */
 const anywhere = fc.noBias(fc.nat());
 
 test("bytes are changed", async () => {
@@ -141,7 +144,7 @@ test("files end early", async () => {
   await holds(fc.tuple(anyFile, anywhere), ([i, end]) => files[i]!.file.slice(0, end % files[i]!.file.length), 60);
 });
 
-/** Numbers that lengths, offsets and keys are replaced by. */
+/** Replacements of lengths, offsets and keys. */
 const ODD = [0, 1, -1, 7, 255, 65_536, 2 ** 31, 2 ** 32 - 1, 1e30, -1e30, Infinity, Number.NaN, 1e-40];
 
 test("numbers of FBX are others", async () => {
@@ -164,7 +167,7 @@ test("numbers of FBX are others", async () => {
   );
 });
 
-/** Values that fields of a document are replaced by. */
+/** Replacements of fields of a document. */
 const STRANGE = [
   null,
   -1,
@@ -221,7 +224,7 @@ test("accessors lie", async () => {
   );
 });
 
-/** Replaces, or takes away, what a path leads to; each step chooses one of the entries there. */
+/** Replaces or removes the value at a path; each step selects one of the entries there. */
 function replace(parent: object, [step, ...rest]: readonly number[], value: unknown): void {
   const keys = Object.keys(parent);
   const key = keys[step! % keys.length];

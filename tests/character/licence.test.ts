@@ -1,4 +1,4 @@
-/** Every value that a licence of VRM 0 and 1 may have, and copyright notices of glTF. */
+/** All licence values of VRM 0 and 1, and glTF copyright notices. */
 import { expect, test } from "vitest";
 import { licenceOf } from "../../web/character/licence";
 import { loadCharacter } from "../../web/character/load";
@@ -88,7 +88,7 @@ const LICENCES_0 = ["Redistribution_Prohibited", "CC0", "CC_BY", "CC_BY_NC", "CC
   "Other",
 ]);
 
-/** Every combination that decides on something, with what is to happen. */
+/** All combinations of deciding values, with the expected result. */
 const ALL = [
   ...PERMISSIONS_1.flatMap((avatarPermission) =>
     MODIFICATIONS.flatMap((modification) =>

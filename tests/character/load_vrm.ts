@@ -1,4 +1,4 @@
-/** VRMs as pages load them, with three-vrm's plugin. */
+/** Loading of VRMs as in pages, with three-vrm's plugin. */
 import { type VRM, VRMLoaderPlugin } from "@pixiv/three-vrm";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 

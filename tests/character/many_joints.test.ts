@@ -1,4 +1,4 @@
-/** Skeletons larger than the engine binds: hair, skirts and faces are left out, limbs stay. */
+/** Skeletons with more joints than the engine binds: hair, skirts and faces are omitted, limbs are kept. */
 import { Quaternion, Vector3 } from "three";
 import { expect, test } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";
@@ -17,7 +17,7 @@ interface Document {
   skins: { joints: number[]; inverseBindMatrices?: number }[];
 }
 
-/** A rig with chains of hair on its head, each of some joints of 2 cm. */
+/** Makes a rig with chains of hair on its head, each of some joints of 2 cm. */
 function hairy(chains: number, joints: number): ArrayBuffer {
   const { json, binary } = chunksOf(makeRig(MIXAMO).glb);
   const document = structuredClone(json) as unknown as Document;
@@ -35,7 +35,7 @@ function hairy(chains: number, joints: number): ArrayBuffer {
       added.push(index);
     }
   }
-  // A second skin of the hair alone: without matrices its joints lie as they were modelled.
+  // A second skin with only the hair: without matrices its joints are as modelled.
   document.skins.push({ joints: added });
   document.nodes.push({ name: "Hair", mesh: 0, skin: document.skins.indexOf(skin) + 1 } as Document["nodes"][number]);
   const scene = (document as unknown as { scenes: { nodes: number[] }[] }).scenes[0]!;
@@ -53,7 +53,7 @@ test.each([
 ])("%d chains of %d joints of hair do not keep a character from performing", async (chains, joints) => {
   const plain = await loadCharacter(makeRig(MIXAMO).glb.buffer);
   const file = hairy(chains, joints);
-  // The processor's time, as other tests run beside this one.
+  // CPU time, since other tests run at the same time.
   const start = process.cpuUsage();
   const large = await loadCharacter(file);
   const took = process.cpuUsage(start).user / 1000;

@@ -1,4 +1,4 @@
-/** Motions go out into files and come back as the poses that they were made of. */
+/** Motions are written to files, and read again as the same poses. */
 import "../../web/engine/whole";
 import type { AnimationClip } from "three";
 import { beforeAll, describe, expect, test } from "vitest";
@@ -18,13 +18,15 @@ import { makeRig } from "../rigs/rig";
 import { turnsApart } from "./compare";
 import { type Performance, performances } from "./performance";
 
-/** Frames of the motion; its last one is compared with what is a moment before it, as clips repeat. */
+/** Number of frames of the motion. The last one is compared slightly before its time, because clips loop. */
 const FRAMES = 120;
 
-/** Feet that would sink are lifted, which bends the legs of characters; everything else is as it was. */
+/**
+ * Feet that would sink into the ground are lifted, which bends the legs of characters. Everything else is unchanged.
+ */
 const LEGS = /leg|foot/;
 
-/** Wanted of every file, degrees. */
+/** Greatest error of every file, degrees. */
 const WANTED = 0.1;
 
 const MIXAMO = FAMILIES.find(({ name }) => name === "Mixamo in cm")!;
@@ -35,7 +37,7 @@ beforeAll(async () => {
   walk = (await performances()).find(({ name }) => name.endsWith("proud"))!;
 });
 
-/** The walk on a body, scaled by its hips. */
+/** Returns the walk on a body, scaled by its hips. */
 function walkOn(proportions: Float32Array): StyledPoses {
   const scale = proportions[1]! / walk.proportions[1]!;
   const poses = walk.poses.slice(0, FRAMES * POSE_FLOATS);
@@ -43,7 +45,7 @@ function walkOn(proportions: Float32Array): StyledPoses {
   return { name: "walk", proportions, poses, timeOut: Float32Array.from({ length: FRAMES }, (_, f) => f / 60) };
 }
 
-/** Poses of a motion that was read, checked against those that were written. */
+/** Compares the poses of a motion that was read with those that were written. */
 function compare(what: string, found: CharacterMotion, { poses }: StyledPoses, again: Float32Array, but?: RegExp) {
   expect(found).toMatchObject({ name: "walk", rateHz: 60, frames: FRAMES });
   const { degrees, role } = turnsApart(poses, again, FRAMES - 1, but);
@@ -51,7 +53,7 @@ function compare(what: string, found: CharacterMotion, { poses }: StyledPoses, a
   expect(degrees).toBeLessThan(WANTED);
 }
 
-/** Largest distance of the hips from where they were written, metres. */
+/** Returns the largest distance between the hips read and written, metres. */
 function hipsApart(a: Float32Array, b: Float32Array): number {
   let worst = 0;
   for (let i = 0; i < (FRAMES - 1) * POSE_FLOATS; i += POSE_FLOATS)
@@ -83,7 +85,7 @@ describe("of a character's file", () => {
   });
 });
 
-/** The walk as a clip of a family's rig. */
+/** Returns the walk as a clip of a family's rig. */
 async function clipOf(family: Family): Promise<{ clip: AnimationClip; motion: StyledPoses }> {
   const character = await loadCharacter(makeRig(family).glb.buffer);
   const motion = walkOn(character.proportions);
@@ -103,7 +105,7 @@ describe("of a file alone", () => {
     const metres = hipsApart(motion.poses, poses);
     console.info(`VRMA: hips ${(1000 * metres).toFixed(3)} mm`);
     expect(metres).toBeLessThan(1e-4);
-    // A VRM Animation has no figure to perform.
+    // A VRM Animation contains no figure.
     await expect(loadCharacter(file.buffer)).rejects.toMatchObject({ code: "bad-file" });
   });
 
@@ -117,7 +119,7 @@ describe("of a file alone", () => {
     const character = await loadCharacter(makeRig(family).glb.buffer);
     const motion = walkOn(character.proportions);
     const found = (await loadMotions(withoutMesh(character.toGLB(motion)))).at(-1)!;
-    // Its rest is the bind pose, as that of exports for animation is.
+    // Its rest pose is the bind pose, as in exports for animation.
     compare(`${family.name}, no mesh`, found, motion, found.poses(), LEGS);
     character.dispose();
   });
@@ -147,7 +149,7 @@ describe("of a file alone", () => {
   });
 });
 
-/** A GLB whose meshes and skins are taken away; what they referred to stays in its buffer. */
+/** Returns a GLB without its meshes and skins; their data stay in its buffer. */
 function withoutMesh(glb: Uint8Array): ArrayBuffer {
   const { json, binary } = chunksOf(glb);
   const { nodes } = json as { nodes: { mesh?: number; skin?: number }[] };

@@ -1,4 +1,4 @@
-/** Characters of other people: bound as they should be, or refused with what a person needs to go on. */
+/** Third-party characters: bound correctly, or refused with the information that the user needs to continue. */
 import { validateBytes } from "gltf-validator";
 import {
   AnimationClip,
@@ -35,7 +35,7 @@ const load = (name: string, options: LoadCharacterOptions = {}) =>
 const mixamo = () => makeRig(FAMILIES.find(({ name }) => name === "Mixamo in cm")!);
 const read = (glb: ArrayBuffer) => new GLTFLoader().parseAsync(glb, "");
 
-/** Those that are bound by themselves. */
+/** Characters that are bound without help. */
 const BOUND = [
   "m2m-sophia.glb",
   "m2m-sample-rig.glb",
@@ -47,7 +47,7 @@ const BOUND = [
   "HVGirl.glb",
 ];
 
-/** The node of a role. */
+/** Returns the node of a role. */
 function nodeOf(character: { object: Object3D; roles: Partial<Record<Role, string>> }, role: Role): Object3D {
   let found: Object3D | undefined;
   character.object.traverse((node) => {
@@ -71,7 +71,7 @@ describe.skipIf(othersAbsent)("a character of other people", () => {
       `${name}: soles ${(100 * lowest).toFixed(2)} cm, legs ${legs.toFixed(2)}, ${character.notes.join(" ")}`,
     );
     expect(Math.abs(lowest)).toBeLessThan(0.01 * Math.max(1, legs));
-    // The person's left is at +x where they face +z.
+    // The person's left is at +x when facing +z.
     expect(at("left_hand").x).toBeGreaterThan(at("right_hand").x);
     expect(at("left_foot").x).toBeGreaterThan(at("right_foot").x);
     expect(at("chest").y).toBeGreaterThan(at("hips").y);
@@ -165,7 +165,7 @@ test("three.js draws a character wherever it goes", async () => {
       new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
     );
     scene.traverse((node) => {
-      // As WebGLRenderer asks.
+      // As WebGLRenderer checks.
       if (node instanceof Mesh) expect(!node.frustumCulled || seen.intersectsObject(node), `at ${x} m`).toBe(true);
     });
   }
@@ -217,7 +217,7 @@ test("soles of a robe's hem are forgotten again", async () => {
       if (!mesh.isSkinnedMesh) return;
       const { position, skinIndex } = mesh.geometry.attributes;
       const foot = mesh.skeleton.bones.findIndex(({ name }) => name.endsWith("LeftFoot"));
-      // Centimetres, Z up: something far below the feet that follows one.
+      // Centimetres, Z up: an object far below the feet, attached to one of them.
       for (let v = 0; v < position!.count; v++)
         if (skinIndex!.getX(v) === foot) position!.setZ(v, position!.getZ(v) - drop);
     });
@@ -281,7 +281,7 @@ test("a motion that moves nothing is not exported", async () => {
   }
   Object.assign(globalThis, { FileReader: Reader });
   const { scene } = await read(mixamo().glb.buffer);
-  // One without tracks, and one whose nodes are not there, as where a mesh was taken out.
+  // A clip without tracks, and one with missing nodes, as after the removal of a mesh.
   const lost = new VectorKeyframeTrack("nobody.position", [0, 1], [0, 0, 0, 1, 1, 1]);
   scene.animations = [new AnimationClip("empty", 1, []), new AnimationClip("lost", 1, [lost])];
   const { file } = await converted(scene);

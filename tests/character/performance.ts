@@ -1,4 +1,4 @@
-/** Motions for characters, and how their feet meet the ground: heights of soles and skating, of the input and of a rig. */
+/** Motions for characters, and their foot contacts: heights of soles and foot skate, of the input and of a rig. */
 import "../../web/engine/whole";
 import { type Bone, type Object3D, type SkinnedMesh, Vector3 } from "three";
 import { loadBuiltIn } from "../../web/engine/built_in";
@@ -17,14 +17,14 @@ export interface Performance {
   readonly timeOut: Float32Array;
 }
 
-/** Styles that characters are tried in. */
+/** Styles in which characters are tested. */
 export const STYLES: readonly { name: string; styles: StyleWeights }[] = [
   { name: "neutral", styles: {} },
   { name: "old", styles: { old: 1 } },
   { name: "proud", styles: { proud: 1 } },
 ];
 
-/** Every built-in input in these styles. */
+/** Returns every built-in input in these styles. */
 export async function performances(): Promise<Performance[]> {
   const [engine, motions] = await Promise.all([Engine.load(), loadBuiltIn()]);
   const database = engine.openDatabase({ kind: "demo", motions });
@@ -41,21 +41,21 @@ export async function performances(): Promise<Performance[]> {
   );
 }
 
-/** The feet of a body: its vertices in the frames of the joints that they follow. */
+/** The feet of a body: their vertices in the frames of the joints that they follow. */
 export interface Feet {
-  /** Of the left and of the right foot: vertices of ankle and toes, xyz each. */
+  /** Vertices of ankle and toes of the left and of the right foot, xyz each. */
   readonly vertices: readonly { role: Role; local: Vector3 }[][];
 }
 
-/** How the soles of a body behave. */
+/** Motion of the soles of a body. */
 export interface Soles {
-  /** Height of the lowest vertex of each foot, left and right interleaved, one pair a frame. */
+  /** Height of the lowest vertex of each foot, left and right interleaved, one pair per frame. */
   readonly heights: Float32Array;
-  /** Horizontal travel of the vertex that stands, left and right, from the frame before. */
+  /** Horizontal travel of the standing vertex since the previous frame, left and right. */
   readonly travels: Float32Array;
 }
 
-/** Follows the lowest vertices over a motion; `place` puts a vertex of a frame into the world. */
+/** Follows the lowest vertices over a motion. `place` transforms a vertex of a frame to the world. */
 function follow(
   frames: number,
   feet: Feet,
@@ -85,7 +85,10 @@ function follow(
   return { heights, travels };
 }
 
-/** Vertices of the feet of a skinned character: of each foot those whose first joint is the ankle's or the toes'. */
+/**
+ * Returns the vertices of a skinned character's feet: for each foot those whose first joint is the ankle's or the
+ * toes'.
+ */
 export function feetOf(object: Object3D, nodeOf: (role: Role) => Object3D): Feet {
   const vertices: Feet["vertices"] = [[], []];
   object.traverse((node) => {
@@ -108,7 +111,7 @@ export function feetOf(object: Object3D, nodeOf: (role: Role) => Object3D): Feet
   return { vertices };
 }
 
-/** The soles of the input: the mannequin's feet on the body of the motion. */
+/** Returns the soles of the input: the mannequin's feet on the body of the motion. */
 export function inputSoles({ proportions, poses, planted }: Performance): Soles {
   const world = createWorldPose();
   const q = world.rotations;
@@ -126,7 +129,7 @@ export function inputSoles({ proportions, poses, planted }: Performance): Soles 
   );
 }
 
-/** The soles of a character that performs. */
+/** Returns the soles of a performing character. */
 export function characterSoles(
   { poses, planted }: Performance,
   feet: Feet,
@@ -141,10 +144,10 @@ export function characterSoles(
   );
 }
 
-/** The mannequin's own feet, read from a rig whose joints are not turned. */
+/** The mannequin's own feet, read from a rig whose joints are not rotated. */
 const MANNEQUIN_FEET: Feet = { vertices: [[], []] };
 
-/** Reads {@link MANNEQUIN_FEET}; call it before {@link inputSoles}. */
+/** Reads {@link MANNEQUIN_FEET}. Call it before {@link inputSoles}. */
 export async function readMannequinFeet(): Promise<void> {
   const { GLTFLoader } = await import("three/addons/loaders/GLTFLoader.js");
   const plain = { ...FAMILIES.at(-1)!, size: 1, shape: {} };

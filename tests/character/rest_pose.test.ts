@@ -1,4 +1,4 @@
-/** Every rig is bound with all roles and stands in the T-pose as it should. */
+/** Every rig is bound with all roles and the right T-pose. */
 import { Quaternion } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { expect, test } from "vitest";
@@ -14,7 +14,7 @@ test.each(FAMILIES)("the $name has 21 roles and rests in the T-pose", async (fam
   const gltf = await new GLTFLoader().parseAsync(rig.glb.buffer, "");
   const character = await bindCharacter(gltf);
   expect(character.roles).toEqual(Object.fromEntries(ROLES.map((role, j) => [role, family.joints[j]])));
-  // On its own body nothing is scaled: what is left is what the binding takes for the T-pose.
+  // On its own body nothing is scaled: what remains is the T-pose that the binding detected.
   character.setBody(character.proportions);
   const pose = restPose();
   pose[1] = character.proportions[1]!;

@@ -1,4 +1,4 @@
-/** VRM 0 and 1 through the real three-vrm: bones, springs and clips. */
+/** VRM 0 and 1 with the real three-vrm: bones, springs and clips. */
 import { type VRM, VRMLoaderPlugin } from "@pixiv/three-vrm";
 import { AnimationMixer, type Object3D, Quaternion, Vector3 } from "three";
 import { expect, test } from "vitest";
@@ -14,7 +14,7 @@ import { loadVrm } from "./load_vrm";
 
 const VRMS = FAMILIES.filter(({ vrm }) => vrm !== undefined);
 
-/** The character of a file, and what three-vrm read beside it. */
+/** Loads the character of a file, with three-vrm's object. */
 async function load(file: ArrayBuffer): Promise<{ character: Character; vrm: VRM }> {
   let read: VRM | undefined;
   class Watched extends VRMLoaderPlugin {
@@ -54,7 +54,7 @@ test.each(VRMS)("the hair of $name swings, in steps of at most 1/30 s, and settl
   const rest = lockA.quaternion.clone();
   for (const { character } of [a, b]) character.setBody(motion.proportions);
   for (let frame = 0; frame < 30; frame++) {
-    // A tab that was hidden for a minute steps as far as one that missed a frame.
+    // A tab that was hidden for a minute advances as far as one that missed a frame.
     for (const [{ character, vrm }, step] of [
       [a, 60],
       [b, 1 / 30],
@@ -79,7 +79,7 @@ test.each(VRMS)("after a cut the hair of $name hangs where the head is now", asy
   character.apply(pose(0));
   vrm.scene.updateMatrixWorld(true);
   character.settle();
-  // 100 m away, before anything was drawn: hair that was left behind would point back.
+  // 100 m away, before anything was drawn: hair that stayed behind would point back.
   const away = pose(0);
   away[2]! += 100;
   character.apply(away);
@@ -92,7 +92,7 @@ test.each(VRMS)("after a cut the hair of $name hangs where the head is now", asy
   character.dispose();
 });
 
-/** The joint between spine and chest is one of VRM's bones, or none. */
+/** Removes the joint between spine and chest from VRM's bones. */
 const outside = (document: GltfDocument) => {
   const one = document.extensions?.VRMC_vrm?.humanoid as { humanBones: Record<string, unknown> } | undefined;
   if (one) {

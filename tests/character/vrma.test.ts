@@ -1,4 +1,4 @@
-/** VRM Animation out: three-vrm-animation plays on a VRM what was exported. */
+/** VRM Animation export: three-vrm-animation plays the exported file on a VRM. */
 import type { VRM } from "@pixiv/three-vrm";
 import { createVRMAnimationClip, type VRMAnimation, VRMAnimationLoaderPlugin } from "@pixiv/three-vrm-animation";
 import { AnimationMixer, Quaternion, Vector3 } from "three";
@@ -24,13 +24,13 @@ async function readVrma(file: ArrayBuffer): Promise<VRMAnimation> {
 
 type Animation = ReturnType<typeof movingAnimation>;
 
-/** How far a VRM that plays a file of the animation is from the animation. */
+/** Returns the difference between an animation and a VRM that plays a file of it. */
 async function played(vrm: VRM, animation: Animation) {
   const clip = createVRMAnimationClip(await readVrma(vrmAnimation(animation).buffer), vrm);
   const mixer = new AnimationMixer(vrm.scene);
   mixer.clipAction(clip).play();
   const world = createWorldPose();
-  // A VRM 0 looks the other way.
+  // A VRM 0 faces the opposite direction.
   const facing = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), vrm.meta.metaVersion === "0" ? Math.PI : 0);
   let [millimetres, degrees] = [0, 0];
   for (const frame of [0, 7, 30, 59]) {
@@ -55,7 +55,7 @@ function bonesOf({ humanoid }: VRM, role: Role) {
   return [humanoid.getRawBoneNode(bone)!, humanoid.getNormalizedBoneNode(bone)!] as const;
 }
 
-/** The body of a character, as the character measures it. */
+/** Returns the body of a character, as the character measures it. */
 async function bodyOf(family: Family): Promise<Float32Array> {
   const character = await bindCharacter(await loadVrm(makeRig(family).glb.buffer));
   const { proportions } = character;
@@ -64,7 +64,7 @@ async function bodyOf(family: Family): Promise<Float32Array> {
 }
 
 test.each(VRMS)("a $name of the same proportions stands where the file says", async (family) => {
-  // Without a joint between spine and chest, as the animation has none.
+  // Without a joint between spine and chest, like the animation.
   const same = { ...family, trunk: [] };
   const { millimetres, degrees } = await played(
     await loadVrm(makeRig(same).glb.buffer),

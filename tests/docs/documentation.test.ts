@@ -1,4 +1,4 @@
-// The documentation: what is generated is as it is committed, links lead somewhere, code blocks come from tested examples.
+// The documentation: generated parts are up to date, links work, code blocks come from tested examples.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { beforeAll, expect, test } from "vitest";

@@ -1,4 +1,4 @@
-// The examples that the documentation shows: each is run as it stands.
+// The examples of the documentation: each is run unchanged.
 import { execFileSync, spawnSync } from "node:child_process";
 import {
   cpSync,
@@ -18,7 +18,7 @@ import { buildPrograms, COMMAND } from "../programs";
 import { root } from "../recordings";
 
 const EXAMPLES = join(root, "examples");
-/** Where `scripts/python.mjs` installed the Python package. */
+/** Environment in which `scripts/python.mjs` installed the Python package. */
 const PYTHON = join(root, "rust", "target", "python", "venv", "bin", "python");
 const needsPython = test.skipIf(!existsSync(PYTHON) && process.env.STRUT_PYTHON !== "required");
 
@@ -102,13 +102,13 @@ test("all examples in JavaScript have the types of the package", () => {
   const compilerOptions = {
     strict: true,
     noEmit: true,
-    // The declarations of three.js need not be without fault.
+    // The declarations of three.js may have errors.
     skipLibCheck: true,
     checkJs: true,
     target: "es2022",
     module: "esnext",
     moduleResolution: "bundler",
-    // Each file is a user's own.
+    // Each file is independent.
     moduleDetection: "force",
     lib: ["es2023", "dom"],
     types: ["node"],

@@ -1,4 +1,4 @@
-/** Everybody's ways to the controls: large text, forced colours, fingers, keys and screen readers. */
+/** Accessibility of the controls: large text, forced colours, touch, keyboard and screen readers. */
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -26,7 +26,7 @@ const weights = () =>
   page.evaluate(() => Object.fromEntries(window.strut.state.styles.map(({ name, weight }) => [name, weight])));
 const handleOf = (of: Page) => of.getByRole("slider", { name: "Style", exact: true });
 const handle = () => handleOf(page);
-/** Waits until the handle, which glides to where a link puts it, is there. */
+/** Waits until the handle has reached the position of a link. */
 const handleAtRest = (of = page) => atRest(of, () => middleOf(handleOf(of)));
 
 describe("a drag", () => {
@@ -72,7 +72,7 @@ describe("a drag", () => {
       for (let pointer = 0; pointer < 100; pointer++)
         if (polygon.hasPointerCapture(pointer)) polygon.releasePointerCapture(pointer);
     });
-    // The browser tells of the loss with the next movement.
+    // The browser reports the loss with the next movement.
     await page.mouse.move(from.x, from.y + 11);
     await eventually(() => page.locator("svg.polygon").getAttribute("class")).not.toContain("dragging");
     const kept = await weights();
@@ -89,7 +89,7 @@ describe("the weights", () => {
     const field = group.getByRole("textbox", { name: "proud" });
     await eventually(() => group.getByRole("textbox").count()).toBe(3);
     await field.focus();
-    // It can be seen while it is used.
+    // It is visible while it is used.
     const clipPath = () => field.evaluate((e) => getComputedStyle(e.closest(".polygon-weights")!).clipPath);
     await eventually(clipPath).toBe("none");
     await field.fill("0.2");
@@ -111,7 +111,7 @@ describe("the 3-D view", () => {
   });
 });
 
-/** Size of the text of a drawing, pixels, and its labels that lie partly outside of it. */
+/** Returns the text size of a drawing, pixels, and its labels that are partly outside. */
 const labelsOf = (of: Page, drawing: string) =>
   of
     .locator(drawing)
@@ -205,19 +205,19 @@ describe("forced colours", () => {
 });
 
 describe("a finger", () => {
-  /** Controls that a finger's tip, 24 px, misses: what is at its edges is neither the control nor its label. */
+  /** Controls that a finger tip of 24 px misses: the element at their edges is neither the control nor its label. */
   const missed = () =>
     page.evaluate(() =>
       [...document.querySelectorAll<HTMLElement>("#app :is(button, select, input, [role=slider], [role=button])")]
         .filter((e) => e.checkVisibility({ visibilityProperty: true, opacityProperty: true }))
         .filter((e) => !e.closest(".polygon-weights") && !(e as HTMLButtonElement).disabled)
         .flatMap((e) => {
-          // A corner of the polygon has a label beside its target.
+          // A corner of the polygon has a label next to its target.
           const { left, right, top, bottom } = (e.querySelector(".vertex-target") ?? e).getBoundingClientRect();
           const [x, y] = [(left + right) / 2, (top + bottom) / 2];
           const panel = e.closest(".panels")?.getBoundingClientRect();
           if (x < 12 || y < 12 || x > innerWidth - 12 || y > (panel?.bottom ?? innerHeight) - 12) return [];
-          // A label is its control's target too, and a knob's dial its number's.
+          // A label also belongs to its control's target, and a knob's dial to its number's.
           const target = e.closest("label, .toggle-row, .knob") ?? e;
           const hits = (dx: number, dy: number) => target.contains(document.elementFromPoint(x + dx, y + dy));
           const all = [hits(0, 0), hits(-11, 0), hits(11, 0), hits(0, -11), hits(0, 11)];
@@ -227,7 +227,7 @@ describe("a finger", () => {
 
   it("finds targets of 24 px at least on a narrow screen", async () => {
     await page.setViewportSize({ width: 390, height: 844 });
-    // The weights' fields cover a corner while one has the focus.
+    // A weight field covers a corner while it has the focus.
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     for (const tab of ["style", "input", "model", "curves"]) {
       await visit(page, `${STYLES}&tab=${tab}`);

@@ -1,4 +1,4 @@
-/** The atlas: every distance between the input and the database, by whoever can draw it. */
+/** The atlas: every distance between the input and the database, drawn by the GPU or the CPU. */
 import type { Page, Worker } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -21,19 +21,19 @@ import { expectFitsNarrow } from "./narrow";
 
 declare const window: { strut: StrutHook };
 
-/** The first input, at rest. */
+/** The first input, paused. */
 const INPUT = "play=0&frame=40";
 const BY_PROCESSOR = /^Drawn by the processor in [\d.]+ m?s\./;
 
 const state = (page: Page) => page.evaluate(() => window.strut.state);
 const words = (page: Page, of: "by" | "reading") => page.locator(`.atlas-${of}`).textContent();
-/** Waits until a picture is drawn to its end, and gives who drew it. */
+/** Waits until a picture is complete, and returns what drew it. */
 async function drawn(page: Page): Promise<string> {
   await page.locator(".atlas[data-drawn]").waitFor();
   return (await page.locator(".atlas").getAttribute("data-drawn"))!;
 }
 
-/** The picture's pixels, red, green, blue and alpha each. */
+/** Returns the picture's pixels, red, green, blue and alpha each. */
 async function pixels(page: Page): Promise<{ width: number; height: number; data: number[] }> {
   await drawn(page);
   return page.locator(".atlas-picture").evaluate(async (canvas: HTMLCanvasElement) => {
@@ -44,7 +44,7 @@ async function pixels(page: Page): Promise<{ width: number; height: number; data
   });
 }
 
-/** Pixels of more than a few colours: something is drawn. */
+/** Returns pixels with more than a few colours: the picture is not empty. */
 const coloursOf = ({ data }: { data: number[] }) =>
   new Set(data.flatMap((v, i) => (i % 4 === 0 ? [(v << 16) | (data[i + 1]! << 8) | data[i + 2]!] : []))).size;
 
@@ -114,7 +114,7 @@ describe("without a graphics processor", () => {
 
   it("shows the windows of the link, and keeps those that are shown in it", async () => {
     await visit(page, `${INPUT}&atlas=whole&windows=1000_1080`);
-    // A line a window.
+    // One line per window.
     await eventually(async () => (await pixels(page)).height).toBe(80);
     await page.locator(".atlas-stage").focus();
     await page.keyboard.press("-");
@@ -122,7 +122,7 @@ describe("without a graphics processor", () => {
     await eventually(async () => (await pixels(page)).height).toBeGreaterThan(80);
     await page.locator(".atlas-stage").dblclick();
     await eventually(() => page.url()).not.toContain("windows=");
-    // A database has fewer.
+    // The database has fewer windows.
     await visit(page, `${INPUT}&atlas=whole&windows=1000_999999999`);
     await page.keyboard.press("+");
     await eventually(() => page.url()).toMatch(/windows=\d+_\d+/);
@@ -152,7 +152,7 @@ describe("with a graphics processor", () => {
   let expected: Awaited<ReturnType<typeof pixels>>;
   let walk: string;
   const size = { width: 1000, height: 700 };
-  /** A page with a short input at rest: software draws every distance of it in seconds. */
+  /** Opens a page with a short, paused input, for which software draws every distance in seconds. */
   async function open(search: string): Promise<Page> {
     const page = await openPage(browser, `${site.url}${search}`, { size, hash: "play=0", theme: "dark" });
     await dropFile(page, "short.bvh", walk);
@@ -186,7 +186,7 @@ describe("with a graphics processor", () => {
     expect(await words(page, "by")).toMatch(/^Drawn by .*swiftshader.* in [\d.]+ m?s\.$/i);
     const { width, height, data } = await pixels(page);
     expect([width, height]).toEqual([expected.width, expected.height]);
-    // The ramp goes from the panel to the colour of weights: no channel by more than 1 from one level to the next.
+    // The colour ramp goes from the panel's to the weights' colour, by at most 1 per channel and level.
     const greatest = data.reduce((most, v, i) => Math.max(most, Math.abs(v - expected.data[i]!)), 0);
     expect(greatest).toBeLessThanOrEqual(1);
     await page.context().close();

@@ -1,4 +1,4 @@
-/** Several motions that are dropped at once: what they are asked to become, and the batch that restyles all of them. */
+/** Several motions that are dropped at once: the question about their use, and the batch that styles all of them. */
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -49,7 +49,7 @@ const heading = () => card().locator("h2").textContent();
 const choose = (name: string) => page.locator("dialog[open]").getByRole("button", { name, exact: false }).click();
 const view = () => page.evaluate(() => window.strut.state.view);
 
-/** Asks for a zip in single styles. */
+/** Requests a zip in single styles. */
 async function restyle(files: Record<string, string>, styles: readonly string[]): Promise<void> {
   await dropFiles(page, files);
   await choose("Restyle all");
@@ -63,7 +63,7 @@ async function restyle(files: Record<string, string>, styles: readonly string[])
   await card().waitFor();
 }
 
-/** Saves the zip of the card, and gives what is in it. */
+/** Saves the zip of the card, and returns its contents. */
 async function savedZip(): Promise<Record<string, Buffer>> {
   const save = card().getByRole("button", { name: /^Save/ });
   const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
@@ -75,7 +75,7 @@ async function savedZip(): Promise<Record<string, Buffer>> {
   return files;
 }
 
-/** What the command makes of a clip, with the same database; undefined where it was not built. */
+/** Returns the command's output for a clip with the same database, or undefined if the command was not built. */
 function byCommand(text: string, style: string): Buffer | undefined {
   if (!existsSync(COMMAND)) {
     console.warn(`skipping the comparison with the command: ${COMMAND} is missing`);
@@ -161,7 +161,7 @@ describe("a batch", () => {
     expect(Object.keys(await savedZip())).toHaveLength(done + 1);
     await card().getByRole("button", { name: "Go on" }).click();
     await eventually(heading).toBe("8 files are done");
-    // Another one waits until this one is saved.
+    // Another batch waits until this one is saved.
     await dropFiles(page, { "a.bvh": walks.old, "b.bvh": walks.old });
     await choose("Restyle all");
     await eventually(() => page.getByRole("alert").textContent()).toContain("Another batch is not done");

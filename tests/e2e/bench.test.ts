@@ -1,4 +1,4 @@
-/** bench.html in Chromium: the benchmark runs, can be cancelled, and gives its report, of a graphics processor as well. */
+/** bench.html in Chromium: the benchmark runs, can be cancelled, and shows its report, also of a GPU. */
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { ENGINES, MODES, type Report } from "../../bench/report";
@@ -12,7 +12,7 @@ let page: Page;
 const faults: string[] = [];
 
 beforeAll(async () => {
-  // Chromium's program plays the graphics processor.
+  // Chromium's software GPU.
   const args = [...SWIFTSHADER.args, "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"];
   [browser, site] = await Promise.all([launchBrowser({ graphics: { ...SWIFTSHADER, args } }), serveSite()]);
   const context = await browser.newContext({
@@ -30,7 +30,7 @@ afterAll(async () => {
   await site.close();
 });
 
-/** What the box says of the graphics card. */
+/** Returns the box of the GPU. */
 const box = (of: Page) => of.getByRole("region", { name: "Graphics card" });
 const measure = () => page.getByRole("button", { name: "Measure" });
 
@@ -71,7 +71,7 @@ test("it measures every engine in every mode, and the yardsticks agree with Stru
     expect(tied).toBeLessThan(0.02 * neighbour_sets);
   }
 
-  // Times of a program tell nothing: it only finds the same neighbours.
+  // Times of a software GPU are not meaningful: it must only find the same neighbours.
   expect(report.gpu).toMatchObject({ software: true, backend: "WebGPU", frames: 4800, classes: 48, sets: 64 * 48 });
   expect(report.gpu!.identical).toBe(report.gpu!.sets);
   expect(report.gpu!.candidates_per_neighbour).toBeLessThan(1.2);

@@ -1,4 +1,4 @@
-/** What the end-to-end tests share: the built site behind a server, real Chromium, and a page that runs. */
+/** Common functions of the end-to-end tests: the built site on a server, real Chromium, and a running page. */
 
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
@@ -11,12 +11,12 @@ import { type Graphics, softwareGraphics } from "./graphics";
 import { slowDown } from "./slow";
 
 const ROOT = resolve(import.meta.dirname, "../..");
-/** Where screenshots go; git ignores it. */
+/** Folder of screenshots, which git ignores. */
 const OUTPUT = resolve(ROOT, "tests/output");
 
 /**
- * What Chromium need not do in a test: speak to its vendor, draw a window's frame, paint text in WebGL's software. Its headless
- * shell draws letters as the whole browser does.
+ * Features that Chromium does not need in a test: contact with its vendor, window frames, text rendering in software
+ * WebGL. Its headless shell draws letters as the whole browser does.
  */
 const FLAGS = [
   "--font-render-hinting=slight",
@@ -28,14 +28,14 @@ const FLAGS = [
   "--disable-features=PreloadTopChromeWebUI,WebUIReloadButton,InitialWebUI,WebUIToolbar",
 ];
 
-/** Software rendering on a busy machine takes its time; what fails does not wait for this. Tests that must fail need less. */
+/** Timeout for software rendering on a busy machine; failures do not wait for it. Tests that must fail need less. */
 const SLOW_MS = Number(process.env.STRUT_PATIENCE_MS ?? 240_000);
 
-/** Expects something of a value that is asked for until it holds. */
+/** Polls a value until an expectation holds. */
 export const eventually = <T>(ask: () => T | Promise<T>, message?: string) =>
   expect.poll(ask, { timeout: SLOW_MS / 2, ...(message ? { message } : {}) });
 
-/** The page's hook has no other type inside `evaluate`. */
+/** The type of the page's hook inside `evaluate`. */
 declare const window: { strut?: StrutHook };
 
 /** The built site on a free port, under a folder of the host. */
@@ -51,24 +51,24 @@ export async function serveSite(folder = "/"): Promise<{ url: string; close: () 
   return { url: server.resolvedUrls!.local[0]!, close: () => server.close() };
 }
 
-/** How Chromium is started. */
+/** Options of Chromium's start. */
 export interface LaunchOptions {
   graphics?: Graphics;
   /**
-   * Whether it must be the whole browser, which takes twice the processor time to load a page: for what people's browsers
-   * have and the headless shell has not, such as installing a page.
+   * Whether the whole browser is required, which takes twice the CPU time to load a page: for features that the
+   * headless shell lacks, such as installing a page.
    */
   whole?: boolean;
 }
 
-/** The browser that CHROME_PATH names, or Debian's: its headless shell where that is installed and enough. */
+/** Returns the browser of CHROME_PATH, or Debian's: its headless shell if that is installed and sufficient. */
 function browserPath(whole: boolean): string {
   const { CHROME_PATH, CHROME_SHELL_PATH } = process.env;
   const shell = CHROME_SHELL_PATH ?? (CHROME_PATH ? undefined : "/usr/bin/chromium-headless-shell");
   return !whole && shell && existsSync(shell) ? shell : (CHROME_PATH ?? "/usr/bin/chromium");
 }
 
-/** Chromium. Pages have no service worker unless they are opened with one. */
+/** Starts Chromium. Pages have no service worker unless requested. */
 export async function launchBrowser({
   graphics = softwareGraphics(),
   whole = false,
@@ -85,21 +85,21 @@ export async function launchBrowser({
   return browser;
 }
 
-/** How a page is opened. */
+/** Options of a page. */
 export interface PageOptions {
   /** State in the URL, without `#`. */
   hash?: string;
   size?: { width: number; height: number };
   theme?: "dark" | "light";
-  /** Pixels of the screen per CSS pixel, along a side: half unless told, as software draws every one. */
+  /** Screen pixels per CSS pixel along a side, by default half, since software draws every pixel. */
   screenPixels?: number;
-  /** Whether the page has its service worker, which keeps the site while a test runs. */
+  /** Whether the page has its service worker, which caches the site while a test runs. */
   serviceWorker?: boolean;
-  /** Whether notes stay for minutes: a slow machine may take longer to show the page than a note stays. */
+  /** Whether notes stay for minutes: on a slow machine they could otherwise disappear before the page is shown. */
   notesStay?: boolean;
 }
 
-/** A page on which the character is on screen. A script error fails the test that caused it. */
+/** Opens a page with a visible character. A script error fails the test that caused it. */
 export async function openPage(browser: Browser, url: string, options: PageOptions = {}): Promise<Page> {
   const context = await browser.newContext({
     viewport: options.size ?? { width: 960, height: 640 },
@@ -117,7 +117,7 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
     });
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
-  // What was against the page's content security policy counts as well, whatever was tested.
+  // Violations of the page's content security policy fail every test, too.
   await page.addInitScript(() =>
     document.addEventListener("securitypolicyviolation", ({ violatedDirective, blockedURI, sourceFile, lineNumber }) =>
       console.error(`[policy] ${violatedDirective} ${blockedURI} ${sourceFile}:${lineNumber}`),
@@ -132,7 +132,7 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
   return page;
 }
 
-/** Waits until a page that was loaded shows its view, which takes keys from then on, and the first frame is there. */
+/** Waits until a loaded page shows its view, which then accepts keys, and the first frame. */
 export async function shown(page: Page): Promise<void> {
   await page.waitForFunction(() => {
     const view = document.getElementById("app")?.dataset.view;
@@ -140,13 +140,13 @@ export async function shown(page: Page): Promise<void> {
   });
 }
 
-/** Where the site is served, and what shows it. */
+/** Folder of the site, and the browser that shows it. */
 export interface SiteOptions extends Pick<LaunchOptions, "whole"> {
   /** Folder of the host. */
   folder?: string;
 }
 
-/** The browser, and the site below a folder of its host, for all tests of a file. `close` ends them. */
+/** Starts the browser, and serves the site below a folder of its host, for all tests of a file. `close` stops both. */
 export async function launchSite({ folder = "/", whole = false }: SiteOptions = {}) {
   const [browser, site] = await Promise.all([launchBrowser({ whole }), serveSite(folder)]);
   const close = async () => {
@@ -165,10 +165,10 @@ export async function openSite({ folder = "/", whole = false, ...options }: Page
 
 let visits = 0;
 
-/** Puts a page into the state of a link without loading it again. */
+/** Puts a page into the state of a link without reloading it. */
 export async function visit(page: Page, hash: string): Promise<void> {
   visits += 1;
-  // The address must differ from the one before, or the browser sees no change; unknown keys are passed over.
+  // The address must differ from the one before, or the browser sees no change; unknown keys are ignored.
   await page.evaluate((link) => {
     location.hash = link;
   }, `${hash}&visit=${visits}`);
@@ -184,37 +184,37 @@ export async function closePage(page: Page): Promise<void> {
   if (errors.length > 0) throw new Error(`The page threw: ${errors.join("; ")}`);
 }
 
-/** A place on the page, pixels. */
+/** A point on the page, pixels. */
 export interface Place {
   x: number;
   y: number;
 }
 
-/** The middle of something on the page. */
+/** Returns the middle of an element on the page. */
 export async function middleOf(thing: Locator): Promise<Place> {
   const box = (await thing.boundingBox())!;
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
-/** Presses the pointer at a place and moves it to another, where it stays pressed. */
+/** Presses the pointer at a point and moves it to another, where it stays pressed. */
 export async function dragHolding(page: Page, from: Place, to: Place): Promise<void> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, { steps: 10 });
 }
 
-/** {@link dragHolding}, and lets go. */
+/** {@link dragHolding}, then releases the pointer. */
 export async function drag(page: Page, from: Place, to: Place): Promise<void> {
   await dragHolding(page, from, to);
   await page.mouse.up();
 }
 
-/** The styled pose that is on screen. */
+/** Returns the displayed styled pose. */
 export async function styledPose(page: Page): Promise<number[]> {
   return page.evaluate(() => [...window.strut!.frame!.pose]);
 }
 
-/** Mean turn of the joints between two poses, degrees. */
+/** Returns the mean joint angle between two poses, degrees. */
 export function turnBetween(a: readonly number[], b: readonly number[]): number {
   const turns: number[] = [];
   for (let i = 3; i < POSE_FLOATS; i += 4) {
@@ -224,7 +224,7 @@ export function turnBetween(a: readonly number[], b: readonly number[]): number 
   return turns.reduce((x, y) => x + y, 0) / turns.length;
 }
 
-/** The pose on screen while paused, once the style and the place that were asked for have arrived. */
+/** Returns the displayed pose while paused, once the requested style and frame have arrived. */
 export async function settledPose(page: Page): Promise<number[]> {
   await page.waitForFunction(() => window.strut!.upToDate);
   return styledPose(page);
@@ -268,24 +268,24 @@ export async function saved(page: Page, format: string): Promise<{ name: string;
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-/** Whether the browser would ask before the page is left. */
+/** Returns whether the browser would ask before the page is left. */
 export function asksBeforeLeaving(page: Page): Promise<boolean> {
   return page.evaluate(() => !dispatchEvent(new Event("beforeunload", { cancelable: true })));
 }
 
-/** The input that is open, by the name the page gives it. */
+/** Returns the name of the open input on the page. */
 export function inputName(page: Page): Promise<string> {
   return page.getByLabel("Input motion").inputValue();
 }
 
-/** Lets the page draw so many pictures. */
+/** Waits until the page has drawn a number of frames. */
 export function drawn(page: Page, pictures: number): Promise<void> {
   return page.evaluate(async (pictures) => {
     for (let i = 0; i < pictures; i++) await new Promise(requestAnimationFrame);
   }, pictures);
 }
 
-/** Saves what is on screen to tests/output. */
+/** Saves a screenshot to tests/output. */
 export async function screenshot(page: Page, name: string): Promise<void> {
   mkdirSync(OUTPUT, { recursive: true });
   await page.screenshot({ path: resolve(OUTPUT, `${name}.png`) });

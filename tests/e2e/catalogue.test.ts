@@ -1,4 +1,4 @@
-/** Public data sets: fetched from their host, for which the test answers, kept, and used. */
+/** Public data sets: fetched from their host, which the test replaces, stored, and used. */
 import { createHash } from "node:crypto";
 import { basename } from "node:path";
 import type { Browser, Page } from "playwright-core";
@@ -7,7 +7,7 @@ import { walksIn } from "../clips";
 import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
 
 const STYLES = ["neutral", "old", "proud"] as const;
-/** A host that the page may fetch from; nothing reaches the network. */
+/** A host from which the page may fetch; the network is not used. */
 const BASE = "https://raw.githubusercontent.com/nobody/small-set/0000000000000000000000000000000000000000/";
 
 let browser: Browser;
@@ -27,7 +27,7 @@ afterAll(async () => {
   await site.close();
 });
 
-/** A page whose catalogue names one set. */
+/** Opens a page whose catalogue has one set. */
 async function open(): Promise<Page> {
   Object.assign(host, { reachable: true, limit: Number.POSITIVE_INFINITY, asked: 0, changed: "" });
   const page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
@@ -46,9 +46,9 @@ async function open(): Promise<Page> {
   await page.route("**/catalog.json", (route) => route.fulfill({ json: { version: 1, sets: [set] } }));
   await page.route(`${BASE}**`, async (route) => {
     host.asked += 1;
-    // A request that is not answered stays open.
+    // An unanswered request stays open.
     if (host.asked > host.limit) return;
-    // A page cannot tell this from a host that refuses other pages.
+    // A page cannot distinguish this from a host that refuses other pages.
     if (!host.reachable) return route.abort();
     const name = basename(new URL(route.request().url()).pathname);
     await route.fulfill({

@@ -1,4 +1,6 @@
-/** Characters that a person drops on the page: they perform, are credited, refused with a sentence, exported and taken away. */
+/**
+ * Characters that a user drops on the page: they perform, are credited, refused with a message, exported and removed.
+ */
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { chunksOf } from "../../web/character/glb_patch";
@@ -20,10 +22,10 @@ afterAll(() => close());
 const family = (name: string): Family => FAMILIES.find((each) => each.name === name)!;
 const drop = (name: string, bytes: Uint8Array) => dropFile(page, name, bytes);
 const dropRig = (name: string, changes?: Changes) => drop(`${name}.glb`, makeRig(family(name), changes).glb);
-/** Who performs; empty for the mannequin. */
+/** Returns the performing character's name; empty for the mannequin. */
 const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
 const alert = () => page.getByRole("alert").textContent();
-/** Height of the picture of the body, from head to feet. */
+/** Returns the height of the body in the picture, from head to feet. */
 const height = () =>
   page.evaluate(() => {
     const { strut } = window as unknown as { strut: { jointScreenPosition(role: string): { y: number } } };
@@ -34,7 +36,8 @@ test("a character performs, with its author's name, in its own proportions", asy
   const before = await height();
   await dropRig("chibi");
   await eventually(performer).toBe("chibi");
-  // Framed by its height, of which a third is its head: the joint of the head is lower in the picture than the mannequin's.
+  // The camera frames its height, of which the head is a third: the joint of the head is lower in the picture than the
+  // mannequin's.
   await eventually(height).toBeLessThan(0.85 * before);
   await drawn(page, 10);
   await screenshot(page, "character-chibi");

@@ -1,4 +1,4 @@
-/** Characters of other people on the page: textured, of other formats, of other sizes, with joints that are not found. */
+/** Third-party characters on the page: textured, of other formats, of other sizes, with joints that are not found. */
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
@@ -9,7 +9,7 @@ import { colouredPixels } from "./pixels";
 let site: Awaited<ReturnType<typeof openSite>>;
 let page: Page;
 beforeAll(async () => {
-  // Without the ghost and the corners of the styles, which have colours of their own.
+  // Without the ghost and the corners of the styles, which are coloured.
   site = await openSite({ hash: "styles=proud:1&ghost=off", size: { width: 1280, height: 800 }, theme: "light" });
   page = site.page;
 });
@@ -18,10 +18,10 @@ afterAll(() => site.close());
 const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
 const dropRig = (name: string) => dropFile(page, name, rigOfOthers(name));
 
-/** What toasts say. */
+/** Returns the text of the toasts. */
 const said = async () => (await page.getByRole("status").allTextContents()).join(" ");
 
-/** The picture of the stage, without the panels around it. */
+/** Returns the picture of the stage, without the panels around it. */
 async function pictureOfStage(): Promise<Buffer> {
   await drawn(page, 10);
   const box = (await page.locator(".stage").first().boundingBox())!;
@@ -38,7 +38,7 @@ test.skipIf(othersAbsent)("a textured character has its colours, under the page'
   await screenshot(page, "others-m2m-sophia");
 });
 
-/** Characters that perform by themselves, and what a person is told of them. */
+/** Characters that are bound without help, and the messages about them. */
 const OTHERS: readonly [file: string, told: string][] = [
   ["m2m-sample-rig.glb", ""],
   ["Geno.fbx", ""],
@@ -55,7 +55,8 @@ test.skipIf(othersAbsent).each(OTHERS)("%s performs", async (file, told) => {
   await eventually(performer).toBe(name);
   if (told) await eventually(said).toContain(told);
   await page.getByLabel("Input motion").selectOption("neutral walk");
-  // A person is seen as a person is, whatever unit the file has: between a third and nine tenths of the picture.
+  // A character is displayed in a person's size, whatever the unit of its file: between a third and nine tenths of the
+  // picture.
   const heightOf = () =>
     page.evaluate(() => {
       const { strut } = window as unknown as { strut: { jointScreenPosition(role: string): { y: number } } };

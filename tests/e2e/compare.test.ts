@@ -1,4 +1,4 @@
-/** The Compare view: one instant, several ways. */
+/** The Compare view: one instant with several methods. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -20,7 +20,7 @@ beforeAll(async () => {
 
 const state = () => page.evaluate(() => window.strut.state);
 const columns = () => page.getByLabel(/^Column \d$/);
-/** The figure of a row in a column, as the page writes it. */
+/** Returns the displayed value of a row in a column. */
 const figure = (column: string, row: string) =>
   page.locator(`.compare-table[data-column="${column}"] > div`).filter({ hasText: row }).locator("dd").textContent();
 
@@ -32,7 +32,7 @@ describe("the columns", () => {
     await eventually(() => figure("nn", "Cost per frame")).toMatch(/^\d\.\d\d ms$/);
     await eventually(() => figure("mar", "Foot skate")).toMatch(/^\d+\.\d cm\/s$/);
     await eventually(() => figure("input", "Pose error")).toMatch(/^\d+\.\d cm$/);
-    // The old style is far from the input; what is nearest to how it is really performed is what Strut gives.
+    // The old style is far from the input; Strut's output is nearest to the real performance.
     const number = async (column: string) => Number((await figure(column, "Pose error"))!.split(" ")[0]);
     expect(await number("input")).toBeGreaterThan(5);
     expect(await number("nn")).toBeLessThan(await number("input"));
@@ -93,7 +93,7 @@ describe("the columns", () => {
 
 describe("the search", () => {
   const search = () => page.getByRole("combobox", { name: "Search", exact: true });
-  /** A row of figures as the page writes it: recall, milliseconds. */
+  /** Returns the displayed values of a row: recall, milliseconds. */
   const found = async (name: string): Promise<[recall: number, ms: number]> => {
     const row = page.locator(".compare-search-figures > div").filter({ hasText: name });
     const [recall, ms] = await row.locator("dd").allTextContents();

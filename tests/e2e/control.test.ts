@@ -1,4 +1,4 @@
-/** Beyond the triangle: parts of the body with styles of their own, two settings, chance. */
+/** Further controls of the style: styles for parts of the body, two setups, random styles. */
 
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -22,7 +22,7 @@ const PAUSED = "play=0&frame=60&footplant=0&styles=proud:1,old:0,depressed:0";
 const state = () => page.evaluate(() => window.strut.state);
 const part = () => page.getByLabel("Body part", { exact: true });
 
-/** Turn of one joint between two poses, degrees. */
+/** Returns the angle of one joint between two poses, degrees. */
 function turnOf(role: Role, a: readonly number[], b: readonly number[]): number {
   const at = 3 + 4 * JOINT[role];
   const dot = [0, 1, 2, 3].reduce((sum, k) => sum + a[at + k]! * b[at + k]!, 0);
@@ -111,7 +111,7 @@ describe("the intensity", () => {
     await visit(page, "play=0&frame=60&styles=proud:0.5,old:0.5");
     const max = () =>
       page.locator(".slider-track").evaluate((e) => Number(getComputedStyle(e).getPropertyValue("--max")));
-    // −1 to 2: the heaviest weight is 1 at an intensity of 2, and at 1 once it is all of one style.
+    // −1 to 2: the largest weight is 1 at an intensity of 2, and also 1 once there is only one style.
     await eventually(max).toBeCloseTo(1, 5);
     await visit(page, PAUSED);
     await eventually(max).toBeCloseTo(2 / 3, 5);

@@ -1,4 +1,4 @@
-/** The Crowd view: people whose ways of walking change over the ground. */
+/** The Crowd view: walkers whose styles vary over the ground. */
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -13,7 +13,7 @@ import { showTheme } from "./rest";
 
 declare const window: { strut: StrutHook };
 
-/** Few people: software draws them fast enough. */
+/** A small crowd, which software draws fast enough. */
 const FEW = "view=crowd&crowd=24_1";
 const FIELD = "field=proud_-3_3_3_1;old_4_1_3_1";
 
@@ -33,12 +33,12 @@ const handle = (style: string) => page.locator(`.crowd-handle[data-style="${styl
 const field = async () => (await state()).field as readonly FieldVertex[];
 const chart = () => page.locator(".crowd-chart canvas").getAttribute("aria-label");
 const faults = () => axeFaults(page);
-/** Waits until people walk. */
+/** Waits until the crowd walks. */
 async function walking(): Promise<void> {
   const before = await secs();
   await eventually(secs).toBeGreaterThan(before);
 }
-/** People who walk in a style now, of the chart. */
+/** Returns the number of walkers in a style, from the chart. */
 const walkIn = async (style: string) => Number(new RegExp(`${style} (\\d+)`).exec((await chart())!)?.[1] ?? 0);
 
 describe("a first visit", () => {
@@ -96,7 +96,7 @@ describe("the field", () => {
     await page.mouse.up();
     const moved = (await field())[0]!;
     expect(moved.z).toBeLessThan(before.z - 1);
-    // One drag is one step of undo.
+    // One drag is one undo step.
     await page.keyboard.press("Control+z");
     await eventually(field).toEqual([before]);
     await page.keyboard.press("Control+Shift+z");
@@ -161,7 +161,7 @@ describe("one of them", () => {
     await eventually(async () => (await state()).crowdCamera).toBe("above");
     const picture = (await page.locator(".crowd .editor-stage").boundingBox())!;
     const card = page.locator(".crowd-card");
-    // People are somewhere: one of these places has somebody.
+    // One of these points has a walker.
     for (let i = 0; i < 400 && !(await card.isVisible()); i++) {
       const [row, column] = [Math.floor(i / 20), i % 20];
       await page.mouse.click(picture.x + 230 + 30 * column, picture.y + 60 + 28 * row);
@@ -199,7 +199,7 @@ describe("the people", () => {
     await visit(page, FEW);
     await walking();
     const worker = page.workers().find((worker) => worker.url().includes("crowd_worker"))!;
-    // A tick reads the clock at its beginning and at its end: three of them seem to take 30 ms longer.
+    // A tick reads the clock at its start and at its end: three ticks appear to take 30 ms longer.
     await worker.evaluate(() => {
       const now = performance.now.bind(performance);
       let readings = 0;
@@ -256,7 +256,7 @@ describe("performers", () => {
     await eventually(title).toBe("24 people, two ways of walking");
     await page.keyboard.press("Control+Shift+z");
     await eventually(title).toBe("24 people, two styles");
-    // The title is that of what is asked for; the people come when they have been gathered.
+    // The title is that of the request; the crowd appears once it is ready.
     await eventually(() => page.locator(".crowd-figures").textContent()).toContain("Performing");
     await eventually(chart).toMatch(/^Who performs how/);
     await walking();

@@ -1,4 +1,4 @@
-/** Anyone's data: clips are dropped, labelled, built, kept, opened and styled with, in the page. */
+/** Users' own data: clips are dropped, labelled, built, stored, opened and used for styling, in the page. */
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -45,7 +45,7 @@ beforeEach(async () => {
 });
 afterEach(() => closePage(page));
 
-/** Writes a file into the tests' folder and gives its path. */
+/** Writes a file into the tests' folder and returns its path. */
 function written(name: string, content: string | Uint8Array): string {
   const path = join(folder, name);
   writeFileSync(path, content);
@@ -53,12 +53,12 @@ function written(name: string, content: string | Uint8Array): string {
 }
 
 const choose = (...paths: string[]) => page.locator("input[type=file][multiple]").last().setInputFiles(paths);
-/** All clips have been read. */
+/** Waits until all clips have been read. */
 const read = () => page.locator('.data[aria-busy="false"]').waitFor();
 const heading = () => page.locator(".data-clips h1").textContent();
 const alert = () => page.getByRole("alert").textContent();
 const buildButton = () => page.getByRole("button", { name: "Build the database" });
-/** Names of the databases that can be opened. */
+/** Returns the names of the databases that can be opened. */
 const databases = () =>
   page
     .locator("section")
@@ -68,22 +68,25 @@ const databases = () =>
     .locator("bdi")
     .allTextContents();
 
-/** Name on this device of the open database, as the link has it; it follows the polygon when the input is open too. */
+/**
+ * Returns the name of the open database on this device, as in the link. It changes after the polygon, when the input is
+ * open, too.
+ */
 const openDatabase = () => page.evaluate(() => window.strut.state.database);
 
-/** What the page says of a database that is built. */
+/** Returns the page's messages about a built database. */
 const saidReady = () => page.getByRole("status").filter({ hasText: "ready" });
 
-/** Builds, and gives what the page says of it. */
+/** Builds, and returns the page's message. */
 async function build(): Promise<string> {
-  // What was said of the build before stays until it is dismissed.
+  // The message about the previous build stays until it is dismissed.
   await dismissNotes();
   await buildButton().click();
   await eventually(() => saidReady().count()).toBe(1);
   return (await saidReady().locator(".toast p").last().textContent())!;
 }
 
-/** Takes away what the page said, so that what it says next can be waited for. */
+/** Removes messages, so that the next one can be awaited. */
 const dismissNotes = () =>
   page.locator('[role="status"] .toast').evaluateAll((notes) => {
     for (const note of notes) note.querySelector<HTMLButtonElement>("button:last-child")!.click();
@@ -91,7 +94,7 @@ const dismissNotes = () =>
 
 const faults = () => axeFaults(page);
 
-/** A small set of three styles. */
+/** Returns a small set of three styles. */
 function smallSet() {
   return zipOf([
     { name: "walk_neutral_1.bvh", content: walks.neutral },
@@ -111,7 +114,7 @@ describe("a zip of clips", () => {
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
     expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is open\.$/);
     await eventually(databases).toEqual(["Built-in", "small"]);
-    // It is open at once; whoever goes on with the clips is not led away.
+    // It is opened immediately; a user who continues with the clips stays in the view.
     await eventually(openDatabase).toBe("small");
     expect(await page.evaluate(() => window.strut.state.view)).toBe("data");
     await page.getByRole("button", { name: "Play with it" }).click();
@@ -123,7 +126,7 @@ describe("a zip of clips", () => {
     await inputs.selectOption({ label: name });
     await eventually(() => inputs.inputValue()).toMatch(/^[^:]*neutral[^:]*$/);
     await screenshot(page, "data-clip-as-input");
-    // Nobody has chosen an input: what is compared is a clip of the database, not a computed one.
+    // No input was chosen: the comparison uses a clip of the database, not a computed one.
     await page.evaluate(() => {
       location.hash = "db=small&view=compare";
     });
@@ -303,7 +306,7 @@ describe("a browser that keeps nothing", () => {
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => page.locator(".vertex").count()).toBe(3);
     await eventually(() => page.locator(".stage-title").isVisible()).toBe(true);
-    // It is open all the way: its input has been analysed.
+    // It is completely open: its input has been analysed.
     await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
     expect(await openDatabase(), "no link could bring it back").toBe("");
     await page.getByRole("link", { name: "Data" }).click();
@@ -361,7 +364,7 @@ describe("labels", () => {
     await page.getByRole("button", { name: "Redo", exact: true }).first().click();
     await eventually(heading).toBe("3 clips, 3 styles");
     await eventually(() => page.getByRole("radio", { name: "plain is neutral" }).isChecked()).toBe(true);
-    // A style is renamed wherever it is.
+    // A style is renamed everywhere.
     await page.getByLabel("Name of the style plain").fill("calm");
     await page.getByLabel("Name of the style plain").press("Enter");
     await eventually(() => page.getByRole("radio", { name: "calm is neutral" }).isChecked()).toBe(true);
@@ -464,7 +467,7 @@ describe("building", () => {
     );
     await choose(written("takes.zip", zipOf(takes)));
     await read();
-    // A fast machine may have built it before a pointer gets there, and before the 300 ms after which progress shows.
+    // A fast machine may finish the build before a pointer gets there, and before progress is shown after 300 ms.
     const cancelled = page.evaluate(
       () =>
         new Promise<void>((resolve) => {

@@ -16,7 +16,7 @@ import { eventually, launchBrowser, screenshot } from "./browser";
 let browser: Browser;
 let folder: string;
 let server: Awaited<ReturnType<typeof serveFolder>>;
-/** Where the documentation is served. */
+/** Address of the documentation. */
 let site: string;
 
 beforeAll(async () => {
@@ -36,7 +36,7 @@ afterAll(async () => {
 
 const pages = () => readdirSync(OUT, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html"));
 
-/** A page whose complaints are kept, and which reaches nothing but the site. */
+/** Opens a page without access to other hosts, and records its errors. */
 async function openOffline(theme: "dark" | "light", width: number): Promise<{ page: Page; complaints: string[] }> {
   const context = await browser.newContext({
     viewport: { width, height: 844 },
@@ -59,13 +59,13 @@ async function openOffline(theme: "dark" | "light", width: number): Promise<{ pa
   return { page, complaints };
 }
 
-/** Pages with everything that a page may have; all pages share one sheet. */
+/** Pages with all kinds of elements; all pages share one style sheet. */
 const COLOURED = ["index.html", "concepts/style-transfer.html", "reference/errors.html", "examples/plain.html"];
 
 test("every page is readable by everybody and complains of nothing", async () => {
   const { page, complaints } = await openOffline("light", 1280);
   const faults: string[] = [];
-  // Figures have tests of their own.
+  // Figures have their own tests.
   await page.route("**/{strut-player,strut-figure}.js", (route) =>
     route.fulfill({ contentType: "text/javascript", body: "" }),
   );
@@ -73,7 +73,7 @@ test("every page is readable by everybody and complains of nothing", async () =>
     faults.push(...(await axeFaults(page, options)).map((fault) => `${name}: ${fault}`));
   for (const name of pages()) {
     await page.goto(`${site}${name}`);
-    // It looks at every word; colours are below.
+    // This test checks every word; colours are tested below.
     await check(name, { rules: { "color-contrast": { enabled: false } }, resultTypes: ["violations"] });
     faults.push(...complaints.splice(0).map((complaint) => `${name}: ${complaint}`));
   }

@@ -1,4 +1,4 @@
-/** Driving in Play: by keys, a pad, a thumb and lines on the ground. */
+/** Driving in Play: with the keyboard, a gamepad, the touch stick and lines on the ground. */
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -24,11 +24,11 @@ import { atRest, showTheme } from "./rest";
 
 declare const window: {
   strut: StrutHook & { frame: DriveFrame };
-  /** The faked pad; none where it is unplugged. */
+  /** The simulated gamepad; undefined while it is disconnected. */
   pad: { axes: number[]; pressed: number[] } | undefined;
 };
 
-/** The camera stands where it is, so that places in the picture tell where the character is. */
+/** The camera does not follow, so that points in the picture show where the character is. */
 const STILL_CAMERA = "input=drive&follow=0";
 
 let site: Awaited<ReturnType<typeof launchSite>>;
@@ -60,7 +60,7 @@ const hips = (of = page): Promise<Place> => of.evaluate(() => window.strut.joint
 const alerts = () => page.getByRole("alert").textContent();
 const stopped = (of = page) => eventually(() => speed(of), "stands").toBeLessThan(0.15);
 
-/** Begins anew where the camera is. */
+/** Restarts at the camera. */
 async function anew(hash = STILL_CAMERA): Promise<void> {
   await visit(page, "input=");
   await eventually(() => page.locator(".drive-panel").count()).toBe(0);
@@ -70,7 +70,7 @@ async function anew(hash = STILL_CAMERA): Promise<void> {
   await page.waitForTimeout(600);
 }
 
-/** Holds keys until something is seen. */
+/** Holds keys until a condition holds. */
 async function holding(keys: readonly string[], seen: () => Promise<void>): Promise<void> {
   for (const key of keys) await page.keyboard.down(key);
   await seen();
@@ -108,7 +108,7 @@ describe("keys", () => {
     await holding(["KeyW"], async () => {
       await eventually(async () => from.y - (await hips()).y, "away").toBeGreaterThan(40);
     });
-    // The line of keys stays until ? hides it.
+    // The line about the keys stays until ? hides it.
     expect(await page.locator(".drive-help").isVisible()).toBe(true);
     await page.keyboard.press("?");
     await eventually(() => page.locator(".drive-help").isVisible()).toBe(false);
@@ -184,7 +184,7 @@ describe("keys", () => {
     await page.keyboard.up("KeyW");
     await page.keyboard.press("KeyP");
     await eventually(() => page.evaluate(() => window.strut.state.playing)).toBe(false);
-    // The frame that was asked for before the pause may still come.
+    // The frame that was requested before the pause may still arrive.
     let inputFrame = Number.NaN;
     await eventually(async () => {
       ({ inputFrame } = await frame());
@@ -277,14 +277,14 @@ describe("a thumb", () => {
     await narrow.goto(`${site.site.url}#${STILL_CAMERA}`);
     await shown(narrow);
     await driving(narrow);
-    // While the camera glides to who is driven, the arrow before the feet passes by where the thumb is put.
+    // While the camera moves to the driven character, the arrow at its feet passes the touch point.
     await narrow.waitForFunction(() => window.strut.frame.inputFrame > 40);
     await atRest(narrow, () => narrow.evaluate(() => window.strut.groundScreenPosition(0, 0)));
     const cdp: CDPSession = await context.newCDPSession(narrow);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", places: Place[]) =>
       cdp.send("Input.dispatchTouchEvent", { type, touchPoints: places });
     const box = (await narrow.locator(".stage-view").boundingBox())!;
-    // Beside the arrow.
+    // Next to the arrow.
     const at = { x: box.x + 40, y: box.y + box.height - 180 };
     const from = await hips(narrow);
     await touch("touchStart", [at]);
@@ -302,7 +302,7 @@ describe("a thumb", () => {
 });
 
 describe("a line on the ground", () => {
-  /** Draws through places of the picture, shares of its size. */
+  /** Draws through points of the picture, as shares of its size. */
   async function draw(places: readonly (readonly [number, number])[]): Promise<void> {
     const box = (await page.locator(".stage-view").boundingBox())!;
     const at = ([x, y]: readonly [number, number]) => [box.x + x * box.width, box.y + y * box.height] as const;
@@ -320,7 +320,7 @@ describe("a line on the ground", () => {
     const foot = await page.evaluate(() => window.strut.jointScreenPosition("left_toes"));
     const [x, y] = [(foot.x - box.x) / box.width, (foot.y - box.y) / box.height];
     await draw(Array.from({ length: 31 }, (_, i) => [x + 0.08 * Math.sin(i / 12), y - 0.017 * i] as const));
-    // The first two seconds are no part of it.
+    // The first two seconds are not measured.
     const begin = (await frame()).inputFrame;
     await eventually(async () => (await frame()).inputFrame - begin).toBeGreaterThan(120);
     const off: number[] = [];
@@ -345,7 +345,7 @@ describe("a line on the ground", () => {
     await eventually(async () => (await frame()).progress).toBeUndefined();
     await stopped();
     const toes = await page.evaluate(() => window.strut.jointScreenPosition("right_toes"));
-    // It stops 0.3 m before the end.
+    // The character stops 0.3 m before the end.
     expect(Math.hypot(toes.x - to.x, toes.y - to.y)).toBeLessThan(110);
   });
 

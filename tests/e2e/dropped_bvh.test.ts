@@ -1,4 +1,4 @@
-/** A BVH of another tool, as people have them: other joint names, units and rate than ours. Needs no recordings. */
+/** A typical BVH file of another tool: other joint names, units and rate than ours. Needs no recordings. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -27,7 +27,7 @@ describe("a BVH of another tool", () => {
     await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
     const styled = await settledPose(page);
     expect(styled.every(Number.isFinite)).toBe(true);
-    // Its hips are as high as a person's, not as an inch in centimetres.
+    // Its hips are at a person's height, so inches were not read as centimetres.
     expect(styled[1]).toBeGreaterThan(0.7);
     expect(styled[1]).toBeLessThan(1.2);
     // The same instant without the style.

@@ -1,4 +1,4 @@
-/** `<strut-player>` on pages of others: loaded by a script tag, many at once, by keyboard, where things are missing. */
+/** `<strut-player>` on other pages: loaded by a script tag, many at once, with the keyboard, with missing features. */
 import { cpSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -14,12 +14,12 @@ import { makeRig } from "../rigs/rig";
 import { axeFaults } from "./axe";
 import { drag, eventually, launchBrowser, middleOf, screenshot } from "./browser";
 
-/** What the pages of these tests note. */
+/** Values that the pages of these tests record. */
 declare const window: {
   workers: number;
   contexts: number;
   chosen: Record<string, number>[];
-  /** Whether the player took each turn of the wheel. */
+  /** Whether the player handled each turn of the wheel. */
   taken: boolean[];
   player: StrutPlayer;
 };
@@ -41,7 +41,7 @@ afterAll(async () => {
 
 const SCRIPT = '<script src="strut-player.js"></script>';
 
-/** Opens a page with a body, counting the workers and the contexts that it makes. */
+/** Opens a page with a body, and counts its workers and WebGL contexts. */
 async function open(body: string, options: BrowserContextOptions = {}): Promise<Page> {
   const html = `<!doctype html><html lang="en"><title>A page</title><meta charset="utf-8"><main><h1>A page</h1>${body}</main></html>`;
   writeFileSync(join(folder, "index.html"), html);
@@ -59,7 +59,7 @@ async function open(body: string, options: BrowserContextOptions = {}): Promise<
     const { getContext } = HTMLCanvasElement.prototype;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
       const made = Reflect.apply(getContext, this, given);
-      // The first one asks what draws, and is given back at once.
+      // The first context tests the renderer, and is released immediately.
       const isAsked = this.width === 1 && this.height === 1;
       if (made && given[0] === "webgl2" && !isAsked && !counted.has(made)) {
         counted.add(made);
@@ -140,7 +140,7 @@ describe("a player", () => {
       document.addEventListener("wheel", (event) => window.taken.push(event.defaultPrevented));
     });
     const { x, y } = await middleOf(page.locator("strut-player"));
-    /** Whether the picture takes a turn of the wheel for itself. */
+    /** Returns whether the picture handles a turn of the wheel. */
     const takes = async () => {
       await page.evaluate(() => scrollTo(0, 0));
       await page.mouse.move(x, y);
@@ -239,7 +239,7 @@ describe("a character", () => {
     },
   });
   beforeAll(() => {
-    // All that characters need beside the player's script.
+    // The only file that characters need in addition to the player's script.
     cpSync(join(root, "dist", "package", "strut-character.js"), join(folder, "strut-character.js"));
     writeFileSync(join(folder, "character.glb"), rig.glb);
     writeFileSync(join(folder, "restricted.glb"), restricted.glb);
@@ -256,7 +256,7 @@ describe("a character", () => {
     cpSync(join(root, "dist", "package", decoder), join(folder, decoder));
     await page.evaluate(() => window.player.setAttribute("character", "./packed.glb"));
     await eventually(() => alert(page).isVisible()).toBe(false);
-    // What it exports is the character's own file.
+    // It exports the character's own file.
     const exported = () =>
       page.evaluate(async () =>
         Array.from(new Uint8Array(await (await window.player.exportFile("glb")).arrayBuffer())),
@@ -305,7 +305,7 @@ describe("a character", () => {
     const page = await openPlayer('character="character.glb"');
     await eventually(() => credit(page).isVisible()).toBe(true);
     await page.evaluate(() => {
-      // What takes half a minute takes a tenth of a second.
+      // Waits of half a minute take a tenth of a second.
       const later = globalThis.setTimeout;
       Object.assign(globalThis, { setTimeout: (act: () => void, ms = 0) => later(act, ms === 30_000 ? 100 : ms) });
       document.querySelector("main")!.prepend(Object.assign(document.createElement("div"), { id: "screens" }));
@@ -401,7 +401,7 @@ describe("a player that is moved or taken away", () => {
         );
       const place = player.parentElement!;
       const codes: string[] = [];
-      // It is loaded, and no picture comes.
+      // It is loaded, but draws no frame.
       const draw = globalThis.requestAnimationFrame;
       globalThis.requestAnimationFrame = () => 1;
       const waiting = codeOf(player.load());
@@ -411,7 +411,7 @@ describe("a player that is moved or taken away", () => {
       globalThis.requestAnimationFrame = draw;
       place.append(player);
       codes.push(await codeOf(player.ready));
-      // It is put back while it is loaded for its former place.
+      // It is reinserted while it is loading for its former place.
       player.src = "strut:neutral-walk";
       player.remove();
       await new Promise((resolve) => setTimeout(resolve, 0));
@@ -426,7 +426,7 @@ describe("a player that is moved or taken away", () => {
   test("is loaded and exported on a page that is hidden", async () => {
     const page = await open(`${SCRIPT}<strut-player></strut-player>`);
     const motion = await page.evaluate(async () => {
-      // What a browser does to a tab in the background.
+      // Simulates a background tab.
       Object.defineProperty(document, "hidden", { value: true });
       globalThis.requestAnimationFrame = () => 1;
       const player = document.querySelector("strut-player") as StrutPlayer;
@@ -457,7 +457,7 @@ describe("a player that is moved or taken away", () => {
 });
 
 describe("where something is missing", () => {
-  /** Why a page's player does not come, once the page's own words are in its place. */
+  /** Returns why a page's player fails to load, once the page's fallback text is shown. */
   async function refusalOf(page: Page): Promise<string> {
     await page.getByText("A film instead").waitFor({ state: "visible" });
     const refusal = await page
@@ -512,7 +512,7 @@ describe("where something is missing", () => {
   });
 
   test("without SIMD in WebAssembly too", async () => {
-    // The worker is started from a blob; in it, too, the browser is to know no SIMD.
+    // The worker is started from a blob; the browser must report no SIMD there, too.
     const body = `<script>
       const Original = Blob;
       const NO_SIMD = "WebAssembly.validate = () => false;";
@@ -523,7 +523,7 @@ describe("where something is missing", () => {
     expect(await refusalOf(await open(body))).toMatch(/^unsupported: .*SIMD/);
   });
 
-  /** What a player says in a frame that may not fetch. */
+  /** Returns the message of a player in an iframe that may not fetch. */
   async function saidInFrame(): Promise<unknown> {
     const inner = `<script src="${server.url}/strut-player.js"></script><strut-player autoplay></strut-player>
       <script>document.querySelector("strut-player").ready.then(

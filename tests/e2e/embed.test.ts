@@ -1,4 +1,4 @@
-/** Figures on other pages: the page for frames, its messages, its presets, and the code that the Embed dialog gives. */
+/** Players on other pages: the page for iframes, its messages, its presets, and the code of the Embed dialog. */
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -23,7 +23,7 @@ afterAll(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** A page of another host with a body. */
+/** Opens a page of another host with a body. */
 async function openElsewhere(body: string): Promise<Page> {
   writeFileSync(join(folder, "index.html"), `<!doctype html><meta charset="utf-8"><title>A page</title>${body}`);
   const context = await site.browser.newContext({ viewport: { width: 800, height: 600 } });
@@ -32,7 +32,7 @@ async function openElsewhere(body: string): Promise<Page> {
   return page;
 }
 
-/** The player in a page's frame, once it is ready. */
+/** Returns the player in a page's iframe, once it is ready. */
 async function playerIn(page: Page) {
   const player = page.frameLocator("iframe").locator("strut-player");
   await player.evaluate((element) => (element as StrutPlayer).ready);
@@ -112,7 +112,7 @@ describe("the Embed dialog", () => {
     await eventually(() => code.inputValue()).toContain("<strut-player");
     const element = await code.inputValue();
     await eventually(() => axeFaults(page)).toEqual([]);
-    // Three figures at once are too many for a machine without a graphics card.
+    // Three figures at once are too slow on a machine without a GPU.
     await dialog.getByRole("button", { name: "Close" }).click();
     await eventually(() => dialog.count()).toBe(0);
     const shown = await page.evaluate(

@@ -1,4 +1,4 @@
-/** Figures of the lessons on pages of another host: as a frame and as an element, with the state of a link. */
+/** Figures of the lessons on pages of another host: as an iframe and as an element, with the state of a link. */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -28,7 +28,7 @@ afterAll(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** A page of another host with a body. */
+/** Opens a page of another host with a body. */
 async function openElsewhere(body: string): Promise<Page> {
   const head =
     '<!doctype html><html lang="en"><meta charset="utf-8"><title>A page</title><main><h1>A page</h1><h2>A figure</h2>';
@@ -39,7 +39,7 @@ async function openElsewhere(body: string): Promise<Page> {
   return page;
 }
 
-/** The element's script may come after the element. */
+/** The element's script may be loaded after the element. */
 async function measured(figure: Element): Promise<unknown> {
   await customElements.whenDefined("strut-figure");
   return (figure as StrutFigure).measure();

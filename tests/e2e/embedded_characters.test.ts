@@ -1,4 +1,4 @@
-/** Characters of other people in players on pages of other people: under a policy, and in frames without an origin. */
+/** Third-party characters in players on third-party pages: under a policy, and in iframes without an origin. */
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import type { StrutPlayer } from "../../web/element";
@@ -17,7 +17,7 @@ afterAll(async () => {
   await embedded.close();
 });
 
-/** A page with a body, and all that its console says. */
+/** Opens a page with a body, and records its console. */
 async function open({ url }: { url: string }, body: string): Promise<{ page: Page; console: string[] }> {
   embedded.write(body);
   const context = await browser.newContext({ viewport: { width: 500, height: 400 } });
@@ -28,7 +28,7 @@ async function open({ url }: { url: string }, body: string): Promise<{ page: Pag
   return { page, console: said };
 }
 
-/** The colours of the player in a page's picture, which has no others. */
+/** Checks the colours of the player in a page's picture; the page has no others. */
 const expectColours = (page: Page) =>
   eventually(async () => colouredPixels(browser, await page.screenshot())).toBeGreaterThan(1000);
 

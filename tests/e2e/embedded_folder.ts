@@ -1,4 +1,4 @@
-/** A folder with what a person copies to embed Strut: the page for frames, the scripts of the package, and a character. */
+/** A folder with the files for embedding Strut: the page for iframes, the scripts of the package, and a character. */
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -16,19 +16,22 @@ export const POLICY = /```text\n(default-src 'none';[^`]*)```/
 export const PLAYER =
   '<script src="package/strut-player.js"></script><strut-player character="sophia.glb" ghost="off" styles="neutral" loading="eager"></strut-player>';
 
-/** A sandboxed frame with the page for frames, which shows what `query` says. */
+/** Returns a sandboxed iframe with the page for iframes and the parameters `query`. */
 export const frameOf = (query: string): string =>
   `<iframe sandbox="allow-scripts" width="480" height="360" src="embed.html?${query}"></iframe>`;
 
-/** What {@link frameOf} shows of the textured character. */
+/** Returns the parameters of {@link frameOf} for the textured character. */
 export const characterOf = (url: string): string =>
   `${new URLSearchParams({ character: `${url}/sophia.glb`, ghost: "off", styles: "neutral" })}`;
 
-/** Only the character itself may be read from elsewhere, as on the host of a person who gives it away. */
+/** Only the character itself may be read from other origins, as on the host of a character's author. */
 const headersOf = (path: string): Record<string, string> =>
   path.endsWith(".glb") ? { "Access-Control-Allow-Origin": "*" } : {};
 
-/** Serves the folder as many hosts do (`site`) and under {@link POLICY} (`policed`); `write` puts a body into its index page. */
+/**
+ * Serves the folder as many hosts do (`site`) and under {@link POLICY} (`policed`). `write` puts a body into its index
+ * page.
+ */
 export async function serveEmbedded() {
   const folder = mkdtempSync(join(tmpdir(), "strut-embedded-"));
   for (const file of ["embed", "embed.html"]) cpSync(join(root, "dist", file), join(folder, file), { recursive: true });

@@ -1,4 +1,4 @@
-/** The examples, as somebody would run them who copied a folder and installed its packages. */
+/** The examples as users run them: a copied folder with its packages installed. */
 import { cpSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { build as esbuild } from "esbuild";
@@ -21,7 +21,7 @@ afterAll(async () => {
   consumer.remove();
 });
 
-/** What the page of a notebook has of Python's object. */
+/** The notebook page's view of Python's object. */
 interface FakeModel {
   traits: Record<string, unknown>;
   set(name: string, value: unknown): void;
@@ -29,7 +29,7 @@ interface FakeModel {
 
 declare const window: { model: FakeModel; saved: string[]; cleanUp: () => void };
 
-/** A copy of an example beside its packages. */
+/** Copies an example next to its packages. */
 function copyExample(name: string): string {
   const folder = join(consumer.folder, name);
   cpSync(join(root, "examples", name), folder, { recursive: true });
@@ -41,7 +41,7 @@ function copyExample(name: string): string {
   return folder;
 }
 
-/** Opens a folder's page; what it logs as an error, and what it throws, is kept. */
+/** Opens a folder's page, and records its logged and thrown errors. */
 async function openExample(folder: string): Promise<{ page: Page; errors: string[]; close: () => Promise<void> }> {
   const server = await serveFolder(folder);
   const page = await browser.newPage({ viewport: { width: 800, height: 560 } });
@@ -54,7 +54,7 @@ async function openExample(folder: string): Promise<{ page: Page; errors: string
   return { page, errors, close: () => page.close().finally(server.close) };
 }
 
-/** The styles of the page's player. */
+/** Returns the styles of the page's player. */
 const stylesOf = (page: Page) =>
   page.locator("strut-player").evaluate(async (found) => {
     const player = found as StrutPlayer;
@@ -112,7 +112,7 @@ test("three-scene: a figure of its own walks, in a style and then in another", a
     await page.getByRole("radio", { name: "proud" }).waitFor({ state: "attached" });
     await drawn(page, 20);
     await screenshot(page, "example-three-scene");
-    // The camera goes with the figure, and behind head and arms there is nothing that could move.
+    // The camera follows the figure, and nothing moves behind its head and arms.
     const upperBody = () => page.screenshot({ clip: { x: 250, y: 20, width: 300, height: 200 } });
     const before = await upperBody();
     await eventually(async () => before.equals(await upperBody())).toBe(false);
@@ -126,7 +126,7 @@ test("three-scene: a figure of its own walks, in a style and then in another", a
   }
 });
 
-/** anywidget's side of a widget: it imports the module from a blob, and gives it a model and an element. */
+/** anywidget's part of a widget: it imports the module from a blob, and passes it a model and an element. */
 const NOTEBOOK = `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,"><body style="font: 14px sans-serif"><script type="module">
 const listeners = [];
 window.saved = [];
@@ -172,7 +172,7 @@ test("jupyter: the widget shows a walk, styles it anew as Python asks, and gives
     await eventually(async () => before.equals(await page.screenshot())).toBe(false);
     await eventually(() => page.getByRole("slider").inputValue()).toBe("20");
 
-    // Two changes at once: only the last one is styled to its end.
+    // Two changes at once: only the last one is styled completely.
     await page.evaluate(() => {
       window.model.set("styles", { angry: 1 });
       window.model.set("styles", { old: 1 });

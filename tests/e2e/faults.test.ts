@@ -1,4 +1,4 @@
-/** What goes wrong around the page: a sentence, and nothing lost that was on screen. */
+/** Faults around the page: a message is shown, and nothing on screen is lost. */
 import type { Page, Worker } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -26,7 +26,7 @@ beforeAll(async () => {
 });
 
 const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
-/** The worker that asks what draws has ended, but may still be listed. */
+/** The worker that tests the renderer has ended, but may still be listed. */
 const isEngine = (worker: Worker) => !worker.url().includes("graphics");
 const notes = () => page.locator(".toasts").textContent();
 
@@ -71,11 +71,11 @@ describe("a lost graphics context", () => {
       const lost = new Promise((resolve) => element.addEventListener("webglcontextlost", resolve, { once: true }));
       extension.loseContext();
       await lost;
-      // All listeners have heard of it by then.
+      // All listeners have run by then.
       await new Promise(requestAnimationFrame);
       window.restoreContext = () => extension.restoreContext();
     });
-    // Nothing is saved that would be empty.
+    // An empty file is never saved.
     await page.getByRole("button", { name: "Export" }).click();
     await page.locator(".export-menu").getByRole("button", { name: /^PNG/ }).click();
     await eventually(() => page.getByRole("alert").textContent()).toContain("The browser stopped the 3D graphics");
@@ -130,7 +130,7 @@ describe("a person who wants less motion", () => {
     const hand = () => page.evaluate(() => window.strut.jointScreenPosition("left_hand").x);
     const orbiting = await hand();
     await page.getByRole("radio", { name: "Side" }).check({ force: true });
-    // The first picture that is another one is already the camera's last.
+    // The first changed frame is already the camera's last.
     await page.waitForFunction((x) => Math.abs(window.strut.jointScreenPosition("left_hand").x - x) > 1, orbiting);
     const at = await hand();
     await page.waitForTimeout(800);
@@ -161,7 +161,7 @@ describe("a tab that stood still, as one that is hidden does", () => {
       }
       return advances;
     });
-    // A tenth of a second at most, which the style may stretch.
+    // At most a tenth of a second, which the style may stretch.
     expect(Math.max(...advances)).toBeLessThan(12);
   });
 });

@@ -1,4 +1,4 @@
-/** Files in and out: a real BVH, broken ones, and the export. */
+/** File import and export: a real BVH, broken ones, and the export. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
@@ -54,7 +54,7 @@ describe("a BVH that is dropped", () => {
       await dropFile(page, file, readFileSync(join(data!, path)));
       await eventually(() => inputName(page)).toBe(file.replace(".bvh", ""));
       await page.waitForFunction(() => window.strut.analysed && window.strut.frame!.inputFrame > 30);
-      // The same instant of the same walk, with the style and without it.
+      // The same instant of the same walk, with and without the style.
       await page.keyboard.press("Space");
       const styled = await settledPose(page);
       expect(styled.every(Number.isFinite)).toBe(true);
@@ -86,7 +86,7 @@ describe("an export", () => {
     await dropFile(page, name, text);
     await eventually(() => inputName(page)).toBe(name.replace(".bvh", ""));
     expect(await alert().textContent()).toBe("");
-    // Undo goes back to the input before, redo to the dropped one.
+    // Undo restores the previous input, redo the dropped one.
     await page.keyboard.press("Control+z");
     await eventually(() => inputName(page)).not.toBe(name.replace(".bvh", ""));
     await page.keyboard.press("Control+Shift+z");

@@ -1,4 +1,4 @@
-/** What stands in index.html: the page before its script, which must look like the page with it. */
+/** The static content of index.html before its script runs, which must look like the page with the script. */
 import type { Browser, Page, Route } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -14,7 +14,7 @@ beforeAll(async () => {
   return launched.close;
 });
 
-/** A page whose scripts do not come before `release` is called; `window.shift` is the layout shift so far. */
+/** Opens a page whose scripts are withheld until `release` is called; `window.shift` is the layout shift so far. */
 async function withoutScripts(hash: string, size = { width: 1440, height: 900 }) {
   const context = await browser.newContext({ viewport: size, deviceScaleFactor: 0.5, colorScheme: "dark" });
   const page = await context.newPage();
@@ -27,7 +27,7 @@ async function withoutScripts(hash: string, size = { width: 1440, height: 900 })
   let held: Route[] | undefined = [];
   await page.route("**/*.js", (route) => (held ? void held.push(route) : route.continue()));
   await page.goto(`${site.url}#${hash}`, { waitUntil: "commit" });
-  // Painting waits for the sheets, but not for the font.
+  // Painting waits for the style sheets, but not for the font.
   await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
   await page.evaluate(() => document.fonts.ready.then(() => {}));
   const release = async () => {
@@ -38,7 +38,7 @@ async function withoutScripts(hash: string, size = { width: 1440, height: 900 })
   return { page, release, close: () => context.close() };
 }
 
-/** Where parts of the page are; of the title, whose words change when the character comes, where it begins. */
+/** Returns the boxes of parts of the page; of the title, whose text changes with the character, only its start. */
 const boxes = (page: Page, selectors: readonly string[]) =>
   page.evaluate(
     (selectors) =>

@@ -1,6 +1,6 @@
 /**
- * What plays before all is there: a clip without a style, then a few strides in every style by an engine that can do no more,
- * then all built-in motions by the whole engine.
+ * Playback before everything is loaded: an unstyled clip, then a few strides in every style with a reduced engine, then
+ * all built-in motions with the whole engine.
  */
 import type { Browser, Page, Route } from "playwright-core";
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
@@ -27,7 +27,7 @@ beforeEach(async () => {
 });
 afterEach(() => page.context().close());
 
-/** Holds requests back until it is called. */
+/** Withholds requests until the result is called. */
 async function held(url: string): Promise<() => Promise<void>> {
   const routes: Route[] = [];
   let holds = true;
@@ -75,7 +75,7 @@ describe("the first seconds", () => {
       const secs = now[1] - before[1];
       expect(secs).toBeGreaterThan(0);
       expect(secs).toBeLessThan(0.11);
-      // Nobody walks at 3 m/s, nor is anybody put elsewhere.
+      // The walker is never faster than 3 m/s, and never jumps.
       expect(Math.hypot(now[2] - before[2], now[3] - before[3])).toBeLessThan(3 * secs + 0.01);
     }
     await page.waitForFunction(() => window.strut!.upToDate || window.strut!.analysed);

@@ -1,4 +1,4 @@
-/** How Chromium draws where there is no graphics card. */
+/** Software rendering of Chromium, without a GPU. */
 import { existsSync } from "node:fs";
 
 /** Flags and environment of Chromium. */
@@ -7,22 +7,22 @@ export interface Graphics {
   env: Record<string, string>;
 }
 
-/** SwiftShader comes with Chromium and draws the same pictures on every machine. */
+/** SwiftShader is part of Chromium and draws the same pictures on every machine. */
 export const SWIFTSHADER: Graphics = {
   args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   env: {},
 };
 
-/** Mesa's llvmpipe without a display: it draws about twice as many pictures a second as SwiftShader. */
+/** Mesa's llvmpipe without a display: its frame rate is about twice SwiftShader's. */
 const MESA: Graphics = {
   args: ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"],
   env: { LIBGL_ALWAYS_SOFTWARE: "1", EGL_PLATFORM: "surfaceless" },
 };
 
-/** Mesa's EGL driver, where Debian's package `libegl-mesa0` puts it. */
+/** Mesa's EGL driver in Debian's package `libegl-mesa0`. */
 const MESA_EGL = ["x86_64", "aarch64"].map((arch) => `/usr/lib/${arch}-linux-gnu/libEGL_mesa.so.0`);
 
-/** The faster of the two that is installed. */
+/** Returns the faster one of the two that is installed. */
 export function softwareGraphics(): Graphics {
   return MESA_EGL.some((path) => existsSync(path)) ? MESA : SWIFTSHADER;
 }

@@ -1,4 +1,4 @@
-/** How files of other programs were read, said by the page and corrected there. */
+/** How files of other programs were read: shown and corrected on the page. */
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -23,7 +23,7 @@ beforeAll(async () => {
   return opened.close;
 });
 
-/** Drops a case, under a name of its own, and waits until it is the input. */
+/** Drops a test file, with another name if given, and waits until it is the input. */
 async function drop(name: string, as = name): Promise<void> {
   await dropFile(page, `${as}.bvh`, readFileSync(caseFile(name)));
   await eventually(() => inputName(page)).toBe(as);
@@ -36,20 +36,20 @@ const control = (name: string) => panel().getByLabel(name, { exact: true });
 const source = (name: string) => row(name).locator(".row-source").textContent();
 const reading = () => page.evaluate(() => window.strut.state.reading);
 
-/** Opens the panel, if it is not open. */
+/** Opens the panel if it is closed. */
 async function openPanel(): Promise<void> {
   if (!(await panel().isVisible())) await opener().click();
   await eventually(() => panel().isVisible()).toBe(true);
 }
 
-/** Pulls the sheet down by its head. */
+/** Drags the sheet down by its header. */
 async function pull(pixels: number): Promise<void> {
   const head = (await panel().locator(".reading-head").boundingBox())!;
   const from = { x: head.x + head.width / 2, y: head.y + 10 };
   await drag(page, from, { x: from.x, y: from.y + pixels });
 }
 
-/** While the file is read, the sheet shows how far that is. */
+/** While the file is read, the sheet shows the progress. */
 async function showsProgress(): Promise<void> {
   const line = panel().locator(".progress");
   const show = (shown: boolean) => line.evaluate((e, shown) => e.toggleAttribute("hidden", !shown), shown);
@@ -64,19 +64,19 @@ async function showsProgress(): Promise<void> {
   await show(false);
 }
 
-/** Height of the hips of the styled figure at rest. */
+/** Returns the height of the hips of the paused styled figure. */
 async function hips(): Promise<number> {
   return (await settledPose(page))[1]!;
 }
 
-/** The first pose of the clean walk for four seconds: somebody who stands still. */
+/** Returns the first pose of the clean walk for four seconds: a figure that stands still. */
 function idle(): string {
   const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
   const frames = 240;
   return head.replace(/Frames: \d+/, `Frames: ${frames}`) + `${rows.split("\n")[0]}\n`.repeat(frames);
 }
 
-/** The clean walk ten metres aside. */
+/** Returns the clean walk shifted by ten metres. */
 function elsewhere(): string {
   const [head = "", rows = ""] = readFileSync(caseFile("00_clean"), "utf8").split(/(?<=Frame Time:.*\n)/);
   return head + rows.replace(/^\s*-?[\d.]+/gm, (x) => String(Number(x) + 1000));
@@ -176,7 +176,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(alert).toContain("“mine.json” is no JSON file.");
     await take('{"joints": {"left_hand": "Paw"}}');
     await eventually(alert).toContain("This skeleton has no joint 'Paw', which was chosen as the left wrist.");
-    // What was open stays.
+    // The former input is kept.
     expect(await reading()).toEqual({});
     await take(JSON.stringify({ joints: { ...joints, left_toes: null } }));
     await eventually(() => source("Joints")).toBe("as you said");
@@ -200,7 +200,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
   it("has its other notes below the rows, and beside the input", async () => {
     await drop("T17_fewer");
     await openPanel();
-    // They take no room from the sections below.
+    // They take no space from the sections below.
     const hidden = () => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight);
     await eventually(() => page.locator(".input-note").isVisible()).toBe(true);
     await eventually(hidden).toBe(0);
@@ -224,7 +224,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(() => source("Likeness")).toBe("as you said");
     await panel().getByRole("button", { name: "Likeness: as it was found" }).click();
     await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("");
-    // Read along another axis, it lies in the air.
+    // With another up axis it floats above the ground.
     await control("Up axis").selectOption("x");
     await eventually(() => row("Likeness").locator(".row-why").textContent()).toMatch(/^Its poses are \d+ cm away/);
     await panel().getByRole("button", { name: "Reset all" }).click();
@@ -247,7 +247,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(title).toMatch(/^Walk, /);
     await eventually(seen).toBe(true);
     await dropFile(page, "idle again.bvh", idle());
-    // Unlike anything: no action is named, least of all the one before.
+    // Unlike any example: no action is named, and not the one before.
     await eventually(title).toMatch(/^Mostly |^Proud/);
     await visit(page, "play=0&frame=0");
   });
@@ -274,7 +274,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
       expect([await overflow(), await clipped()]).toEqual([0, []]);
       await eventually(() => page.locator(".panels").evaluate((e) => e.scrollHeight - e.clientHeight)).toBe(0);
       await eventually(() => axeFaults(page)).toEqual([]);
-      // The figures stand beside the panel.
+      // The figures are next to the panel.
       const right = (await panel().boundingBox())!;
       for (const label of ["input", "styled"]) {
         const at = () => page.locator(".stage-view").getByText(label, { exact: true }).boundingBox();
@@ -304,7 +304,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await page.setViewportSize(WIDE);
     const before = await inputName(page);
     await dropFile(page, "dog.bvh", readFileSync(caseFile("S38_dog")));
-    // One message, with what can be done about it.
+    // One message, with a hint.
     const toast = page.getByRole("alert").locator(".toast");
     await eventually(() => toast.count()).toBe(1);
     await eventually(() => toast.getByRole("button", { name: "Choose joints…" }).isVisible()).toBe(true);
@@ -320,7 +320,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(() => inputName(page)).toBe("dog");
     await openPanel();
     await eventually(() => source("Joints")).toBe("as you said");
-    // What was chosen is remembered: it is not asked for again.
+    // The choice is remembered: the page does not ask again.
     await drop("S38_dog", "dog again");
   });
 });

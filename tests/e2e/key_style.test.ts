@@ -1,4 +1,4 @@
-/** The Key-style view: a hand drags a point over style variables and the body follows; keys of it are a motion. */
+/** The Key-style view: the user drags a point over style variables and the body follows; keys make a motion. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -22,13 +22,13 @@ const state = () => page.evaluate(() => window.strut.state);
 const trained = () => page.locator(".model-menu summary").textContent();
 const secs = async () => Number(await page.locator(".key-style .clock").textContent());
 const spoken = () => page.getByRole("slider", { name: "Style", exact: true }).getAttribute("aria-valuetext");
-/** The number of a measure that the handle speaks of. */
+/** Returns the number of a measure from the handle's text. */
 const measured = async (name: string) =>
   Number(new RegExp(`${name} (−?[\\d.]+)`).exec((await spoken())!)![1]!.replace("−", "-"));
 const joint = (role: Parameters<StrutHook["jointScreenPosition"]>[0]) =>
   page.evaluate((role) => window.strut.jointScreenPosition(role), role);
 
-/** Middle and radii of the turn that the keys make on the pad, pixels. */
+/** Returns centre and radii of the circle of the keys on the pad, pixels. */
 async function turn(): Promise<{ x: number; y: number; rx: number; ry: number }> {
   const at = await page.evaluate(() =>
     [...document.querySelectorAll(".pad-key")].map((key) => {
@@ -44,10 +44,10 @@ async function turn(): Promise<{ x: number; y: number; rx: number; ry: number }>
 
 const faults = () => axeFaults(page);
 
-/** Waits until the model that the link asks for is open. */
+/** Waits until the model of the link is open. */
 const learned = () => page.locator('.key-style[aria-busy="false"]').waitFor();
 
-/** Waits until the body, which follows the handle with some delay, has come to rest. */
+/** Waits until the body, which follows the handle with a delay, is at rest. */
 async function resting(): Promise<void> {
   await page.evaluate(async () => {
     const feet = () => (["left_foot", "right_foot"] as const).map((foot) => window.strut.jointScreenPosition(foot).x);
@@ -93,7 +93,7 @@ describe("the pad", () => {
     const { x, y, rx } = await turn();
     await page.mouse.move(x + rx, y);
     await page.mouse.down();
-    // The pose of an event is on the body before the next picture is drawn.
+    // The pose of an event is displayed before the next frame is drawn.
     const late = await page.evaluate(async () => {
       const pad = document.querySelector(".pad-plot")!;
       const foot = () => window.strut.jointScreenPosition("left_foot").x;
@@ -150,14 +150,14 @@ describe("the pad", () => {
     await page.mouse.down();
     for (let i = 1; i <= 12; i++) {
       await page.mouse.move(x + rx * Math.cos(0.4 * i), y + ry * Math.sin(0.4 * i));
-      // The speed of a hand: what is kept of a drag is its course over time.
+      // The speed of a hand: a drag records its course over time.
       await page.waitForTimeout(60);
     }
     await page.mouse.up();
     const { keys, keyTrail, keyHandle } = await state();
     expect(keyTrail.length).toBeGreaterThan(5);
     await eventually(() => page.url()).toContain("drag=");
-    // What is spoken during the replay may be over before it is asked for from here.
+    // Spoken text during the replay may end before the test can read it.
     await page.getByRole("slider", { name: "Style", exact: true }).evaluate((handle) => {
       const before = handle.getAttribute("aria-valuetext");
       const observer = new MutationObserver(() => {
@@ -314,7 +314,7 @@ describe("what is learned", () => {
     const goTo = (share: number) => page.mouse.move(box.x + box.width * share, box.y + box.height * 0.4);
     await goTo(0.3);
     await page.mouse.down();
-    // All in one moment: learning takes its time, but may not take long.
+    // Read at one moment: training takes an unknown time.
     const handle = await page.getByLabel("Training motions").evaluate((select: HTMLSelectElement) => {
       select.value = "punch";
       select.dispatchEvent(new Event("change", { bubbles: true }));

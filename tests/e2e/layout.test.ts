@@ -1,4 +1,4 @@
-/** The page on wide and narrow screens, in both themes, from any folder, and for everybody. */
+/** The page on wide and narrow screens, in both themes, from any folder, and accessible. */
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -24,17 +24,17 @@ beforeAll(async () => {
 const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
 
-/** Shows the page at a size and in the system's theme, in its first state. */
+/** Shows the page with a size and the system's theme, in its initial state. */
 async function showAt(viewport: { width: number; height: number }, theme: "dark" | "light"): Promise<void> {
   await page.setViewportSize(viewport);
   await visit(page, "");
   await showTheme(page, theme);
   await page.waitForFunction(() => window.strut.analysed);
-  // Colours are on their way from one theme to the other for a moment.
+  // Colours change gradually between the themes.
   await transitionsEnded(page);
 }
 
-/** How far the page is larger than the window. */
+/** Returns how far the page is larger than the window. */
 const overflow = () =>
   page.evaluate(() => {
     const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
@@ -81,7 +81,7 @@ describe("a wide screen", () => {
   it("follows the system's theme until one is chosen", async () => {
     await showAt(WIDE, "dark");
     const background = () => page.locator("#app").evaluate((e) => getComputedStyle(e).backgroundColor);
-    // The `panel` of both themes (web/ui/tokens.css); the change between them takes its 200 ms.
+    // The colour `panel` of both themes (web/ui/tokens.css), after the transition of 200 ms.
     const [dark, light] = ["rgb(24, 25, 28)", "rgb(245, 245, 244)"];
     await eventually(background).toBe(dark);
     await page.emulateMedia({ colorScheme: "light" });
@@ -147,7 +147,7 @@ describe("a browser that cannot", () => {
     await poor.goto(site.url);
     const alert = () => poor.getByRole("alert").textContent();
     await eventually(alert).toMatch(/WebGL 2/);
-    // What opens afterwards does not take it away.
+    // It is not removed by what opens afterwards.
     await poor.waitForFunction(() => performance.getEntriesByName("strut: first styled frame").length > 0);
     expect(await alert()).toMatch(/WebGL 2/);
     await context.close();

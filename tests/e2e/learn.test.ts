@@ -1,4 +1,4 @@
-/** The Learn view: a lesson is read, bet on, tried and solved. */
+/** The Learn view: a lesson is read, its bet placed, its exercise tried and solved. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -10,7 +10,7 @@ import { transitionsEnded } from "./rest";
 declare const window: { strut: StrutHook };
 
 const WIDE = { width: 1440, height: 900 };
-/** What follows an action is asked for until it holds. */
+/** Polls until an expectation holds after an action. */
 const soon = <T>(ask: () => T | Promise<T>, message?: string) =>
   expect.poll(ask, { timeout: 20_000, ...(message ? { message } : {}) });
 
@@ -31,7 +31,7 @@ const faults = async () => {
   await transitionsEnded(page);
   return axeFaults(page);
 };
-/** What sticks out of the lesson's text or of a figure, sideways. */
+/** Returns elements that overflow the lesson's text or a figure horizontally. */
 const overflow = () =>
   page.evaluate(() => {
     const boxes = [...document.querySelectorAll(".learn-text *, .learn-figures strut-figure")];
@@ -191,7 +191,7 @@ describe("the view", () => {
     }
     await visit(page, "view=learn&beat=4");
     await soon(() => page.locator("h1.learn-title").textContent()).toBe("Tell content from style");
-    // Every text as 1.4 times as long.
+    // Makes every text 1.4 times as long.
     await page.evaluate(() => {
       const walker = document.createTreeWalker(document.querySelector(".learn-text")!, NodeFilter.SHOW_TEXT);
       for (let node = walker.nextNode(); node; node = walker.nextNode()) {

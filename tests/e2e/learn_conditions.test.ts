@@ -1,4 +1,4 @@
-/** Every lesson under the conditions of a class: projected, printed, in longer words, without a network, by a link that is wrong. */
+/** Every lesson under classroom conditions: projected, printed, with longer words, offline, with a wrong link. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -13,7 +13,7 @@ const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
 const BEATS = [0, 1, 2, 3, 4, 5];
 
-/** What follows an action is asked for until it holds. */
+/** Polls until an expectation holds after an action. */
 const soon = <T>(ask: () => T | Promise<T>, message?: string) =>
   expect.poll(ask, { timeout: 20_000, ...(message ? { message } : {}) });
 
@@ -24,7 +24,7 @@ beforeAll(async () => {
   return opened.close;
 });
 
-/** Opens a part of a lesson whose bet is skipped, and waits until its figures are drawn. */
+/** Opens a part of a lesson, skipping its bet, and waits until its figures are drawn. */
 async function open(lesson: string, beat: number, rest = ""): Promise<void> {
   await visit(page, `view=learn&lesson=${lesson}&beat=${beat}${rest}`);
   await page.waitForFunction(
@@ -43,7 +43,7 @@ const drawn = () =>
       await (figure as HTMLElement & { ready(): Promise<void> }).ready();
   });
 
-/** What sticks out of the lesson's text or of its figures, sideways. */
+/** Returns elements that overflow the lesson's text or its figures horizontally. */
 const overflow = () =>
   page.evaluate(() => {
     const figures = [...document.querySelectorAll(".learn-figures strut-figure:not([hidden])")];
@@ -79,7 +79,7 @@ describe.each(LESSONS)("$id", ({ id }) => {
       await open(id, beat, "&lang=de");
       await soon(overflow, `part ${beat}`).toEqual([]);
     }
-    // Every text as 1.4 times as long.
+    // Makes every text 1.4 times as long.
     await page.evaluate(() => {
       const figures = [...document.querySelectorAll("strut-figure:not([hidden])")];
       for (const root of [document.querySelector(".learn-text")!, ...figures.map((figure) => figure.shadowRoot!)]) {
@@ -164,7 +164,7 @@ describe.each(LESSONS)("$id", ({ id }) => {
   });
 });
 
-/** The page's fonts that could not be had, but for the system's own that stand in for one of them. */
+/** Returns the page's fonts that could not be loaded, except for the system's fallback fonts. */
 function missingFonts(): string[] {
   const missing = [...document.fonts].filter(({ status }) => status === "error").map(({ family }) => family);
   return missing.filter((family) => !family.includes("stand-in"));

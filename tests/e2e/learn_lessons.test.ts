@@ -1,4 +1,4 @@
-/** Every lesson on the page: accessible, on a narrow screen, in German; and what only one of them has. */
+/** Every lesson on the page: accessible, on a narrow screen, in German; and features of single lessons. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, it, test } from "vitest";
 import { LESSONS } from "../../web/lessons/lessons";
@@ -35,7 +35,7 @@ async function open(lesson: string, rest = ""): Promise<void> {
   });
 }
 
-/** The value of a symbol, as the lesson shows it. */
+/** Returns the displayed value of a symbol. */
 async function liveValue(term: string): Promise<number> {
   const text = await page.locator(`.learn-symbols [data-term="${term}"]`).textContent();
   return Number(/(−?\d+(\.\d+)?)\D*$/.exec(text!)![1]!.replace("−", "-"));

@@ -1,4 +1,4 @@
-/** The lesson about one line: solved by the keyboard alone, and its figures on a narrow screen. */
+/** The lesson about one line: solved with only the keyboard, and its figures on a narrow screen. */
 import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -26,7 +26,7 @@ const faults = async () => {
   return axeFaults(page);
 };
 
-/** Presses Tab until something of a name has the focus. */
+/** Presses Tab until an element with this name has the focus. */
 async function tabTo(name: string): Promise<void> {
   for (let presses = 0; presses < 80; presses++) {
     await page.keyboard.press("Tab");

@@ -1,4 +1,4 @@
-/** The lesson about the mixture: its figures follow the hand, and a computed weight is judged. */
+/** The lesson about the mixture: its figures follow the pointer, and a computed weight is checked. */
 import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
 import { axeFaults } from "./axe";
@@ -20,7 +20,7 @@ beforeAll(async () => {
 const verdict = (exercise: string) => page.locator(`[data-exercise="${exercise}"] .verdict`).textContent();
 const begin = (exercise: string) =>
   page.locator(`[data-exercise="${exercise}"]`).getByRole("button", { name: "Begin" }).click();
-/** Presses Tab until something of a name has the focus. */
+/** Presses Tab until an element with this name has the focus. */
 async function tabTo(name: string): Promise<void> {
   for (let presses = 0; presses < 80; presses++) {
     await page.keyboard.press("Tab");

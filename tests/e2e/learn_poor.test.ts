@@ -1,10 +1,10 @@
-/** The Learn view in browsers that lack something. */
+/** The Learn view in browsers with missing features. */
 import type { Page } from "playwright-core";
 import { expect, it } from "vitest";
 import { LESSONS } from "../../web/lessons/lessons";
 import { eventually, openSite, visit } from "./browser";
 
-/** The page anew, after a script that takes something from the browser. */
+/** Reloads the page, after a script that removes a feature of the browser. */
 async function without(take: () => void, hash: string, use: (page: Page) => Promise<void>): Promise<void> {
   const { page, close } = await openSite({ hash: "view=data&play=0", size: { width: 1440, height: 900 } });
   await page.addInitScript(take);

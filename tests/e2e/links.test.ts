@@ -1,7 +1,7 @@
 /**
- * Links of version 2191801 open to the same settings in every view. For twenty of them `links_of_2191801.json` has the link
- * that this version wrote, the input frame on its screen, and the pose: that of the built-in motions as they were redrawn
- * since; before, it was the pose of then, to within 0.3° in planted legs.
+ * Links of version 2191801 open with the same settings in every view. For twenty of them `links_of_2191801.json` has
+ * the link that this version wrote, the displayed input frame, and the pose. The poses are those of the built-in
+ * motions as redrawn since; before that they were the original poses, to within 0.3° in planted legs.
  */
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
@@ -22,12 +22,12 @@ const SHOWN = LINKS.flatMap(({ link, shown }) => (shown ? [{ link, ...shown }] :
 const MAX = { degrees: 0.01, metres: 1e-4 };
 
 /**
- * A link leaves out what is at its default. That of δ is another since then, which turns joints by up to 0.8° where the input
- * is not known yet, in the first frames: poses are compared with the δ of then.
+ * A link omits default values. The default of δ has changed since, which turns joints by up to 0.8° where the input is
+ * not known yet, in the first frames: poses are compared with the former δ.
  */
 const withDelta = (link: string) => (/[&?]delta=/.test(link) ? link : `${link}&delta=0.7`);
 
-/** Which characters are escaped depends on who wrote the link. */
+/** Which characters are escaped depends on the writer of the link. */
 const settings = (hash: string): string[] => hash.split("&").map(decodeURIComponent).sort();
 
 let opened: Awaited<ReturnType<typeof openSite>>;
@@ -38,7 +38,7 @@ beforeAll(async () => {
 
 afterAll(() => opened.close());
 
-/** Opens a link: in a page of its own where it has a view of its own, else in the page that shows the link before. */
+/** Opens a link: on a new page if it has a separate view, otherwise on the page of the previous link. */
 async function follow(link: string): Promise<Page> {
   if (link.includes("view=")) return openPage(opened.browser, opened.page.url().replace(/#.*/, ""), { hash: link });
   await visit(opened.page, link);

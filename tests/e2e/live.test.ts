@@ -1,4 +1,4 @@
-/** A live performer in Play: a sender behind a real WebSocket, in JSON and as BVH. */
+/** A live performer in Play: a sender with a real WebSocket, in JSON and as BVH. */
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 import { type BvhFile, jsonFrame, jsonSkeleton, readBvh } from "../../examples/live-sender/bvh.js";
@@ -13,7 +13,7 @@ import { showTheme } from "./rest";
 
 declare const window: { strut: StrutHook & { frame: LiveFrame } };
 
-/** A walk that is sent over and over. */
+/** A looped walk that is sent. */
 class Sender {
   private sending: ReturnType<typeof setInterval> | undefined;
 
@@ -38,7 +38,7 @@ class Sender {
     return this.server.receivers;
   }
 
-  /** Sends something else. */
+  /** Sends another message. */
   say(message: string): void {
     this.server.send(message);
   }
@@ -87,7 +87,7 @@ const figure = (name: string, of = page) =>
   of.locator(".live-figures .live-row").filter({ hasText: name }).locator("b");
 const stateOf = () => panel().locator(".live-row b").textContent();
 const pose = () => page.evaluate(() => [...window.strut.frame.pose]);
-/** How much the styled pose differs from the performer's. */
+/** Returns the difference between the styled pose and the performer's. */
 const styling = () =>
   page.evaluate(() => {
     const { pose, inputPose } = window.strut.frame;
@@ -105,7 +105,7 @@ async function connect(url: string, format = "JSON"): Promise<void> {
   await eventually(stateOf).toBe("connected");
 }
 
-/** Waits until frames are shown. */
+/** Waits until frames are displayed. */
 const performing = () => eventually(() => figure("Rate").textContent(), "rate").toMatch(/^(5\d|6\d)$/);
 
 describe("the dialog", () => {
@@ -162,7 +162,7 @@ describe("a performer", () => {
       /^(The connection to 127\.0\.0\.1:\d+ has ended|Nobody answers at 127\.0\.0\.1:\d+); trying again in \d+ s\.$/,
     );
     await eventually(stateOf).toMatch(/^not there; again in \d+ s$/);
-    // What was received before is shown to its end.
+    // Received frames are displayed to the end.
     let left: number[] = [];
     await eventually(async () => {
       left = await pose();
@@ -223,7 +223,7 @@ describe("a link", () => {
     await visit(page, `input=live:${sender.url}`);
     await dialog().waitFor();
     expect(await dialog().getByLabel("Address").inputValue()).toBe(sender.url);
-    // As long as a connection would take many times over.
+    // Many times as long as a connection would take.
     await page.waitForTimeout(500);
     expect(sender.receivers).toBe(0);
     expect(await inputName(page)).toBe(before);
@@ -243,7 +243,7 @@ describe("a link", () => {
     await screenshot(narrow, "live-narrow-dialog");
     await asked.getByRole("button", { name: "Connect" }).click();
     await eventually(() => figure("Rate", narrow).textContent()).toMatch(/^\d+$/);
-    // Software needs a while for the first picture.
+    // Software rendering needs a while for the first frame.
     await eventually(() => narrow.evaluate(() => window.strut.frame.inputFrame)).toBeGreaterThan(60);
     await screenshot(narrow, "live-narrow");
     await narrow.getByRole("button", { name: "Curves" }).click();

@@ -1,6 +1,6 @@
 /**
- * A page that takes players in and out, as one of an application does, holds no more in the end than in the beginning: 100
- * mounts, or STRUT_MOUNTS (1,000 take minutes).
+ * A page that repeatedly inserts and removes players, like an application, must not use more memory at the end than at
+ * the start: 100 mounts, or STRUT_MOUNTS (1,000 take minutes).
  */
 import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -15,33 +15,33 @@ import { launchBrowser } from "./browser";
 import { type Graphics, softwareGraphics } from "./graphics";
 
 const MOUNTS = Number(process.env.STRUT_MOUNTS ?? 100);
-/** What the first mounts load and compile stays. */
+/** Number of warm-up mounts, whose loaded and compiled code stays. */
 const WARM = MOUNTS / 10;
 
 /**
- * Machine code counts as heap, and V8 compiles ever more of it: 8 % of the heap from the 100th to the 1,000th mount, while
- * heap snapshots show no object more. Without its compilers what is counted is objects.
+ * Machine code counts as heap, and V8 compiles more and more of it: 8 % of the heap from the 100th to the 1,000th
+ * mount, while heap snapshots show no additional object. Without its compilers only objects are counted.
  */
 function graphics(): Graphics {
   const { args, env } = softwareGraphics();
   return { args: [...args, "--js-flags=--no-opt --no-maglev --no-sparkplug"], env };
 }
 
-/** What a page holds. */
+/** Resources of a page. */
 interface Held {
-  /** Bytes of the page's JavaScript heap after a collection. */
+  /** Bytes of the page's JavaScript heap after a garbage collection. */
   heap: number;
-  /** Nodes of the page, and those that scripts keep. */
+  /** Nodes of the page, and detached ones that scripts keep. */
   nodes: number;
   listeners: number;
   /** Bytes of the engine's WebAssembly memory. */
   wasm: number;
 }
 
-/** What the page notes. */
+/** Values that the page records. */
 declare const window: { workers: Worker[]; contexts: number };
 
-/** Notes the workers that a page starts, and counts the WebGL contexts that it makes. */
+/** Records the workers that a page starts, and counts its WebGL contexts. */
 function notes(): void {
   Object.assign(window, { workers: [], contexts: 0 });
   const Original = Worker;
@@ -55,7 +55,7 @@ function notes(): void {
   const counted = new WeakSet<object>();
   HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
     const made = Reflect.apply(getContext, this, given);
-    // The first one asks what draws, and is given back at once.
+    // The first context tests the renderer, and is released immediately.
     const isAsked = this.width === 1 && this.height === 1;
     if (made && given[0] === "webgl2" && !isAsked && !counted.has(made)) {
       counted.add(made);
@@ -65,7 +65,7 @@ function notes(): void {
   } as typeof getContext;
 }
 
-/** Takes players in, one at a time, waits until each is on the screen, and takes it out. */
+/** Inserts players one at a time, waits until each is drawn, and removes it. */
 function mount(page: Page, times: number): Promise<void> {
   return page.evaluate(async (count) => {
     for (let i = 0; i < count; i++) {
@@ -78,9 +78,9 @@ function mount(page: Page, times: number): Promise<void> {
   }, times);
 }
 
-/** What the page holds once all that can be collected is. */
+/** Returns the page's resources after garbage collection. */
 async function held(page: Page, session: CDPSession): Promise<Held> {
-  // A turn each for what is given back by timers and by other threads.
+  // Several rounds for resources that timers and other threads release.
   for (let i = 0; i < 3; i++) {
     await session.send("HeapProfiler.collectGarbage");
     await page.waitForTimeout(200);
@@ -105,7 +105,7 @@ async function held(page: Page, session: CDPSession): Promise<Held> {
   return { heap: usedSize, nodes, listeners: jsEventListeners, wasm };
 }
 
-/** Whether a page holds no more than before. */
+/** Returns whether a page uses no more than before. */
 const isWithin = (after: Held, before: Held): boolean =>
   after.wasm === before.wasm &&
   after.nodes <= before.nodes &&
@@ -136,7 +136,7 @@ test(`${MOUNTS} mounts leave a page as ${WARM} do`, { timeout: 3_600_000 }, asyn
   await mount(page, MOUNTS - WARM);
   const mountMs = (performance.now() - started) / (MOUNTS - WARM);
   let after = await held(page, session);
-  // A slow machine takes longer to give back what other threads hold.
+  // A slow machine takes longer to release the resources of other threads.
   for (let i = 0; i < 20 && !isWithin(after, before); i++) after = await held(page, session);
   const counts = await page.evaluate(() => ({ workers: window.workers.length, contexts: window.contexts }));
   console.log(JSON.stringify({ mounts: MOUNTS, mountMs, before, after, ...counts }));

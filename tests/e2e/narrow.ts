@@ -1,10 +1,10 @@
-/** What a view must be on a narrow screen. */
+/** Requirements of a view on a narrow screen. */
 import type { Page } from "playwright-core";
 import { expect } from "vitest";
 import { axeFaults } from "./axe";
 import { eventually } from "./browser";
 
-/** Makes the screen narrow and expects that all fits, that nothing is inaccessible, and that fingers hit the controls. */
+/** Makes the screen narrow and expects that everything fits, is accessible, and that fingers hit the controls. */
 export async function expectFitsNarrow(page: Page, controls: string): Promise<void> {
   await page.setViewportSize({ width: 390, height: 844 });
   await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);

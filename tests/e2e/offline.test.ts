@@ -1,4 +1,6 @@
-/** The page that its service worker keeps: without a network, as another version, out of a damaged cache, given files. */
+/**
+ * The page in the cache of its service worker: offline, as another version, with a damaged cache, with opened files.
+ */
 import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
@@ -22,7 +24,7 @@ beforeAll(async () => {
   return () => browser.close();
 });
 
-/** A copy of the built site, which a test may change, behind a server of its own. */
+/** Serves a copy of the built site, which a test may change. */
 async function serveCopy(folder = "/") {
   const host = mkdtempSync(join(tmpdir(), "strut-offline-"));
   const dist = join(host, folder);
@@ -35,11 +37,11 @@ async function serveCopy(folder = "/") {
   return { dist, url: server.url + folder, close: server.close, remove };
 }
 
-/** Opens a page with its worker, and waits until everything is kept. */
+/** Opens a page with its service worker, and waits until everything is cached. */
 async function openKept({ dist, url }: { dist: string; url: string }): Promise<Page> {
   const page = await openPage(browser, url, { hash: "play=0", serviceWorker: true });
   const { first, rest } = siteFiles(dist);
-  // The page and the catalogue are in the lists of no chunk.
+  // The page and the catalogue are in no chunk's list.
   const files = first.length + rest.length + 2;
   await page.evaluate(async (files) => {
     const keys = async (name: string) => (await caches.open(name)).keys();
@@ -49,7 +51,7 @@ async function openKept({ dist, url }: { dist: string; url: string }): Promise<P
   return page;
 }
 
-/** The lengths of all files that are kept. */
+/** Returns the lengths of all cached files. */
 function keptBytes(page: Page): Promise<number[]> {
   return page.evaluate(async () => {
     const lengths: number[] = [];
@@ -61,7 +63,7 @@ function keptBytes(page: Page): Promise<number[]> {
   });
 }
 
-/** Cuts kept files short. */
+/** Truncates cached files. */
 function damage(page: Page, ending: string): Promise<void> {
   return page.evaluate(async (ending) => {
     for (const name of await caches.keys()) {
@@ -76,7 +78,7 @@ function damage(page: Page, ending: string): Promise<void> {
   }, ending);
 }
 
-/** What is on screen once everything that a view loads is there. */
+/** Waits until everything that a view loads is visible. */
 const LOADED: Record<ViewName, (page: Page) => Promise<unknown>> = {
   play: shown,
   learn: (page) =>
@@ -96,7 +98,7 @@ const LOADED: Record<ViewName, (page: Page) => Promise<unknown>> = {
   data: (page) => page.locator(".catalogue").getByRole("button", { name: /^Get / }).first().waitFor(),
 };
 
-/** Goes to a view and waits for all of it; nothing may be said to be wrong. */
+/** Opens a view and waits until it is complete; no error may be shown. */
 async function expectWorks(page: Page, view: ViewName): Promise<void> {
   await visit(page, `play=0&view=${view}`);
   await eventually(() => page.evaluate(() => window.strut.state.view)).toBe(view);
@@ -117,7 +119,7 @@ describe("after one visit", () => {
   });
 });
 
-/** Makes the built site one of a newer version: all its assets have other names. */
+/** Turns the built site into a newer version: all its assets have other names. */
 async function deployNewer(dist: string): Promise<void> {
   const assets = readdirSync(join(dist, "assets"));
   const newer = (name: string) => `newer-${name}`;
@@ -131,7 +133,7 @@ async function deployNewer(dist: string): Promise<void> {
   await writeServiceWorker(dist);
 }
 
-/** Whether a page is of the version of {@link deployNewer}. */
+/** Returns whether a page is of the version of {@link deployNewer}. */
 const isNewer = (page: Page) =>
   page.evaluate(() => document.querySelector<HTMLScriptElement>("script[src]")!.src.includes("newer-"));
 const updateOf = (page: Page) => page.getByRole("status").getByRole("button", { name: "Update" });
@@ -149,7 +151,7 @@ describe("a newer version", () => {
     await deployNewer(site.dist);
     await page.evaluate(async () => void (await navigator.serviceWorker.getRegistration())!.update());
     await updateOf(page).waitFor();
-    // The server no longer has what this view loads.
+    // The server no longer has the files of this view.
     await expectWorks(page, "compare");
     await page.reload();
     await shown(page);
@@ -205,7 +207,7 @@ describe("the installed page", () => {
     };
   });
 
-  /** What the browser says about the manifest. */
+  /** Returns the browser's report on the manifest. */
   async function manifest() {
     const session = await page.context().newCDPSession(page);
     const { data, errors } = await session.send("Page.getAppManifest");
@@ -214,7 +216,7 @@ describe("the installed page", () => {
   }
 
   it("can be installed", async () => {
-    // A test's window is a private one.
+    // A test's window is private.
     expect((await manifest()).errors).toEqual(["in-incognito"]);
   });
 

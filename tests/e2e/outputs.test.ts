@@ -1,4 +1,4 @@
-/** Every file that the page makes, as the browser saves it. */
+/** Every file that the page exports, as the browser saves it. */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Page } from "playwright-core";
@@ -23,14 +23,14 @@ beforeAll(async () => {
   return opened.close;
 });
 
-/** What a saved file is, by its first bytes. */
+/** Returns the first bytes of a saved file, which identify its type. */
 const head = (bytes: Buffer, n: number) => bytes.subarray(0, n).toString("latin1");
 
 describe("the menu", () => {
   it("names every format and closes with Escape", async () => {
     await page.getByRole("button", { name: "Export" }).click();
     await screenshot(page, "export-menu");
-    // MP4 is there where the browser makes it.
+    // MP4 is present if the browser can encode it.
     const names = page.locator(".export-menu .menu-item:visible > :first-child");
     const mp4 = makesMp4 ? ["MP4"] : [];
     await eventually(() => names.allTextContents()).toEqual([
@@ -76,7 +76,7 @@ describe("a saved file", () => {
     expect(head(bytes, 4)).toBe("\x89PNG");
     const stage = (await page.locator(".stage-view").boundingBox())!;
     expect(bytes.readUInt32BE(16) / bytes.readUInt32BE(20)).toBeCloseTo(stage.width / stage.height, 2);
-    // An empty picture compresses to nearly nothing.
+    // An empty picture compresses to a few bytes.
     expect(bytes.length).toBeGreaterThan(20_000);
   });
 
@@ -121,7 +121,7 @@ describe("a saved file", () => {
     const { name, bytes } = await saved(page, "WebM");
     expect(name).toBe("neutral-walk-old.webm");
     expect(bytes.readUInt32BE(0).toString(16)).toBe("1a45dfa3");
-    // The policy of the page lets no video play there.
+    // The page's policy forbids videos.
     const blank = await page.context().newPage();
     const size = await blank.evaluate(async (data) => {
       const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
@@ -138,7 +138,7 @@ describe("a saved file", () => {
     const { packetCount } = await (await video.getPrimaryVideoTrack())!.computePacketStats();
     const shown = (await video.computeDuration()) * 60;
     expect(shown, "however slow this machine is").toBeCloseTo(packetCount, 1);
-    // The old walk takes about a fifth longer than the thirty frames of its input.
+    // The old walk takes about a fifth longer than its input of thirty frames.
     expect(packetCount).toBeGreaterThan(32);
     expect(packetCount).toBeLessThan(48);
     const state = () => page.evaluate(() => [window.strut.state.playing, window.strut.state.frame]);

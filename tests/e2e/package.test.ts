@@ -1,4 +1,6 @@
-/** The package on pages of others, installed from its tarball: bundled, by import map, from elsewhere, under policies. */
+/**
+ * The package on other pages, installed from its tarball: bundled, by import map, from another origin, under policies.
+ */
 import { cpSync, readdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { build as esbuild } from "esbuild";
@@ -24,7 +26,7 @@ import { launchBrowser } from "./browser";
 
 const CORS = { "Access-Control-Allow-Origin": "*" };
 
-/** What a page of these tests offers. */
+/** The interface of a page of these tests. */
 declare const window: { use: (file: string) => Promise<string> };
 
 let browser: Browser;
@@ -42,7 +44,7 @@ afterAll(async () => {
 
 const site = (name: string, files: Readonly<Record<string, string>>) => writeSite(consumer, name, files);
 
-/** A page with a copy of the package beside it, imported by import map. */
+/** Makes a page with a copy of the package, imported by import map. */
 function siteWithPackage(name: string, options = "", without?: string): string {
   const folder = site(name, {
     "index.html": html("main.js", "./strut-motion/index.js"),
@@ -52,7 +54,7 @@ function siteWithPackage(name: string, options = "", without?: string): string {
   return folder;
 }
 
-/** Serves a folder and opens its page, other hosts but its own and `elsewhere` blocked. */
+/** Serves a folder and opens its page; hosts other than its own and `elsewhere` are blocked. */
 async function open(folder: string, headers?: Parameters<typeof serveFolder>[1], inFrame = false): Promise<Said> {
   const server = await serveFolder(folder, headers);
   try {
@@ -62,12 +64,12 @@ async function open(folder: string, headers?: Parameters<typeof serveFolder>[1],
   }
 }
 
-/** Expects what the command writes. */
+/** Expects the command's output. */
 function expectSame(said: Said, thread: string): void {
   expect(summary(said, consumer)).toEqual(expected(thread));
 }
 
-/** A page whose module esbuild bundles. */
+/** Makes a page whose module esbuild bundles. */
 async function siteByEsbuild(name: string, options = ""): Promise<string> {
   const folder = site(name, { "index.html": html("bundle.js"), "main.js": program("strut-motion", options) });
   await esbuild({
@@ -80,7 +82,7 @@ async function siteByEsbuild(name: string, options = ""): Promise<string> {
   return folder;
 }
 
-/** DESIGN.md section 6 to the letter, as `tests/package/contract.mjs` has it for Node. */
+/** The package's contract, as `tests/package/contract.mjs` tests it in Node. */
 const CONTRACT = `import { loadStrut } from "strut-motion";
 import * as THREE from "three";
 window.said = (async () => {
@@ -156,7 +158,7 @@ test("built by Vite without configuration", async () => {
 
 test("served by Vite in development without configuration", async () => {
   const root = site("vite-dev", { "index.html": html("/main.js"), "main.js": program(), "package.json": "{}" });
-  // Vite serves a project of its own, and nothing from outside of it.
+  // Vite serves a separate project, and no files outside of it.
   cpSync(consumer.installed, join(root, "node_modules", "strut-motion"), { recursive: true });
   const server = await createServer({ root, configFile: false, logLevel: "error", server: { port: 0 } });
   try {
@@ -194,7 +196,7 @@ test("in a sandboxed frame without an origin, its files served with CORS", async
   expectSame(await open(folder, CORS, true), "blob");
 });
 
-/** A page that imports a module as text from a blob, as notebooks do. */
+/** Makes a page that imports a module as text from a blob, as notebooks do. */
 const siteOfBlob = (name: string, module: string) =>
   site(name, {
     "index.html": html("main.js"),
@@ -237,7 +239,7 @@ test("under a Content-Security-Policy and with Trusted Types", async () => {
     "require-trusted-types-for 'script'",
   ].join("; ");
   expectSame(await open(folder, { "Content-Security-Policy": policy }), "worker");
-  // The same page, but workers are forbidden altogether.
+  // The same page, but without any workers.
   const none = policy.replace("worker-src 'self'", "worker-src 'none'");
   expectSame(await open(folder, { "Content-Security-Policy": none }), "page");
 });
@@ -254,7 +256,7 @@ test("in a worker whose own policy lets it fetch nothing, which the page sends t
   expect(said.bvh).toBe(styledByNode(consumer));
 });
 
-/** The mannequin as a file, read again as a character that performs. */
+/** Exports the mannequin to a file, and loads it again as a character. */
 const CHARACTER = `import { loadStrut } from "strut-motion";
 import { loadCharacter } from "strut-motion/three";
 window.said = (async () => {
@@ -299,7 +301,7 @@ test.each(["esbuild", "Vite"])("with a character of three.js, bundled by %s with
   expect(farMm).toBeLessThan(0.1);
 });
 
-/** What needs each of the package's files; the page's thread takes the place of a worker that is missing. */
+/** Uses of each of the package's files; the main thread replaces a missing worker. */
 const USES = `import { loadStrut } from "strut-motion";
 import { bindCharacter, loadCharacter } from "strut-motion/three";
 import * as THREE from "three";
@@ -374,7 +376,7 @@ test("without one of its files it says which one, and another origin that does n
     await page.waitForFunction(() => "use" in window);
     const use = (file: string) => page.evaluate((name) => window.use(name), file);
     const assets = join(folder, "strut-motion", "assets");
-    // `walk.bin.js` is for frames of the script tag, which `element.test.ts` has.
+    // `walk.bin.js` is for iframes of the script tag, which `element.test.ts` tests.
     for (const file of readdirSync(assets).filter((name) => name !== "walk.bin.js")) {
       renameSync(join(assets, file), join(folder, file));
       const said = await use(file);

@@ -1,7 +1,7 @@
-/** What is in a picture of a page, pixel by pixel. */
+/** Analysis of a page's picture, pixel by pixel. */
 import type { Browser } from "playwright-core";
 
-/** A colour is plain where its channels differ by this much, 0–255: white, greys and shadows do not. */
+/** A pixel is coloured if its channels differ by this much, 0–255: white, greys and shadows are not. */
 const PLAIN = 28;
 
 /** A part of a picture, as shares of its width and height. */
@@ -14,7 +14,7 @@ export interface Part {
 
 const ALL: Part = { x: 0, y: 0, width: 1, height: 1 };
 
-/** How many pixels of a picture, or of a part of it, have a plain colour. @param picture a PNG */
+/** Returns the number of coloured pixels in a picture, or in a part of it. @param picture a PNG */
 export async function colouredPixels(browser: Browser, picture: Buffer, part = ALL): Promise<number> {
   const context = await browser.newContext();
   try {

@@ -1,4 +1,7 @@
-/** Project files: what is open goes into one and comes out of it in another browser; hostile ones change nothing; F5 keeps files. */
+/**
+ * Project files: the open state is saved and opened in another browser; invalid files change nothing; a reload keeps
+ * files.
+ */
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from "vitest";
@@ -39,7 +42,7 @@ beforeAll(async () => {
 });
 afterAll(() => opened.close());
 
-/** A page of a browser that has never seen Strut. */
+/** Opens a page in a new browser. */
 const fresh = (hash = "", size = { width: 1440, height: 900 }) =>
   openPage(opened.browser, opened.site.url, { hash, size, notesStay: true });
 
@@ -47,11 +50,11 @@ const alert = () => page.getByRole("alert").textContent();
 const said = () => page.getByRole("status").allTextContents();
 const performer = async () => ((await page.locator(".cast").isVisible()) ? page.locator(".cast-name").innerText() : "");
 const state = () => page.evaluate(() => ({ ...window.strut.state }));
-/** Names of the styles of the database that is open. */
+/** Returns the names of the open database's styles. */
 const styles = () =>
   page.locator(".vertex").evaluateAll((corners) => corners.map((corner) => corner.getAttribute("data-style")).sort());
 
-/** Saves the project by keys. */
+/** Saves the project with the keyboard. */
 async function savedProject(name = "mine"): Promise<Uint8Array> {
   await page.keyboard.press("Control+s");
   await page.getByLabel("Name", { exact: true }).fill(name);
@@ -60,7 +63,7 @@ async function savedProject(name = "mine"): Promise<Uint8Array> {
   return readFileSync(await download.path());
 }
 
-/** Makes what one has after a while of work: own clip, own database, a character, style keys, a paused frame. */
+/** Creates a typical state: a user's clip, database and character, style keys, a paused frame. */
 async function work(): Promise<void> {
   await dropFile(page, "own.strutdb", database);
   await eventually(said).toContainEqual(expect.stringContaining("2 styles ready"));
@@ -105,7 +108,7 @@ describe("a project", () => {
     expect(await axeFaults(page)).toEqual([]);
     await screenshot(page, "project-after");
 
-    // Undo goes back to database, input and styles, redo comes again.
+    // Undo restores database, input and styles; redo applies the project again.
     await page.keyboard.press("Control+z");
     await eventually(() => inputName(page)).toBe("neutral walk");
     await eventually(async () => (await styles()).length).toBe(8);
@@ -113,7 +116,7 @@ describe("a project", () => {
     await eventually(() => inputName(page)).toBe("clip");
     await eventually(styles).toEqual(["neutral", "old"]);
 
-    // The offer is gone with the first change; opened again, it brings back all that there was.
+    // The offer disappears with the first change; after a reload, it restores everything.
     await page.reload();
     await shown(page);
     await eventually(performer, "a reload keeps it").toBe("chibi");
@@ -144,7 +147,7 @@ describe("a project", () => {
     const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
     const file = readFileSync(await download.path());
     expect((await readProject(new Blob([file]))).character).toMatchObject({ name: "chibi.glb", size: rig.length });
-    // The one who performs is known again.
+    // The performing character is recognised.
     await dropFile(page, "again.strut", file);
     await eventually(said).toContainEqual(expect.stringContaining("Opened “again.strut”"));
     expect(await performer()).toBe("chibi");
@@ -174,7 +177,7 @@ describe("a project", () => {
     await eventually(async () => [(await state()).view, (await state()).input]).toEqual(["play", "clip"]);
     await eventually(async () => (await said()).join()).toContain("Opened “phone.strut”");
     await page.getByRole("button", { name: "Dismiss" }).last().click();
-    // What the browser's own dialog does with the same element was seen above.
+    // The browser's own dialog with the same element was tested above.
     const input = page.locator(".drop-overlay input");
     await input.evaluate((element) =>
       element.addEventListener("click", (event) => {
@@ -221,7 +224,7 @@ describe("a file that is no project of this page", () => {
       expect(await settledPose(page), what).toEqual(pose);
       expect(await page.getByLabel("Input motion").locator("option", { hasText: "clip" }).count(), what).toBe(0);
     }
-    // A state that says nothing of use is the first one.
+    // An unusable state is replaced by the initial one.
     const odd = await packed({
       state: "play=0&styles=%00:x&k=1e9&view=nowhere&frame=-5&db=gone&track=~~;;&input=../../x",
     });

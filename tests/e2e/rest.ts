@@ -1,8 +1,8 @@
-/** Waiting for the page to come to rest: instead of pauses of a fixed length. */
+/** Waits until the page has settled, instead of pauses of a fixed length. */
 import type { Page } from "playwright-core";
 import { drawn, eventually, type Place } from "./browser";
 
-/** Waits until something that glides stands still: its place is the same over five display frames. */
+/** Waits until an animated element has stopped: its position is the same over five display frames. */
 export async function atRest(page: Page, place: () => Promise<Place>): Promise<void> {
   let before = await place();
   await eventually(async () => {
@@ -14,14 +14,14 @@ export async function atRest(page: Page, place: () => Promise<Place>): Promise<v
   }).toBeLessThan(0.1);
 }
 
-/** Has the system be dark or light, and waits until the page is. */
+/** Sets the system's theme, and waits until the page has it. */
 export async function showTheme(page: Page, theme: "dark" | "light"): Promise<void> {
   await page.emulateMedia({ colorScheme: theme });
   await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, theme);
   await transitionsEnded(page);
 }
 
-/** Waits until all transitions of style sheets are over, such as those from one theme to the other. */
+/** Waits until all CSS transitions have ended, such as those between the themes. */
 export async function transitionsEnded(page: Page): Promise<void> {
   await page.evaluate(() => {
     const transitions = document.getAnimations().filter((animation) => animation instanceof CSSTransition);

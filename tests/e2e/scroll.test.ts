@@ -1,6 +1,6 @@
 /**
- * A page of twelve players is scrolled for ten seconds: how long frames and tasks take is printed, as that depends on the
- * machine, and a film of it is kept (`tests/output/scroll-*.png`). That there is one engine and one context is expected.
+ * A page of twelve players is scrolled for ten seconds. Durations of frames and tasks are printed, as they depend on
+ * the machine, and a film is saved (`tests/output/scroll-*.png`). There must be one engine and one WebGL context.
  */
 import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -12,12 +12,12 @@ import { serveFolder } from "../package/server";
 import { root } from "../recordings";
 import { launchBrowser, screenshot } from "./browser";
 
-/** What the page counts. */
+/** Values that the page counts. */
 declare const window: { contexts: number; tasks: number[]; frames: number[] };
 
 /** Duration of the scroll, seconds. */
 const SECS = 10;
-/** Pictures of the film. */
+/** Number of pictures of the film. */
 const PICTURES = 5;
 
 let browser: Browser;
@@ -51,7 +51,7 @@ test("twelve players are scrolled past", async () => {
     const seen = new WeakSet<object>();
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
       const made = Reflect.apply(getContext, this, given);
-      // The first one asks what draws, and is given back at once.
+      // The first context tests the renderer, and is released immediately.
       if (made && given[0] === "webgl2" && this.width * this.height > 1 && !seen.has(made)) {
         seen.add(made);
         window.contexts += 1;

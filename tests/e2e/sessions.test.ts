@@ -1,4 +1,6 @@
-/** The client without the playground, in a page of its own: a worker with three sessions is ended, and all three come back. */
+/**
+ * The client without the playground, on a separate page: a worker with three sessions ends, and all three are restored.
+ */
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -30,7 +32,7 @@ it("a worker that is ended with three sessions open comes back with all three", 
     const before = await page.evaluate(() => window.sessions.begin());
     expect(before.map(({ inputFrame }) => inputFrame)).toEqual([20, 30, 40]);
     expect(page.workers()).toHaveLength(1);
-    // It ends without a word, as one that the browser ends for want of memory.
+    // It ends silently, as when the browser ends it for lack of memory.
     await page.workers()[0]!.evaluate(() => {
       setTimeout(() => self.close());
     });

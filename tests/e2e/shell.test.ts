@@ -1,4 +1,4 @@
-/** The page around the views: links, history, focus, keys, and what happens where a browser cannot or may not. */
+/** The page around the views: links, history, focus, keys, and browsers that lack or refuse features. */
 import type { Browser, BrowserContext, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -31,7 +31,7 @@ const toasts = (page: Page) => page.locator(".toasts").textContent();
 const view = (page: Page) => page.evaluate(() => window.strut!.state.view);
 const tab = (page: Page, name: string) => page.getByRole("navigation", { name: "Views" }).getByRole("link", { name });
 
-/** A page that was changed before its scripts ran; it need not get as far as a character. */
+/** Opens a page that is changed before its scripts run; it may fail to show a character. */
 async function altered(change: () => void, options: Parameters<Browser["newContext"]>[0] = {}) {
   const context = await browser.newContext({ viewport: { width: 960, height: 640 }, ...options });
   await context.addInitScript(change);
@@ -118,7 +118,7 @@ describe("a link", () => {
 describe("a change of view", () => {
   it("is an entry of the browser's history, and moves title, focus and announcement", async () => {
     const page = await openPage(browser, site.url, { hash: "play=0&frame=60&k=50" });
-    // What is announced may be replaced by the next sentence before it is asked for from here.
+    // An announcement may be replaced by the next one before the test can read it.
     await page.locator(".visually-hidden[role=status]").evaluate((region) => {
       window.announced = [];
       new MutationObserver(() => window.announced.push(region.textContent)).observe(region, { childList: true });
@@ -137,7 +137,7 @@ describe("a change of view", () => {
     await eventually(() => view(page)).toBe("play");
     const pose = await settledPose(page);
     expect(pose.every(Number.isFinite)).toBe(true);
-    // A link in the address bar still brings everything.
+    // A link in the address bar still sets everything.
     await visit(page, "play=0&frame=60&k=9");
     await eventually(() => page.evaluate(() => window.strut!.state.k)).toBe(9);
     await closePage(page);

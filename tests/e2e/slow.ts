@@ -1,15 +1,15 @@
-/** A machine that is slower than this one: STRUT_SLOW=4 has pages take four times as long, and answers come late. */
+/** Simulates a slower machine: with STRUT_SLOW=4 pages take four times as long, and answers are delayed. */
 import type { Browser, Page } from "playwright-core";
 
-/** How much later an answer or a picture comes for every time that a machine is slower, milliseconds. */
+/** Delay of an answer or a frame per factor of slowness, milliseconds. */
 const ANSWER_MS = 60;
 const PICTURE_MS = 20;
 
-/** Has the pages of a browser take `rate` times as long; 1 changes nothing. */
+/** Slows the pages of a browser down by `rate`; 1 changes nothing. */
 export function slowDown(browser: Browser, rate: number): void {
   if (rate <= 1) return;
   browser.on("context", (context) => {
-    // Before the scripts of a test, which may put another `Worker` in the place of the browser's.
+    // Before the scripts of a test, which may replace the browser's `Worker`.
     const late = context.addInitScript(comeLate, { answerMs: ANSWER_MS * rate, pictureMs: PICTURE_MS * rate });
     const open = context.newPage.bind(context);
     context.newPage = async () => {
@@ -26,7 +26,7 @@ async function throttle(page: Page, rate: number): Promise<void> {
   await session.send("Emulation.setCPUThrottlingRate", { rate });
 }
 
-/** In a page: answers of workers and servers, and pictures, come later. */
+/** In a page: delays answers of workers and servers, and frames. */
 function comeLate({ answerMs, pictureMs }: { answerMs: number; pictureMs: number }): void {
   const later = globalThis.setTimeout.bind(globalThis);
   const heard = Object.getOwnPropertyDescriptor(Worker.prototype, "onmessage")!;

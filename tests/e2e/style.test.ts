@@ -1,4 +1,4 @@
-/** The main thing: a character walks, and dragging a point changes how. */
+/** The main feature: a character walks, and dragging a point changes its style. */
 import type { Browser, Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -32,7 +32,7 @@ beforeAll(async () => {
   return opened.close;
 });
 
-/** A state that stands still, so that only the style changes the pose. */
+/** A paused state, so that only the style changes the pose. */
 const PAUSED = "play=0&frame=60&styles=proud:1,old:0,depressed:0";
 
 const handle = () => page.getByRole("slider", { name: "Style", exact: true });
@@ -85,7 +85,7 @@ describe("the point in the triangle", () => {
   });
 
   it("acts while the character walks", async () => {
-    // How far the styled character is from the input at the same instant: walking alone does not change that.
+    // Distance of the styled character from the input at the same instant, which walking alone does not change.
     const distance = async () => {
       const { pose, inputPose } = await page.evaluate(() => {
         const { pose, inputPose } = window.strut.frame!;

@@ -1,4 +1,4 @@
-/** A style from one clip: what falls on the polygon becomes a vertex of it. */
+/** A style from one clip: a file that is dropped on the polygon becomes a vertex of it. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -29,7 +29,7 @@ describe("a walk that falls on the polygon", () => {
     const input = await inputName(page);
     await dropFile(page, "walk_weary_01.bvh", walk, await polygon());
     await page.getByRole("dialog").waitFor();
-    // The file is called so.
+    // The file's name contains this action.
     await eventually(() => page.getByLabel("Action of the clip").inputValue()).toBe("walk");
     await screenshot(page, "style-of-clip-name");
     const begin = performance.now();
@@ -43,7 +43,7 @@ describe("a walk that falls on the polygon", () => {
     expect(await alert()).toBe("");
     await eventually(() => page.locator(".stage-title").textContent()).toContain("weary");
     await screenshot(page, "style-of-clip");
-    // Another frame of it walks.
+    // Wait for another frame of it.
     const before = await page.evaluate(() => window.strut.frame!.inputFrame);
     await eventually(() => page.evaluate(() => window.strut.frame!.inputFrame)).not.toBe(before);
 
@@ -83,7 +83,7 @@ describe("a walk that falls on the polygon", () => {
   it("says which action was found in it, and lets that be changed", async () => {
     await dropFile(page, "stooping_01.bvh", walk, await polygon());
     const action = page.getByLabel("Action of the clip");
-    // Nothing in the file's name says what it shows.
+    // The file's name does not contain an action.
     await eventually(() => action.inputValue()).toBe("");
     await page.getByRole("button", { name: "Make it a style" }).click();
     const says = (text: string) => page.getByRole("status").getByText(text);
@@ -96,7 +96,7 @@ describe("a walk that falls on the polygon", () => {
     await eventually(() => action.inputValue()).toBe("walk");
     await action.selectOption("jump");
     await page.getByRole("button", { name: "Make it a style" }).click();
-    // A walk is no jump: what was made stays.
+    // A walk is not a jump: the previous result is kept.
     await eventually(alert).toContain(
       "does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'",
     );
@@ -108,7 +108,7 @@ describe("a walk that falls on the polygon", () => {
     await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(() => says("“bent” is made of the action “walk”").isVisible()).toBe(true);
     await eventually(vertices).toContain("bent");
-    // It is in place of the one before, not beside it.
+    // It replaces the one before.
     expect(await vertices()).not.toContain("stooping");
   });
 

@@ -1,6 +1,6 @@
 /**
- * What the Walk and Key-style views have in common: they show the model of what is open now, whatever happens while it is
- * trained, and they release what they hold when they are hidden.
+ * Common requirements of the Walk and Key-style views: they show the model of the currently open database, whatever
+ * happens during training, and release their resources when they are hidden.
  */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, it } from "vitest";
@@ -11,7 +11,7 @@ import { dropFile, eventually, openSite, visit } from "./browser";
 
 declare const window: {
   strut: StrutHook;
-  /** WebGL contexts made since {@link watchResources}, and size observers that observe something. */
+  /** WebGL contexts made since {@link watchResources}, and active size observers. */
   contexts: WebGL2RenderingContext[];
   observers: Set<ResizeObserver>;
 };
@@ -40,7 +40,7 @@ async function open(name: string, file: Uint8Array, styles: readonly string[]): 
   await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
 }
 
-/** Keeps workers that train from starting until the result is called. */
+/** Prevents training workers from starting until the result is called. */
 async function holdTraining(): Promise<() => void> {
   let release = () => {};
   const released = new Promise<void>((resolve) => {
@@ -48,7 +48,7 @@ async function holdTraining(): Promise<() => void> {
   });
   await page.route("**/build_worker-*.js", async (route) => {
     await released;
-    // The page may have given up the worker meanwhile.
+    // The page may have discarded the worker meanwhile.
     await route.continue().catch(() => {});
   });
   return release;
@@ -114,7 +114,7 @@ describe("the Key-style view", () => {
 });
 
 describe("a view that is hidden", () => {
-  /** Records the WebGL contexts and the size observers that the page makes from now on. */
+  /** Records the WebGL contexts and the size observers that the page creates from now on. */
   const watchResources = () =>
     page.evaluate(() => {
       window.contexts = [];

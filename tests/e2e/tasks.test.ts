@@ -1,4 +1,4 @@
-/** Five tasks as somebody who comes for the first time does them: their steps counted. */
+/** Five tasks of a first-time user, with their steps counted. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
@@ -31,7 +31,7 @@ beforeAll(async () => {
 const state = (page: Page) => page.evaluate(() => window.strut.state);
 const corner = (page: Page, style: string) => page.locator(`.vertex[data-style="${style}"] .vertex-dot`);
 
-/** Does a task on a fresh page: `step` is one thing that a person does. */
+/** Does a task on a new page. `step` is one user action. */
 async function task(
   max: number,
   work: (page: Page, step: <T>(action: Promise<T>) => Promise<T>) => Promise<void>,
@@ -46,7 +46,7 @@ async function task(
   await closePage(page);
 }
 
-/** Drags the point of the polygon to a place between two corners. */
+/** Drags the point of the polygon to a position between two corners. */
 async function dragBetween(page: Page, a: string, b: string): Promise<void> {
   const handle = page.getByRole("slider", { name: "Style", exact: true });
   const [from, to] = [await middleOf(corner(page, a)), await middleOf(corner(page, b))];
@@ -81,7 +81,7 @@ describe("a first visitor", () => {
   it("makes only the legs old in two steps", () =>
     task(2, async (page, step) => {
       const knee = () => page.evaluate(() => window.strut.jointScreenPosition("left_lower_leg"));
-      // A walking leg moves between a look and a click.
+      // A walking leg moves between a query and a click.
       const tryClick = async () => {
         const at = await knee();
         await page.mouse.click(at.x, at.y);
@@ -116,7 +116,7 @@ describe("a first visitor", () => {
       await eventually(async () => (await copied()) === page.url()).toBe(true);
       const link = await copied();
       const other = await openPage(browser, link);
-      // A walk that is stopped stands between two frames, and so does the one in the link.
+      // A paused walk is between two frames, and so is the one in the link.
       expect(turnBetween(pose, await settledPose(other))).toBeLessThan(0.2);
       await closePage(other);
     }));

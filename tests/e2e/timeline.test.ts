@@ -1,4 +1,4 @@
-/** The timeline: ranges, curves of every joint, what the pointer reads, and styles over time. */
+/** The timeline: ranges, curves of every joint, values at the pointer, and styles over time. */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
@@ -19,14 +19,16 @@ const frame = () => page.evaluate(() => window.strut.frame!.inputFrame);
 const rows = async () => (await page.locator(".timeline-rows").boundingBox())!;
 const PAUSED = "play=0&frame=100&styles=proud:1,old:0,depressed:0";
 
-/** Presses, moves and lets go on the timeline, at shares of its width. */
+/** Presses, moves and releases on the timeline, at shares of its width. */
 async function dragAcross(from: number, to: number, y: number): Promise<void> {
   const box = await rows();
   const at = (share: number) => ({ x: box.x + share * box.width, y: box.y + y });
   await drag(page, at(from), at(to));
 }
 
-/** Stops the walk just after the page has asked for a frame 100 ms on; the frame that was on screen then. */
+/**
+ * Pauses the walk just after the page has requested a frame 100 ms ahead. Returns the frame that was displayed then.
+ */
 async function stopWithFrameOnItsWay(): Promise<number> {
   await visit(page, "play=1");
   await eventually(frame).toBeGreaterThan(5);
@@ -36,7 +38,7 @@ async function stopWithFrameOnItsWay(): Promise<number> {
         requestAnimationFrame(() => {
           const busyUntil = performance.now() + 100;
           while (performance.now() < busyUntil);
-          // The page's own callback comes before this one.
+          // The page's own callback runs before this one.
           requestAnimationFrame(() => {
             dispatchEvent(new KeyboardEvent("keydown", { key: " " }));
             resolve(window.strut.frame!.inputFrame);
@@ -71,7 +73,7 @@ describe("arrow keys", () => {
     await page.keyboard.press("ArrowRight");
     await eventually(async () => (await state()).frame).toBe(101);
     await settledPose(page);
-    // The camera stays where it was: the hips move by what they do in a frame.
+    // The camera has not moved: the hips move only by their motion in one frame.
     const after = await where();
     expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(10);
   });
@@ -182,7 +184,7 @@ describe("a style track", () => {
     await page.keyboard.press("k");
     const set = async () => (await state()).track.map(({ styles }) => styles.find((s) => s.weight === 1)?.name);
     await eventually(set).toEqual(["proud", "old"]);
-    // The polygon shows what the track has reached, and at a key what that was set to.
+    // The polygon shows the track's present style, and at a key the key's.
     await keys().first().click();
     const heaviest = () => page.locator(".vertex.heaviest").getAttribute("data-style");
     await eventually(heaviest).toBe("proud");

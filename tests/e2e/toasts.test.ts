@@ -1,4 +1,4 @@
-/** What the page says over a view: how long it stays, and where the focus goes after it. */
+/** Messages over a view: how long they stay, and where the focus goes afterwards. */
 import type { Page } from "playwright-core";
 import { beforeAll, beforeEach, expect, it } from "vitest";
 import { dropFile, eventually, openSite } from "./browser";
@@ -8,7 +8,7 @@ let page: Page;
 beforeAll(async () => {
   const opened = await openSite({ hash: "play=0" });
   page = opened.page;
-  // Notes go after less than a second.
+  // Makes notes disappear after less than a second.
   await page.evaluate(() => {
     const later = globalThis.setTimeout;
     Object.assign(globalThis, { setTimeout: (act: () => void, ms = 0) => later(act, ms === 6000 ? 800 : ms) });
@@ -23,7 +23,7 @@ beforeEach(async () => {
 const note = () => page.locator(".toast.note");
 const share = () => page.getByRole("button", { name: "Share", exact: true });
 const dismiss = () => page.locator(".toast").getByRole("button", { name: "Dismiss" });
-/** Longer than a note stays. */
+/** Waits longer than a note stays. */
 const wait = () => page.waitForTimeout(1600);
 const focused = () => page.evaluate(() => document.activeElement?.localName);
 

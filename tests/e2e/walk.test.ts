@@ -1,4 +1,4 @@
-/** The Walk view: a plan of styles that somebody walks by. */
+/** The Walk view: a plan of styles for a walk. */
 import { readFileSync } from "node:fs";
 import { ALL_FORMATS, BufferSource, Input } from "mediabunny";
 import type { Locator, Page } from "playwright-core";
@@ -11,7 +11,7 @@ import { atRest, showTheme } from "./rest";
 
 declare const window: { strut: StrutHook };
 
-/** Paused in the middle of the way from neutral to proud. */
+/** Paused in the middle of the transition from neutral to proud. */
 const THREE = "walk=1_3_2~neutral:1,old:0,sexy:0;1_4_2~proud:1,old:0,sexy:0;1_3_2~old:1,proud:0,sexy:0";
 
 let page: Page;
@@ -39,7 +39,7 @@ async function dragEdge(selector: string, dx: number): Promise<void> {
 
 const faults = () => axeFaults(page);
 
-/** Waits until something that glides has come to rest. */
+/** Waits until an animated element has stopped. */
 const resting = (thing: Locator) => atRest(page, () => middleOf(thing));
 
 describe("opening the view", () => {
@@ -51,7 +51,7 @@ describe("opening the view", () => {
     const before = await secs();
     await eventually(secs, "it walks by itself").not.toBe(before);
     await eventually(() => figure("Step length")).toMatch(/^0\.\d\d m$/);
-    // Colours of what has just been enabled take a moment.
+    // Colours of newly enabled controls change gradually.
     await eventually(faults).toEqual([]);
   });
 
@@ -171,7 +171,7 @@ describe("the plan", () => {
     await page.locator(".walk .editor-head").focus();
     await page.keyboard.press("Home");
     await eventually(secs).toBe(0);
-    // However slowly keys come, each is a tenth of a second: the playhead does not drift.
+    // However slow the key presses, each is a tenth of a second: the playhead does not drift.
     for (let i = 1; i <= 25; i++) {
       await page.keyboard.press("ArrowRight");
       await eventually(secs).toBeCloseTo(i / 10, 2);
@@ -216,7 +216,7 @@ describe("the block", () => {
   it("falls in with a beat that is tapped", async () => {
     await page.locator('.walk-panel [aria-label="Durations"] label').filter({ hasText: "Fixed" }).click();
     await eventually(async () => (await state()).walkTempo).toBe("fixed");
-    // By a clock of their own: taps come when the machine has time for them.
+    // With simulated times, since real taps are delayed on a busy machine.
     await page.getByRole("button", { name: "Tap the beat" }).evaluate((tap: HTMLButtonElement) => {
       const now = performance.now();
       for (let i = 0; i < 5; i++) {
@@ -252,7 +252,7 @@ describe("the block", () => {
     await page.keyboard.press("Home");
     await eventually(() => number("Step length")).toBeLessThan(0.8 * before);
     await eventually(() => page.url()).toContain("stride=60");
-    // Who does not walk on stands at the end.
+    // Without repetition the character stands at the end.
     await page.getByRole("button", { name: "Repeat the plan" }).click();
     await page.getByRole("button", { name: "Play" }).first().click();
     await eventually(async () => (await page.evaluate(() => window.strut.state)).playing).toBe(false);

@@ -1,6 +1,6 @@
 /**
- * What the page itself reads, hostile: links, archives, the catalogue. Each gives a value that keeps its own rules, or an error
- * with a sentence. `npm run fuzz` runs more of them than `npm test` (STRUT_FUZZ_RUNS). Files that the engine reads are fuzzed by
+ * Invalid input of the page's own parsers: links, archives, the catalogue. Each returns a valid value, or an error with
+ * a message. `npm run fuzz` runs more of them than `npm test` (STRUT_FUZZ_RUNS). Files for the engine are fuzzed by
  * `rust/fuzz`, characters by tests/character/fuzz.test.ts.
  */
 import { readFileSync } from "node:fs";
@@ -16,7 +16,7 @@ import { zipOf } from "../zip";
 const numRuns = Number(process.env.STRUT_FUZZ_RUNS ?? 300);
 const MOST_BYTES = 1 << 20;
 
-/** Words that stand where a link expects others. */
+/** Unexpected words in a link. */
 const ODD_WORDS = [
   "",
   "NaN",
@@ -34,7 +34,7 @@ const ODD_WORDS = [
   ",,:",
 ];
 
-/** All keys that a link may have, with a value that is right. */
+/** All keys of a link, with a valid value. */
 const KEYS = (() => {
   const source = readFileSync(
     fileURLToPath(new URL("../../web/app/state/links_of_2191801.json", import.meta.url)),
@@ -44,7 +44,7 @@ const KEYS = (() => {
   return [...new Map(links as [string, string][])];
 })();
 
-/** A link some of whose values are right, changed, or nonsense. */
+/** A link with valid, changed and invalid values. */
 const link = fc
   .array(
     fc.constantFrom(...KEYS).chain(([key, value]) =>
@@ -79,7 +79,7 @@ test("whatever a link says, the page has a state that it can write and read agai
   );
 });
 
-/** A change of a file: it is cut short, a byte is changed, a part is repeated or taken away. */
+/** A change of a file: it is truncated, a byte is changed, a part is repeated or removed. */
 interface Edit {
   at: number;
   kind: "set" | "flip" | "cut" | "remove" | "repeat";
@@ -125,7 +125,7 @@ test("an archive that was changed gives whole files, or a sentence", async () =>
       try {
         for (const entry of await readDirectory(archive)) {
           const bytes = await readEntry(archive, entry, MOST_BYTES);
-          // Only what has its checksum is given.
+          // Only data with the right checksum are returned.
           expect(bytes.length === 0 || new TextDecoder().decode(bytes) === content).toBe(true);
         }
         outcomes.read += 1;
@@ -141,7 +141,7 @@ test("an archive that was changed gives whole files, or a sentence", async () =>
   expect(outcomes.refused).toBeGreaterThan(0);
 });
 
-/** A JSON value with one of its values replaced or taken away, at the places that `way` leads to. */
+/** Returns a JSON value with one of its values replaced or removed, at the position that `way` gives. */
 function changed(value: unknown, way: readonly number[], by: unknown): unknown {
   const [step, ...rest] = way;
   if (step === undefined || typeof value !== "object" || value === null) return by;

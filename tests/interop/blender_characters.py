@@ -1,7 +1,7 @@
 """Opens characters with a motion in Blender's own importer: blender --background --python blender_characters.py -- JOB…
 
-A JOB is a JSON file {"file": GLB, "times": [seconds]}. Prints one JSON line a job: where each bone's head is at these times,
-and how it has turned since the first of them: {"name": [[x, y, z], [w, x, y, z]], …} each, metres, +Y up as in glTF.
+A JOB is a JSON file {"file": GLB, "times": [seconds]}. Prints one JSON line per job with the position of each bone's head at
+these times, and its rotation since the first of them: {"name": [[x, y, z], [w, x, y, z]], …} each, metres, +Y up as in glTF.
 """
 
 import importlib.util
@@ -11,17 +11,17 @@ import sys
 import bpy
 from mathutils import Matrix
 
-# Blender's +Z up back to +Y.
+# From Blender's +Z up to +Y up.
 UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 
-# Debian's Blender only recommends what its glTF importer needs.
+# Debian's Blender only recommends a package that its glTF importer requires.
 if importlib.util.find_spec("numpy") is None:
     print("numpy is missing")
     sys.exit(0)
 
 import numpy  # noqa: E402
 
-# Blender 3.4 says `np.bool`, which Debian's numpy no longer knows: there no glTF opens at all.
+# Blender 3.4 uses `np.bool`, which Debian's numpy no longer has, so that no glTF file opens.
 numpy.bool = bool
 
 for path in sys.argv[sys.argv.index("--") + 1 :]:

@@ -1,6 +1,6 @@
 """Opens BVH files in Blender's own importer: blender --background --python blender_import.py -- FILE…
 
-Prints one JSON line a file: bones, frames, frame rate, and how far the first bone's head travels.
+Prints one JSON line per file: bones, frames, frame rate, and the distance that the first bone's head travels.
 """
 
 import builtins
@@ -10,7 +10,7 @@ import sys
 import bpy
 from mathutils import Vector
 
-# Blender 3.4 opens BVH files in mode "rU", which Debian's Python 3.11 no longer knows: there no BVH opens at all.
+# Blender 3.4 opens BVH files with mode "rU", which Debian's Python 3.11 no longer has, so that no BVH file opens.
 python_open = builtins.open
 builtins.open = lambda file, mode="r", *args, **kwargs: python_open(file, mode.replace("U", ""), *args, **kwargs)
 

@@ -1,4 +1,4 @@
-/** What `strut stylize` writes opens in programs that are not ours: three.js's BVHLoader, Blender's importer. */
+/** The output of `strut stylize` opens in other programs: three.js's BVHLoader, Blender's importer. */
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -38,7 +38,7 @@ beforeAll(() => {
 
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** Joint names and channels, in file order. */
+/** Returns joint names and channels, in file order. */
 const hierarchy = (path: string) =>
   readFileSync(path, "utf8")
     .match(/(ROOT|JOINT|CHANNELS).*/g)

@@ -1,4 +1,4 @@
-/** Characters with a motion in them move in Blender as they do here. */
+/** Characters with an exported motion move in Blender as they do here. */
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -17,10 +17,10 @@ if (!blender) console.warn("skipping: no Blender at /usr/bin/blender or $BLENDER
 const folder = mkdtempSync(join(tmpdir(), "strut-blender-"));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** Frames that are compared; the first one is what turns are told from. */
+/** Compared frames; turns are relative to the first one. */
 const FRAMES = [0, 7, 30, 59];
 
-/** Of a joint its place, metres, and its turn since the first frame, wxyz. */
+/** Position of a joint, metres, and its turn since the first frame, wxyz. */
 type Place = [place: [number, number, number], turn: [number, number, number, number]];
 
 test.skipIf(!blender)("exports open in Blender within 0.1 mm and 0.01°", async ({ skip }) => {
@@ -67,7 +67,7 @@ test.skipIf(!blender)("exports open in Blender within 0.1 mm and 0.01°", async 
       for (const [name, { place, turn }] of expected[i]![f]!) {
         const [at, [w, x, y, z]] = joints[name]!;
         distance = Math.max(distance, place.distanceTo(new Vector3(...at)));
-        // An arc cosine of single precision would be off by 0.03°.
+        // A single-precision arc cosine would be off by 0.03°.
         const between = turn
           .clone()
           .invert()

@@ -1,4 +1,4 @@
-/** The module of driving needs no more memory however long a character is driven: ten minutes of frames. */
+/** The driving module's memory does not grow with the driven time: ten minutes of frames. */
 
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
@@ -45,7 +45,7 @@ test("memory does not grow while a character is driven", { timeout: 600_000 }, a
       metres += frame.numbers[SPEED]! / RATE_HZ;
     }
   };
-  // All that the log has, once.
+  // The whole log once.
   drive(3000);
   const before = memory.buffer.byteLength;
   drive(FRAMES);

@@ -1,4 +1,6 @@
-/** What does not fit is refused with a sentence, and where memory runs out all the same, nothing is lost that was open. */
+/**
+ * Databases that do not fit are refused with a message; if memory runs out nevertheless, nothing that was open is lost.
+ */
 import { readFileSync } from "node:fs";
 import { afterEach, expect, test } from "vitest";
 import * as bench from "../../bench/pkg/simd/strut_bench.js";
@@ -13,14 +15,14 @@ import { DEFAULT_OPTIONS } from "../../web/engine/types";
 import { POSE_FLOATS } from "../../web/humanoid";
 import { InlineWorker } from "../inline_worker";
 
-/** All that 32 bits can address. */
+/** The 32-bit address space. */
 const ADDRESSABLE = 2 ** 32;
 const BYTES_OF_PAGE = 2 ** 16;
 
 let client: StrutClient | undefined;
 afterEach(() => client?.dispose());
 
-/** A client that plays the built-in database. */
+/** Returns a client that plays the built-in database. */
 async function playing(): Promise<StrutClient> {
   client = await createStrutClient({ spawn: () => new InlineWorker() });
   await client.openDatabase({ kind: "demo" });
@@ -29,7 +31,7 @@ async function playing(): Promise<StrutClient> {
   return client;
 }
 
-/** A file whose header says that it has so many frames, and that is otherwise empty. */
+/** Returns a file whose header claims this number of frames, and that is otherwise empty. */
 function forged(frames: number): File {
   const clip = {
     name: "a",
@@ -97,28 +99,28 @@ test("a file that is read in slices opens as one that is in memory", async () =>
 
 const open = (file: File) => client!.openDatabase({ kind: "strutdb", name: "large", file });
 
-/** The instance that the engine on this thread has. */
+/** Returns the engine's instance on this thread. */
 function instance() {
   const module = readFileSync(new URL("../../web/engine/pkg/strut_wasm_bg.wasm", import.meta.url));
-  // Where there is an instance, its exports are given.
+  // An existing instance's exports are returned.
   return glue.initSync({ module });
 }
 
-/** Takes all of the instance's memory but for so many bytes at most. */
+/** Allocates all of the instance's memory except for at most `left` bytes. */
 function fill(left: number): void {
   const { memory, __wbindgen_malloc: allocate } = instance();
   for (let size = 2 ** 29; size >= BYTES_OF_PAGE; size /= 2)
     while (memory.buffer.byteLength + size + BYTES_OF_PAGE <= ADDRESSABLE - left) allocate(size - 64, 8);
 }
 
-/** Takes all of it, what was given back before as well, but for pieces too small for the targets of 16 rows. */
+/** Allocates all of it, including freed memory, except for pieces too small for the targets of 16 rows. */
 function exhaust(): void {
   const { __wbindgen_malloc: allocate } = instance();
   for (let size = 2 ** 29; size >= 2 ** 11; size /= 2) {
     try {
       for (;;) allocate(size - 64, 8);
     } catch {
-      // It traps where there is no room of this size any more.
+      // It traps when no space of this size is left.
     }
   }
 }
@@ -156,7 +158,7 @@ test("where memory runs out, a sentence says so, and all that was open is opened
     client.onRestart = resolve;
   });
   exhaust();
-  // The targets of further styles find no room.
+  // There is no space for the targets of further styles.
   const styles = { proud: 0.2, old: 0.2, angry: 0.2, depressed: 0.2 };
   await client.configure({ ...DEFAULT_OPTIONS, styles });
   await expect(client.step(0.1)).rejects.toMatchObject({

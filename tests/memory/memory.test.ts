@@ -1,5 +1,5 @@
 /**
- * The page's module needs no more memory however long a character walks: 10,000 frames, or STRUT_MEMORY_FRAMES (100,000
+ * The memory of the page's module does not grow with the walked time: 10,000 frames, or STRUT_MEMORY_FRAMES (100,000
  * take minutes).
  */
 
@@ -9,10 +9,10 @@ import { loadBuiltIn } from "../../web/engine/built_in";
 import { POSE_FLOATS } from "../../web/humanoid";
 
 const FRAMES = Number(process.env.STRUT_MEMORY_FRAMES ?? 10_000);
-/** Frames of a call. */
+/** Number of frames per call. */
 const BATCH = 30;
 
-/** As much of the package as is used here. */
+/** The part of the package that is used here. */
 type Glue = typeof import("../../web/engine/pkg/strut_wasm.js");
 
 test("memory does not grow while frames are styled", { timeout: 3_600_000 }, async () => {
@@ -37,7 +37,7 @@ test("memory does not grow while frames are styled", { timeout: 3_600_000 }, asy
       stylizer.classWeights();
     }
   };
-  // All of the input once: everything has had its greatest size.
+  // The whole input once, after which all buffers have their final size.
   style(total);
   const before = memory.buffer.byteLength;
   style(FRAMES);

@@ -1,5 +1,5 @@
 /**
- * Bundlers with packages of their own: they are too large for the project's. Each builds in a copy of its folder, from its
+ * Bundlers with separate packages, which are too large for the project's. Each builds in a copy of its folder, from its
  * own lockfile and the packed tarball. `npm run consumers` runs them.
  */
 import { spawn, spawnSync } from "node:child_process";
@@ -13,7 +13,7 @@ import { type Consumer, styledByNode } from "./consumer";
 import { copyData, expected, html, loadedKb, program, type Said, summary, visitPage } from "./page";
 import { serveFolder } from "./server";
 
-/** Something that is run in a folder in which everything is installed; it gives a remark. */
+/** A run in a folder in which everything is installed. It returns a remark. */
 interface Run {
   name: string;
   /** The package whose version is reported. */
@@ -21,21 +21,21 @@ interface Run {
   run: (project: Project) => Promise<string>;
 }
 
-/** What runs with one set of packages. */
+/** Runs with one set of packages. */
 export interface Bundler {
   /** Folder below `tests/package/`, with manifest and lockfile. */
   folder: string;
   runs: readonly Run[];
 }
 
-/** Somebody's project in a folder of its own. */
+/** A user's project in a separate folder. */
 export interface Project {
   folder: string;
   consumer: Consumer;
   browser: Browser;
 }
 
-/** A person's, and not that which npm and Vite leave to what they start. */
+/** A user's environment, without the variables that npm and Vite set for their child processes. */
 const ENVIRONMENT = {
   ...process.env,
   NODE_ENV: undefined,
@@ -43,7 +43,10 @@ const ENVIRONMENT = {
   NEXT_TELEMETRY_DISABLED: "1",
 };
 
-/** Runs a program in a project. @throws Error with the beginning of what it printed, also if it warned of the package's code */
+/**
+ * Runs a program in a project. @throws Error with the beginning of its output, also if it warned about the package's
+ * code
+ */
 function run({ folder }: Pick<Project, "folder">, program: string, ...args: string[]): void {
   const { status, stdout, stderr } = spawnSync(program, args, { cwd: folder, env: ENVIRONMENT, encoding: "utf8" });
   const printed = `${stdout}${stderr}`;
@@ -51,18 +54,18 @@ function run({ folder }: Pick<Project, "folder">, program: string, ...args: stri
     throw new Error(`${[program, ...args].join(" ")} failed:\n${printed.slice(0, 2000)}`);
 }
 
-/** @throws Error if somebody said anything but what the command writes */
+/** @throws Error if the output differs from the command's */
 function check(said: Said, thread: string, { consumer }: Project): void {
   const [got, want] = [summary(said, consumer), expected(thread)];
   if (!isDeepStrictEqual(got, want)) throw new Error(`got ${JSON.stringify(got)}, expected ${JSON.stringify(want)}`);
 }
 
-/** Everything that needs three.js, without three-vrm, which few have. */
+/** Everything that needs three.js, except three-vrm, which few users have. */
 const CHARACTERS = `import "strut-motion/element";
 export { loadCharacter } from "strut-motion/three";
 `;
 
-/** Opens a page and says what it loaded. */
+/** Opens a page and returns what it loaded. */
 async function report(project: Project, url: string): Promise<string> {
   const { said, urls } = await visitPage(project.browser, url);
   check(said, "worker", project);
@@ -70,8 +73,8 @@ async function report(project: Project, url: string): Promise<string> {
 }
 
 /**
- * A page that a bundler writes to `dist/`.
- * @param page the page of the bundle, for bundlers that write scripts only
+ * Runs a bundler that writes a page to `dist/`.
+ * @param page the page of the bundle, for bundlers that write only scripts
  */
 const staticSite = (page?: string) => async (project: Project) => {
   const dist = join(project.folder, "dist");
@@ -87,7 +90,7 @@ const staticSite = (page?: string) => async (project: Project) => {
   return loaded;
 };
 
-/** Next.js's own server of a build, once it listens. */
+/** Starts Next.js's own server of a build, and waits until it listens. */
 async function startNext(folder: string): Promise<{ url: string; close: () => void }> {
   const next = join(folder, "node_modules", "next", "dist", "bin", "next");
   const server = spawn(process.execPath, [next, "start", "--port", "0"], {
@@ -95,7 +98,7 @@ async function startNext(folder: string): Promise<{ url: string; close: () => vo
     env: ENVIRONMENT,
     detached: true,
   });
-  // It works in processes of its own.
+  // It starts child processes.
   const close = () => process.kill(-server.pid!);
   const url = await new Promise<string>((resolve, reject) => {
     let printed = "";
@@ -111,7 +114,7 @@ async function startNext(folder: string): Promise<{ url: string; close: () => vo
   return { url, close };
 }
 
-/** What a server component wrote into its page. */
+/** Returns the output of a server component in its page. */
 async function renderedBy(url: string): Promise<Said> {
   const text = await (await fetch(url)).text();
   const match = /<pre data-thread="(\w+)" data-frames="(\d+)">([^<]*)<\/pre>/.exec(text);
@@ -120,8 +123,8 @@ async function renderedBy(url: string): Promise<Said> {
 }
 
 /**
- * Client page and server components. Built-in data must lie beside the package's code, which is then not bundled; the build
- * is moved before that is tried, as the folder in which the package was installed would do too.
+ * Client page and server components. Built-in data must be next to the package's code, which is then not bundled. The
+ * build is moved before the test, because otherwise the folder in which the package was installed would also work.
  */
 const next =
   (...flags: string[]) =>
@@ -157,7 +160,7 @@ const next =
     return loaded;
   };
 
-/** A linter of packages, on the tarball. */
+/** A linter of packages, for the tarball. */
 const linter =
   (program: string, ...options: string[]) =>
   async (project: Project) => {
@@ -165,10 +168,10 @@ const linter =
     return "no remark";
   };
 
-// Files that are fetched have no types.
+// Fetched files have no types.
 const TYPES_ONLY = ["--profile", "esm-only", "--exclude-entrypoints", "./assets/*"];
 
-/** All of them. */
+/** All bundlers. */
 export const BUNDLERS: readonly Bundler[] = [
   { folder: "webpack", runs: [{ name: "webpack", version: "webpack", run: staticSite(html("main.js")) }] },
   { folder: "rollup", runs: [{ name: "Rollup", version: "rollup", run: staticSite(html("main.js")) }] },
@@ -189,15 +192,15 @@ export const BUNDLERS: readonly Bundler[] = [
   },
 ];
 
-/** Version of three.js that this project uses. */
+/** Returns the version of three.js that this project uses. */
 function threeVersion(): string {
   return JSON.parse(readFileSync(join(root, "node_modules", "three", "package.json"), "utf8")).version;
 }
 
 /**
- * Installs a bundler and the tarball in a copy of its folder, and runs all that is to be run with it.
- * @param print is given a line for each run
- * @returns whether all went well
+ * Installs a bundler and the tarball in a copy of its folder, and does all its runs.
+ * @param print receives a line for each run
+ * @returns whether all succeeded
  */
 export async function tryBundler(
   bundler: Bundler,
@@ -208,7 +211,7 @@ export async function tryBundler(
   const folder = mkdtempSync(join(tmpdir(), `strut-${bundler.folder}-`));
   try {
     cpSync(join(import.meta.dirname, bundler.folder), folder, { recursive: true });
-    // Not `npm ci`: it wants the binaries of all platforms in a lockfile, which not every registry has.
+    // Not `npm ci`: it requires the binaries of all platforms in a lockfile, which not every registry has.
     const quick = ["--no-save", "--prefer-offline", "--no-audit", "--no-fund"];
     run({ folder }, "npm", "install", ...quick, consumer.tarball, `three@${threeVersion()}`);
     for (const { name, version, run } of bundler.runs) {

@@ -1,4 +1,4 @@
-// Characters in Node: `node characters.mjs FILE [FOLDER OF THE ASSETS]`. Prints what was bound, or why not.
+// Characters in Node: `node characters.mjs FILE [FOLDER OF THE ASSETS]`. Prints the binding, or the error.
 import { readFileSync } from "node:fs";
 import { loadStrut } from "strut-motion";
 import { loadCharacter, loadMotions } from "strut-motion/three";

@@ -1,4 +1,4 @@
-/** A folder in which somebody installed the package, with a database, walks, and what the command makes of them. */
+/** A folder in which the package is installed, with a database, walks, and the command's output for them. */
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -14,14 +14,14 @@ export interface Consumer {
   folder: string;
   /** The package's tarball. */
   tarball: string;
-  /** The folder of the package as it is installed. */
+  /** Folder of the installed package. */
   installed: string;
-  /** The text of the walk in the style proud, as the command writes it. */
+  /** The walk in the style proud, as text of the command's output. */
   byCommand: string;
   remove(): void;
 }
 
-/** Packs dist/package/ and installs it in an empty folder, with no network. */
+/** Packs dist/package/ and installs it in an empty folder, without network. */
 export function installPackage(): Consumer {
   const built = join(root, "dist", "package");
   if (!existsSync(built)) throw new Error("dist/package/ is missing; run 'npm run package' first.");
@@ -52,7 +52,7 @@ export function installPackage(): Consumer {
   };
 }
 
-/** The walk in a style of the built-in database, as Node styles it without a bundler. */
+/** Returns the walk in a style of the built-in database, styled in Node without a bundler. */
 export function styledByNode({ folder }: Consumer): string {
   const script = `import { readFileSync } from "node:fs";
 import { loadStrut } from "strut-motion/node";

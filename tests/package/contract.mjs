@@ -1,4 +1,4 @@
-// DESIGN.md section 6 to the letter, in Node; the consumer folder has the package, three.js and the files. Prints a report.
+// The package's contract in Node. The consumer folder has the package, three.js and the files. Prints a report.
 import { readFileSync, writeFileSync } from "node:fs";
 import { loadStrut } from "strut-motion";
 import * as THREE from "three";
@@ -81,7 +81,7 @@ console.log(
 other.dispose();
 strut.dispose();
 
-/** The joints of a GLB as three.js's objects: what GLTFLoader would give of it, without its mesh. */
+/** Returns the joints of a GLB as three.js objects, as GLTFLoader would without the mesh. */
 function rigOf(bytes) {
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
   const { nodes } = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));

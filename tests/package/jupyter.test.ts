@@ -1,4 +1,4 @@
-/** The Python side of `examples/jupyter/`: its traits, and bytes as a browser sends them. */
+/** The Python side of `examples/jupyter/`: its traits, and bytes as sent by a browser. */
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

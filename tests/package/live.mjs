@@ -1,4 +1,4 @@
-// A performer in Node: a source of the caller's, in a style, recorded. Prints a report.
+// A live performer in Node: a caller's source, styled and recorded. Prints a report.
 import { loadStrut } from "strut-motion";
 import { landmarkPoses, webSocketPoses } from "strut-motion/streams";
 
@@ -8,7 +8,7 @@ const db = await strut.openDatabase("strut:walk");
 const motion = await strut.openMotion("strut:neutral-walk");
 const poses = await motion.poses(db);
 
-/** Sends the walk in real time until it is not wanted any more. */
+/** Sends the walk in real time until it is stopped. */
 const walk = {
   start: (sink, signal) =>
     new Promise((resolve) => {
@@ -35,14 +35,14 @@ await new Promise((resolve) => {
 const { stats } = live;
 const recording = recorder.stop();
 live.close();
-// Nothing comes any more.
+// No more frames arrive.
 let afterwards = 0;
 live.onFrame = () => {
   afterwards += 1;
 };
 await new Promise((resolve) => setTimeout(resolve, 100));
 
-/** The first trouble of a source. */
+/** Returns the first error of a source. */
 const troubleOf = async (source) => {
   const other = await strut.live(db, source);
   const sentence = await new Promise((resolve) => {

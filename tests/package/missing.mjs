@@ -1,4 +1,4 @@
-// What is said in Node of files that are missing beside the package's code: each is taken away in turn. Prints a report.
+// Error messages in Node for missing files of the package: each is removed in turn. Prints a report.
 import { readFileSync, renameSync } from "node:fs";
 import { loadStrut } from "strut-motion";
 
@@ -6,7 +6,7 @@ const clips = ["neutral", "old"].map((style) => {
   const name = `walk_${style}_001.bvh`;
   return new File([readFileSync(`clips/${name}`)], name);
 });
-/** What needs a file. */
+/** Uses of each file. */
 const uses = {
   "walk.bin": (strut) => strut.openDatabase("strut:walk"),
   "built_in.bin": (strut) => strut.openDatabase("strut:built-in"),
@@ -30,7 +30,7 @@ for (const [file, use] of Object.entries(uses)) {
   renameSync(path, `${path}.away`);
   const missing = await said();
   renameSync(`${path}.away`, path);
-  // What could not be had is tried again.
+  // A missing file is requested again later.
   report[file] = [missing, await said()];
 }
 console.log(JSON.stringify(report));

@@ -1,4 +1,4 @@
-// What the package builds and trains, in Node. Writes what the command is compared with, and prints a report.
+// Builds and trains with the package in Node. Writes files for the comparison with the command, and prints a report.
 import { readFileSync, writeFileSync } from "node:fs";
 import { loadStrut } from "strut-motion";
 
@@ -6,7 +6,7 @@ const strut = await loadStrut();
 const fractions = [];
 const onProgress = ({ fraction }) => fractions.push(fraction);
 const names = ["walk_neutral_001.bvh", "walk_old_001.bvh", "walk_proud_001.bvh"];
-// As a browser gives the files of a folder.
+// Like the files of a folder in a browser.
 const files = names.map((name) => {
   const file = new File([readFileSync(`clips/${name}`)], name);
   return Object.defineProperty(file, "webkitRelativePath", { value: `two/${name}` });

@@ -1,4 +1,4 @@
-/** The package in Node, installed from its tarball: the contract of DESIGN.md section 6, bit-equal to the command. */
+/** The package in Node, installed from its tarball: its contract, bit-identical to the command. */
 import { execFileSync, spawnSync } from "node:child_process";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -19,7 +19,7 @@ beforeAll(() => {
 }, 900_000);
 afterAll(() => consumer.remove());
 
-/** Runs a script of this folder as the consumer's; what it prints. */
+/** Runs a script of this folder in the consumer's folder and returns its output. */
 function run(script: string, ...args: string[]): string {
   copyFileSync(new URL(`./${script}`, import.meta.url), join(consumer.folder, script));
   return execFileSync(process.execPath, ["--expose-gc", script, ...args], { cwd: consumer.folder, encoding: "utf8" });
@@ -121,7 +121,7 @@ describe("what is built and trained", () => {
     }
     command("build-db", "two", "-o", "built_by_command.strutdb");
     expect(file("built.strutdb").equals(file("built_by_command.strutdb"))).toBe(true);
-    // A database keeps the path of every clip; a file alone has none.
+    // A database stores the path of every clip; a single file has none.
     copyFileSync(join(consumer.folder, "clips/walk_proud_001.bvh"), join(consumer.folder, "walk_proud_001.bvh"));
     const clip = ["--input", "walk_proud_001.bvh", "--style", "cross"];
     command("add-style", "--db", "built_by_command.strutdb", ...clip, "-o", "more_by_command.strutdb");
@@ -175,7 +175,7 @@ test("a performer is styled as poses arrive, and recorded; what does not work is
   expect(report.refusals).toEqual(["bad-input", "bad-input", "bad-input"]);
 });
 
-/** Poses of the stream: 100,000 take minutes. */
+/** Number of poses of the stream: 100,000 take minutes. */
 const PUSHES = Number(process.env.STRUT_PUSHES ?? 20_000);
 
 describe(`a stream of ${PUSHES} poses`, () => {
@@ -205,13 +205,13 @@ export const refused = new StrutError({ code: "load", message: "", hint: "" }).c
 export const wrong = loadStrut({ asset: "/assets" });
 `;
 
-  /** Modules and resolutions of users. */
+  /** Module systems and resolutions of users. */
   const SETTINGS = [
     ["node16", "node16"],
     ["esnext", "bundler"],
   ];
 
-  /** Compiles a file of the consumer's. @returns what the compiler says: nothing if all is well */
+  /** Compiles a file in the consumer's folder. @returns the compiler's output: empty if there is no error */
   function compile(file: string, text: string, options: Readonly<Record<string, unknown>>): string {
     writeFileSync(join(consumer.folder, file), text);
     const compilerOptions = {
@@ -228,7 +228,7 @@ export const wrong = loadStrut({ asset: "/assets" });
     return spawnSync(process.execPath, [tsc, "-p", "."], { cwd: consumer.folder, encoding: "utf8" }).stdout;
   }
 
-  /** Types that are not of the package, as the consumer installs them. */
+  /** Installs types of other packages, as the consumer does. */
   function installTypes(name: string): void {
     const folder = join(consumer.folder, "node_modules", "@types");
     mkdirSync(folder, { recursive: true });
@@ -258,7 +258,7 @@ export const role: Role = "hips";
 // @ts-expect-error: there is no such role
 export const wrong: Role = "tail";
 `;
-    // The declarations of three.js need not be without fault.
+    // The declarations of three.js may have errors.
     const options = { module, moduleResolution, skipLibCheck: true };
     expect(compile("figure.ts", figure, options)).toBe("");
   });

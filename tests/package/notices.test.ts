@@ -1,4 +1,4 @@
-/** What is shipped of others: every part has a licence that lets us, its text, and a place in the bill of materials. */
+/** Shipped third-party parts: each has an allowed licence, its text, and an entry in the bill of materials. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
@@ -30,7 +30,7 @@ describe.each(["", "package/"])("the files in dist/%s", (folder) => {
       "draco3dgltf",
     ])
       expect(names).toContain(name);
-    // What only tests and builds need is not shipped.
+    // Dependencies of only tests and builds are not shipped.
     for (const name of ["vitest", "vite", "proptest", "criterion", "libfuzzer-sys", "syn"])
       expect(names).not.toContain(name);
   });

@@ -1,11 +1,11 @@
-/** Pages of somebody who installed the package: what they run, how they are opened, and what must come of it. */
+/** Pages of a user of the package: their programs, how they are opened, and their expected results. */
 import { cpSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import type { Browser } from "playwright-core";
 import { type Consumer, FRAMES } from "./consumer";
 
-/** What a page says of the walk that it styled. */
+/** Result of a page that styled the walk. */
 export interface Said {
   /** `Strut.thread`. */
   thread: string;
@@ -15,21 +15,21 @@ export interface Said {
   bvh: string;
 }
 
-/** What a page said, and what it and its workers loaded for that. */
+/** Result of a page, and the files that it and its workers loaded. */
 export interface Visit {
   said: Said;
   urls: string[];
 }
 
-/** Files that every page fetches beside itself. */
+/** Data files that every page fetches. */
 const DATA = ["demo.strutdb", "walk.bvh"];
 
 declare const window: { said: Promise<Said> };
 
 /**
- * The module of a page.
- * @param specifier where it has the package from
- * @param options of `loadStrut`, as text
+ * Returns the module of a page.
+ * @param specifier specifier of the package
+ * @param options options of `loadStrut`, as text
  */
 export const program = (specifier = "strut-motion", options = "") => `import { loadStrut } from "${specifier}";
 window.said = (async () => {
@@ -43,7 +43,7 @@ window.said = (async () => {
 window.said.catch(() => {});
 `;
 
-/** A page that runs a module, which may have the package by import map. */
+/** Returns a page that runs a module, which may import the package by import map. */
 export const html = (main: string, importsFrom?: string) =>
   `<!doctype html><meta charset="utf-8"><title>Consumer</title>${
     importsFrom === undefined
@@ -51,13 +51,13 @@ export const html = (main: string, importsFrom?: string) =>
       : `<script type="importmap">{ "imports": { "strut-motion": "${importsFrom}" } }</script>`
   }<script type="module" src="${main}"></script>`;
 
-/** Copies what every page fetches. */
+/** Copies the data files that every page fetches. */
 export function copyData(consumer: Consumer, folder: string): void {
   mkdirSync(folder, { recursive: true });
   for (const file of DATA) cpSync(join(consumer.folder, file), join(folder, file));
 }
 
-/** Writes files into a folder of the consumer's, with what every page fetches. */
+/** Writes files into a folder of the consumer's, with the data files. */
 export function writeSite(consumer: Consumer, name: string, files: Readonly<Record<string, string>>): string {
   const folder = join(consumer.folder, name);
   copyData(consumer, folder);
@@ -66,8 +66,8 @@ export function writeSite(consumer: Consumer, name: string, files: Readonly<Reco
 }
 
 /**
- * Copies the installed package beside a page.
- * @param without the ending of files that are left out
+ * Copies the installed package next to a page.
+ * @param without the ending of files that are omitted
  */
 export function copyPackage(consumer: Consumer, folder: string, without?: string): void {
   cpSync(consumer.installed, join(folder, "strut-motion"), {
@@ -77,9 +77,9 @@ export function copyPackage(consumer: Consumer, folder: string, without?: string
 }
 
 /**
- * Opens a page, all hosts but those named blocked, and waits for what it says.
+ * Opens a page, with all hosts blocked except those named, and waits for its result.
  * @param allowed other hosts that it may reach
- * @param inFrame whether its first frame says it
+ * @param inFrame whether its first iframe returns the result
  */
 export async function visitPage(
   browser: Browser,
@@ -105,15 +105,15 @@ export async function visitPage(
   }
 }
 
-/** Kilobytes after gzip of what was loaded, but for the data that it styled. */
+/** Returns kilobytes of the loaded files after gzip, without the data. */
 export async function loadedKb(urls: readonly string[]): Promise<number> {
   const loaded = urls.filter((url) => !DATA.some((file) => url.endsWith(`/${file}`)));
   const bodies = await Promise.all(loaded.map(async (url) => (await fetch(url)).arrayBuffer()));
   return bodies.reduce((sum, body) => sum + gzipSync(body).length, 0) / 1000;
 }
 
-/** What a page must say. The files are too long for a report of how they differ. */
+/** Returns the expected result of a page. The BVH texts are only compared, because they are too long for a report. */
 export const expected = (thread: string) => ({ thread, frames: FRAMES, same: true });
 
-/** What it said, in the same form. */
+/** Returns the result of a page in the same form. */
 export const summary = ({ bvh, ...said }: Said, consumer: Consumer) => ({ ...said, same: bvh === consumer.byCommand });

@@ -1,4 +1,4 @@
-/** What documents say of `<strut-player>` is what its tables say. */
+/** Documents describe `<strut-player>` as its tables do. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";

@@ -15,7 +15,7 @@ const TYPES: Readonly<Record<string, string>> = {
 
 type Headers = Readonly<Record<string, string>>;
 
-/** @param given are sent with every answer, or those of its path */
+/** @param given headers of every answer, or of the answer with a path */
 export async function serveFolder(folder: string, given: Headers | ((path: string) => Headers) = {}) {
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url!, "http://x");

@@ -1,4 +1,4 @@
-// A live stylizer for so many pushes of one pose: what the memory does, and what a push costs besides styling. Prints a report.
+// A live stylizer for a number of pushes of one pose: its memory, and the overhead of a push. Prints a report.
 import { loadStrut } from "strut-motion";
 
 const PUSHES = Number(process.argv[2]);
@@ -10,14 +10,14 @@ const frames = poses.length / 87;
 const live = await strut.createStylizer(db, { styles: { proud: 1 } });
 const pushes = async (count) => {
   for (let i = 0; i < count; i++) {
-    // The first use of a style takes memory, which the others of it share.
+    // The first use of a style takes memory, which later uses share.
     if (i % 500 === 250) live.setStyles({ old: (i % 3) / 2 });
     const at = 87 * (i % frames);
     await live.push(poses.subarray(at, at + 87));
   }
 };
 const state = async () => {
-  // Buffers are given back by another thread, some time after the collection: until a second brings no more.
+  // Another thread releases buffers some time after the collection: wait until a second brings no more.
   let least = Number.POSITIVE_INFINITY;
   for (let idle = 0; idle < 20; idle++) {
     globalThis.gc();
@@ -34,7 +34,7 @@ const before = await state();
 await pushes(PUSHES);
 const after = await state();
 
-// The same frames one by one and in one piece differ by what a push costs besides.
+// The difference between frames one by one and in one call is the overhead of a push.
 const timed = async (work) => {
   const started = performance.now();
   await work();
@@ -46,7 +46,7 @@ const single = await timed(() => pushes(500));
 live.reset();
 const whole = await timed(() => live.push(batch));
 
-// As soon as the clip is in hand: a fast machine is done with all of it in a few milliseconds.
+// As soon as the clip has started: a fast machine finishes it in a few milliseconds.
 const controller = new AbortController();
 let aborted = Number.NaN;
 const onProgress = () => {

@@ -1,4 +1,4 @@
-/** The page builds the same databases as the command, byte for byte: from folders, from archives, from a table. */
+/** The page builds the same databases as the command, byte for byte: from folders, from archives, with a table. */
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -20,7 +20,7 @@ afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** The files of a folder as a page sees them that it was dropped on. */
+/** Returns the files of a folder as a page receives them in a drop. */
 function dropped(name: string): DroppedFile[] {
   return readdirSync(join(folder, name), { recursive: true, encoding: "utf8" })
     .filter((path) => path.includes("."))
@@ -32,13 +32,13 @@ function fileOf(path: string): File {
   return new File([readFileSync(path)], basename(path));
 }
 
-/** What the command makes of an input in the folder. */
+/** Returns the command's database of an input in the folder. */
 function byCommand(input: string, ...more: string[]): Uint8Array {
   execFileSync(COMMAND, ["build-db", input, "-o", "out.strutdb", ...more], { cwd: folder, stdio: "pipe" });
   return readFileSync(join(folder, "out.strutdb"));
 }
 
-/** What the page makes of these files. */
+/** Returns the page's database of these files. */
 async function byPage(files: DroppedFile[], neutral: string, pattern?: string, table?: File): Promise<Uint8Array> {
   const client = createBuildClient(() => new InlineBuildWorker());
   const { clips } = await client.open(files);

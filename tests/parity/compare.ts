@@ -1,14 +1,14 @@
-/** Where two parity reports part. */
+/** The first difference of two parity reports. */
 
-/** The first stage that differs, and its first frame that does. */
+/** The first stage that differs, and its first differing frame. */
 export interface Difference {
   /** Clip or database and stage. */
   stage: string;
-  /** Number of the frame, line or clip; -1 if what both reports have of the stage is the same, or one lacks it. */
+  /** Index of the frame, line or clip; -1 if the common part of the stage is equal, or a report lacks the stage. */
   frame: number;
 }
 
-/** The first difference in the order of the stages, undefined if the reports are the same. */
+/** Returns the first difference in the order of the stages, or undefined if the reports are equal. */
 export function firstDifference(native: string, wasm: string): Difference | undefined {
   const [a, b] = [native, wasm].map((report) => report.trimEnd().split("\n"));
   for (let i = 0; i < Math.max(a!.length, b!.length); i++) {

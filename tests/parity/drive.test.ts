@@ -1,4 +1,4 @@
-/** Scripted driving, natively and by the packages that visitors load: the same bits in every frame. */
+/** Scripted driving, natively and with the packages that visitors load: the same bits in every frame. */
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -12,11 +12,11 @@ import { buildPrograms, COMMAND, DRIVE } from "../programs";
 /** A minute, or STRUT_DRIVE_FRAMES: ten minutes are 36,000. */
 const FRAMES = Number(process.env.STRUT_DRIVE_FRAMES ?? 3600);
 const RATE_HZ = 60;
-/** Numbers of a driver's frame, and of one with the styled pose. */
+/** Number of floats of a driver's frame, and of one with the styled pose. */
 const DRIVEN = new DriverFrame().numbers.length;
 const NUMBERS = DRIVEN + POSE_FLOATS;
 
-/** What is asked in a frame; a `path` from it on. */
+/** Controls of a frame, and a `path` that starts in it. */
 interface Asked {
   move: [number, number];
   gait: number;
@@ -39,7 +39,10 @@ afterAll(() => {
 
 const takes = () => gunzipSync(readFileSync(new URL("../../web/engine/motions/drive.bin", import.meta.url)));
 
-/** Walks, runs, turns on the spot and about, stands, jumps, punches and kicks, follows a path, and changes styles meanwhile. */
+/**
+ * Returns a script that walks, runs, turns in place and about, stands, jumps, punches and kicks, follows a path, and
+ * changes styles meanwhile.
+ */
 function script(styles: number): Asked[] {
   return Array.from({ length: FRAMES }, (_, frame) => {
     const secs = frame / RATE_HZ;
@@ -61,7 +64,7 @@ function script(styles: number): Asked[] {
   });
 }
 
-/** What the native driver and stylizer make of a script. */
+/** Returns the native driver's and stylizer's output of a script. */
 function natively(asked: readonly Asked[]): Float32Array {
   const lines = asked.flatMap(({ move, gait, face, action, weights, path }) => [
     ...(path ? [`path ${path.join(" ")}`] : []),
@@ -80,7 +83,7 @@ async function glueOf(pkg: string, name: string) {
   return glue;
 }
 
-/** What the packages make of it. */
+/** Returns the packages' output of the script. */
 async function byPackages(asked: (styles: number) => readonly Asked[]): Promise<Float32Array> {
   const engine: typeof import("../../web/engine/pkg/strut_wasm.js") = await glueOf("web/engine/pkg", "strut_wasm");
   const driving: typeof import("../../web/engine/drive/pkg/strut_drive.js") = await glueOf(
@@ -122,7 +125,7 @@ async function byPackages(asked: (styles: number) => readonly Asked[]): Promise<
   return out;
 }
 
-/** The first frame whose bits differ; −1 if none does. */
+/** Returns the first frame whose bits differ; −1 if none does. */
 function firstDifference(a: Float32Array, b: Float32Array): number {
   const [left, right] = [a, b].map(({ buffer, byteOffset, length }) => new Uint32Array(buffer, byteOffset, length));
   const at = left!.findIndex((bits, i) => bits !== right![i]);
@@ -139,14 +142,14 @@ test("scripted driving has the same bits", { timeout: 600_000 }, async () => {
   expect(native.length).toBe(NUMBERS * FRAMES);
   expect(firstDifference(page, native)).toBe(-1);
 
-  // The script has all that it is to have.
+  // The script contains everything that it should.
   const column = (at: number) => Array.from({ length: FRAMES }, (_, frame) => page[NUMBERS * frame + at]!);
   const speeds = column(SPEED);
   expect([Math.min(...speeds) < 0.1, Math.max(...speeds) > 1.8]).toEqual([true, true]);
   const moves = column(SPEED + 6);
   expect(new Set(moves)).toEqual(new Set([0, 1, 2, 3]));
 
-  // A number that is another one in a single frame does not go unnoticed, where the character heeds it.
+  // A changed control in a single frame is detected, if the character responds to it.
   const goes = (frame: number) => asked[frame]!.move.some((axis) => axis !== 0) && moves[frame] === 0;
   const at = moves.findIndex((_, frame) => frame > 1000 && Array.from({ length: 90 }, (_, i) => frame - i).every(goes));
   const changed = asked.map((of, frame) => (frame === at ? { ...of, gait: of.gait - 0.25 } : of));

@@ -1,4 +1,4 @@
-/** The page learns the same key-style models as the command, byte for byte, and makes the same motions of keys with them. */
+/** The page trains the same key-style models as the command, byte for byte, and makes the same motions with them. */
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -22,14 +22,14 @@ afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** The model that the command learns from these files. */
+/** Returns the command's model of these files. */
 function byCommand(files: string[], axes: string[], method: "som" | "em" = "som"): Uint8Array {
   const args = ["train-key-style", ...files, "--axes", axes.join(","), "--method", method, "-o", "model.strutkeys"];
   execFileSync(COMMAND, args, { cwd: folder, stdio: "pipe" });
   return readFileSync(join(folder, "model.strutkeys"));
 }
 
-/** The model that the page learns from them. */
+/** Returns the page's model of these files. */
 async function byPage(files: string[], axes: string[], em = false): Promise<Uint8Array> {
   const client = createBuildClient(() => new InlineBuildWorker());
   const dropped = files.map((path) => ({ path: basename(path), file: new File([readFileSync(path)], basename(path)) }));

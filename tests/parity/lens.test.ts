@@ -1,5 +1,5 @@
 /**
- * What a lens shows of a frame is what `strut stylize --trace` writes of it, whose search, weights and durations are the
+ * A lens shows the same values for a frame as `strut stylize --trace`, whose search, weights and durations are the
  * native ones.
  */
 import { execFileSync } from "node:child_process";
@@ -15,12 +15,13 @@ import { buildPrograms, COMMAND } from "../programs";
 
 const CLIP = "demo/walk_neutral_001.bvh";
 const STYLE = "old";
-/** One after a turn of the heading, one near the start, and the last but a few. */
+/** A frame after a turn of the heading, one near the start, and one near the end. */
 const FRAMES = [8, 160, 301, 700];
 
 /**
- * Rounding of squared distances, m²: they are differences of squared norms of about 1 m², of which single precision keeps
- * 1.2e-7, and a lens is warmed up on other frames than the command. The root of it is a third of a millimetre at distance 0.
+ * Rounding of squared distances, m²: they are differences of squared norms of about 1 m², for which single precision
+ * has an error of 1.2e-7, and a lens is warmed up on other frames than the command. Its root is a third of a millimetre
+ * at distance 0.
  */
 const ROUNDING = 3e-7;
 
@@ -72,7 +73,7 @@ test("neighbours, weights and durations of a frame are those of the command's tr
     });
     const { weights } = lens.classes();
     database.info.classes.forEach(({ action, style }, i) => {
-      // The trace leaves out weights below 1e-4.
+      // The trace omits weights below 1e-4.
       const traced = class_weights[`${action}/${style}`];
       if (traced === undefined) expect(weights[i]).toBeLessThan(1e-4);
       else expect(weights[i]).toBeCloseTo(traced, 5);

@@ -1,6 +1,6 @@
 /**
- * The engine gives the same bits natively, in WebAssembly with SIMD and without: `rust/strut-wasm/src/parity.rs` compiled
- * all three ways, over whole clips and every stage. The modules are built as the one that the page loads is, plus the
+ * The engine computes the same bits natively, and in WebAssembly with SIMD and without: `rust/strut-wasm/src/parity.rs`
+ * compiled in three ways, over whole clips and every stage. The modules are built as the page's module is, plus the
  * report.
  */
 import { execFile } from "node:child_process";
@@ -11,7 +11,7 @@ import { buildPrograms, REPORT } from "../programs";
 import { recordings } from "../recordings";
 import { firstDifference } from "./compare";
 
-/** Real clips of every skeleton there is; two of one cast, to be registered with each other. */
+/** Real clips of every available skeleton; two have the same actor, to be registered with each other. */
 const REAL_CLIPS = [
   "bandai-namco-2/dataset-2_walk_normal_001.bvh",
   "bandai-namco-2/dataset-2_walk_elderly_001.bvh",
@@ -25,31 +25,31 @@ const clips = mocap ? REAL_CLIPS.map((clip) => join(mocap, clip)) : [];
 
 const run = promisify(execFile);
 
-/** What a program prints. */
+/** Returns the output of a program. */
 async function printed(program: string, args: readonly string[]): Promise<string> {
   return (await run(program, args, { encoding: "utf8", maxBuffer: 1 << 28 })).stdout;
 }
 
-/** The report of a WASM build; `nudgedFrame` changes the input of that frame by the least there is. */
+/** Returns the report of a WASM build. `nudgedFrame` changes the input of that frame by one unit in the last place. */
 function wasmReport(build: "simd" | "scalar", nudgedFrame?: number): Promise<string> {
   const nudge = nudgedFrame === undefined ? [] : ["--nudge", String(nudgedFrame)];
   return printed(process.execPath, [join(import.meta.dirname, "report.mjs"), build, ...nudge, ...clips]);
 }
 
-/** A hash for each frame's row of degrees of freedom, by input. */
+/** Returns a hash for each frame's row of degrees of freedom, by input. */
 function rowHashes(report: string): Map<string, string[]> {
   return new Map([...report.matchAll(/^(\S+)\/rows (.*)$/gm)].map(([, input, all]) => [input!, all!.split(" ")]));
 }
 
 describe("native and WASM", () => {
-  /** The frame that is changed. */
+  /** The changed frame. */
   const NUDGED = 100;
   let native: string;
   let reports: Record<"simd" | "scalar", string>;
   let nudged: string;
   beforeAll(async () => {
     buildPrograms();
-    // Each takes one core for a while.
+    // Each uses one core for a while.
     const [ofNative, simd, scalar, ofNudged] = await Promise.all([
       printed(REPORT, clips),
       wasmReport("simd"),
@@ -72,7 +72,7 @@ describe("native and WASM", () => {
 
   test("a change of one bit in one frame is not hidden, whatever the input", () => {
     expect(firstDifference(native, nudged)).toEqual({ stage: "neutral-walk/retargeted", frame: NUDGED });
-    // Height is a degree of freedom, so its last bit must arrive; a distance may round it away.
+    // Height is a degree of freedom, so the change of its last bit must be visible; a distance may round it away.
     const [before, after] = [rowHashes(native), rowHashes(nudged)];
     expect(before.size).toBeGreaterThan(clips.length);
     for (const [input, rows] of before) {

@@ -1,6 +1,6 @@
 /**
- * The packages that visitors load style a file as the command does, byte for byte: the engine's, the Compare view's with
- * the methods that are trained beforehand, and the lessons'.
+ * The packages that visitors load style a file as the command does, byte for byte: the engine's, the Compare view's
+ * with the pretrained methods, and the lessons'.
  */
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -9,7 +9,7 @@ import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { buildPrograms, COMMAND } from "../programs";
 
-/** As much of either package as is used here. */
+/** The part of either package that is used here. */
 interface Glue {
   initSync(source: { module: BufferSource }): unknown;
   Database: { fromBytes(bytes: Uint8Array): { styles(): string[] } };
@@ -43,14 +43,14 @@ afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-/** The styled file as the command writes it. */
+/** Returns the styled file as the command writes it. */
 function byCommand(method: string): string {
   const args = ["stylize", "--db", "demo.strutdb", "--input", CLIP, "--style", STYLE, "--method", method];
   execFileSync(COMMAND, [...args, "-o", "out.bvh"], { cwd: folder, stdio: "pipe" });
   return readFileSync(join(folder, "out.bvh"), "utf8");
 }
 
-/** The same as a package writes it, with the mixture's width `delta`. */
+/** Returns the styled file as a package writes it, with the mixture's width `delta`. */
 async function byPackage({ folder: pkg, name }: { folder: string; name: string }, method: string, delta = 0.35) {
   const at = new URL(`../../${pkg}/`, import.meta.url);
   const glue: Glue = await import(/* @vite-ignore */ new URL(`${name}.js`, at).href);

@@ -1,4 +1,4 @@
-/** A release's version: found in every file that states it, raised in all of them at once. */
+/** A release's version: found in every file that contains it, and raised in all of them at once. */
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -17,7 +17,7 @@ let folder: string;
 beforeEach(() => {
   folder = mkdtempSync(join(tmpdir(), "strut-versions-"));
   for (const file of versionedFiles()) cpSync(join(root, file), join(folder, file));
-  // As it is between two releases.
+  // The state between two releases.
   change("CHANGELOG.md", /^## .*$/m, "## Unreleased");
 });
 afterEach(() => rmSync(folder, { recursive: true }));
@@ -50,7 +50,7 @@ test("raising it leaves one version, a dated changelog, and a tag that fits", ()
   expect(tagFaults("v9.8.7", folder)).toEqual([]);
   expect(read("CHANGELOG.md")).toContain("## 9.8.7 (2031-05-06)");
   expect(newestChanges(folder)).toBe(changes);
-  // The next release needs changes of its own.
+  // The next release needs its own changes.
   expect(() => raiseVersion("9.8.8", "2031-05-07", folder)).toThrow(/Unreleased/);
 });
 

@@ -1,37 +1,37 @@
-/** Families of rigs as real programs write them: names, axes of bones, units, poses and hierarchies. */
+/** Families of rigs as real programs write them: names, bone axes, units, poses and hierarchies. */
 import { Quaternion, Vector3 } from "three";
 import { ROLES, type Role } from "../../web/humanoid";
 
-/** How the bones of a family lie in their own frames: along the world, along +Y, or along +X, mirrored on the right. */
+/** Local axes of the bones of a family: along the world, along +Y, or along +X, mirrored on the right. */
 export type Axes = "world" | "y" | "x" | "mirrored x";
 
-/** What a rig is made of. */
+/** Properties of a rig. */
 export interface Family {
   readonly name: string;
   /** Names of the 21 joints, in the order of roles. */
   readonly joints: readonly string[];
   readonly axes: Axes;
-  /** Pose of the bind pose: arms 45° down and legs 4° apart in the A-pose. */
+  /** The bind pose: in the A-pose arms are 45° down and legs 4° apart. */
   readonly pose: "T" | "A";
-  /** Size of the whole body, the mannequin's being 1. */
+  /** Size of the whole body relative to the mannequin's. */
   readonly size: number;
-  /** Factors on single parts and what hangs on them, besides. */
+  /** Additional factors on single parts and their descendants. */
   readonly shape: Readonly<Partial<Record<Role, number>>>;
-  /** Metres a unit inside the armature. */
+  /** Metres per unit inside the armature. */
   readonly metresPerUnit: number;
-  /** How the armature is turned, as where +Z is up inside it. */
+  /** Rotation of the armature, for example where +Z is up inside it. */
   readonly armature: Quaternion;
   /** Whether the character faces −Z. */
   readonly facesAway: boolean;
   /** Names of joints between spine and chest. */
   readonly trunk: readonly string[];
-  /** Names of the joints of one finger, left; the right ones are got by {@link mirroredName}. */
+  /** Names of the joints of one left finger; {@link mirroredName} returns the right ones. */
   readonly finger: readonly string[];
-  /** Names of the joints of a lock of hair, which swings by itself in a VRM. */
+  /** Names of the joints of a lock of hair, which is simulated in a VRM. */
   readonly hair: readonly string[];
-  /** Name of a joint above the hips, where there is one. */
+  /** Name of a joint above the hips, if there is one. */
   readonly root?: string;
-  /** Biped hangs the thighs on the spine and the collarbones on the neck. */
+  /** Biped has the spine as parent of the thighs, and the neck as parent of the collarbones. */
   readonly isBiped?: boolean;
   readonly vrm?: 0 | 1;
 }
@@ -39,7 +39,7 @@ export interface Family {
 const NO_TURN = new Quaternion();
 const Z_UP = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), -Math.PI / 2);
 
-/** Names by parts: trunk, then arm and leg of both sides. */
+/** Returns names by part: trunk, then arm and leg of both sides. */
 function names(trunk: string[], arm: string[], leg: string[], sided: (part: string, side: "left" | "right") => string) {
   const side = (s: "left" | "right", parts: string[]) => parts.map((part) => sided(part, s));
   return [...trunk, ...side("left", arm), ...side("right", arm), ...side("left", leg), ...side("right", leg)];
@@ -97,7 +97,7 @@ const PLAIN = {
   hair: [],
 };
 
-/** The eight rigs of `shared/spec/embedding.md` section 5. */
+/** The eight rigs of the tests. */
 export const FAMILIES: readonly Family[] = [
   {
     ...PLAIN,
@@ -181,7 +181,7 @@ export const FAMILIES: readonly Family[] = [
   },
 ];
 
-/** The name of the same joint on the other side. */
+/** Returns the name of the same joint on the other side. */
 export function mirroredName(name: string): string {
   return name.replace("Left", "Right").replace("_L_", "_R_").replace(/_l$/, "_r").replace(" L ", " R ");
 }

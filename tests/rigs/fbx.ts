@@ -1,5 +1,5 @@
 /**
- * FBX 7.4, binary: a rig as Mixamo writes it. Its joints lie in centimetres without an armature, their rest is a
+ * FBX 7.4, binary: a rig as Mixamo writes it. Its joints are in centimetres without an armature, their rest is a
  * `PreRotation`, and two meshes follow the same joints.
  */
 import { type AnimationClip, Euler, Matrix4, PropertyBinding, Quaternion, Vector3 } from "three";
@@ -7,21 +7,21 @@ import { chunksOf } from "../../web/character/glb_patch";
 import type { Family } from "./families";
 import { makeRig } from "./rig";
 
-/** Ticks of a second. */
+/** Ticks per second. */
 const TICKS = 46_186_158_000n;
 
-/** What may differ of the file. */
+/** Options of the file. */
 export interface FbxOptions {
   version?: number;
-  /** Centimetres a unit, as it stands in the file. */
+  /** Centimetres per unit, as written in the file. */
   unitScaleFactor?: number;
-  /** A clip of the joints of the rig; a VRM's normalized bones are none. */
+  /** A clip of the joints of the rig, not of a VRM's normalized bones. */
   clip?: AnimationClip;
-  /** Whether there are meshes, as "With Skin" has it at Mixamo; `true` unless given. */
+  /** Whether there are meshes, Mixamo's option "With Skin"; `true` unless given. */
   skin?: boolean;
 }
 
-/** A value of a record: a whole number is an int64, a `Float` a double. */
+/** A value of a record: an integer is an int64, a `Float` a double. */
 type Property = bigint | string | Float64Array | Float32Array | Int32Array | BigInt64Array | { int: number } | number;
 
 /** A record of the file. */
@@ -37,7 +37,7 @@ const node = (name: string, properties: Property[] = [], children: Node[] = []):
   children,
 });
 
-/** A property of an object; doubles. */
+/** A property of an object, of type double. */
 const p70 = (name: string, type: string, ...values: Property[]) => node("P", [name, type, "", "A", ...values]);
 
 const object = (kind: string, id: bigint, name: string, of: string, type: string, children: Node[] = []) =>
@@ -45,7 +45,7 @@ const object = (kind: string, id: bigint, name: string, of: string, type: string
 
 const IDENTITY = Float64Array.from(new Matrix4().elements);
 
-/** Writes the file of a family; its armature is left away. */
+/** Writes the file of a family, without its armature. */
 export function fbxFile(
   family: Family,
   { version = 7400, unitScaleFactor = 1, clip, skin: isSkinned = true }: FbxOptions = {},
@@ -130,7 +130,7 @@ export function fbxFile(
   }
 
   const settings = [
-    // Without its turned armature the rig stands up along +Z.
+    // Without its turned armature the rig stands along +Z.
     node("P", ["UpAxis", "int", "Integer", "", { int: family.armature.w === 1 ? 1 : 2 }]),
     node("P", ["UnitScaleFactor", "double", "Number", "", unitScaleFactor]),
   ];
@@ -142,7 +142,7 @@ export function fbxFile(
   ]);
 }
 
-/** The rig of a family as its GLB has it, without the armature. */
+/** Returns the rig of a family as in its GLB, without the armature. */
 function read(family: Family) {
   const { json, binary } = chunksOf(makeRig(family).glb);
   const { nodes, skins, meshes, accessors, bufferViews } = json as unknown as {
@@ -182,13 +182,13 @@ function read(family: Family) {
   };
 }
 
-/** FBX turns about X, then Y, then Z. */
+/** FBX rotates about X, then Y, then Z. */
 function degrees(rotation: Quaternion): [number, number, number] {
   const { x, y, z } = new Euler().setFromQuaternion(rotation, "ZYX");
   return [x, y, z].map((angle) => (angle * 180) / Math.PI) as [number, number, number];
 }
 
-/** Rotations as angles from the rest; each the nearest to the one before of those that mean the same. */
+/** Returns rotations as angles from the rest; each angle is the equivalent one that is nearest to the one before. */
 function turnsFrom(rest: Quaternion, values: ArrayLike<number>): number[][] {
   const angles: number[][] = [[], [], []];
   const back = rest.clone().invert();
@@ -205,7 +205,7 @@ function turnsFrom(rest: Quaternion, values: ArrayLike<number>): number[][] {
 const axesOf = (values: ArrayLike<number>): number[][] =>
   [0, 1, 2].map((axis) => Array.from(values).filter((_, i) => i % 3 === axis));
 
-/** The bytes of the records. */
+/** Returns the bytes of the records. */
 function encoded(version: number, nodes: readonly Node[]): Uint8Array<ArrayBuffer> {
   const parts: Uint8Array[] = [];
   let length = 0;

@@ -1,6 +1,6 @@
-/** Puts a binary glTF together that was taken apart. */
+/** Assembles a binary glTF file. */
 
-/** The file of a document, which is written as it is, and its buffer. */
+/** Returns the file of a document, which is written unchanged, and its buffer. */
 export function glbOf(document: object, binary: Uint8Array): Uint8Array<ArrayBuffer> {
   const text = Buffer.from(JSON.stringify(document));
   const padded = Buffer.concat([text, Buffer.alloc(-text.length & 3, " ")]);

@@ -1,4 +1,6 @@
-/** Rigged characters of other people (`$STRUT_CASES/rigs`, else `shared/cases/rigs` beside the repository; README there). */
+/**
+ * Third-party rigged characters (`$STRUT_CASES/rigs`, else `shared/cases/rigs` next to the repository, with a README).
+ */
 import { existsSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 
@@ -9,14 +11,17 @@ const FOLDERS = [
 ];
 const FOLDER = FOLDERS.find((folder) => existsSync(join(folder, "m2m-sophia.glb"))) ?? FOLDERS.at(-1)!;
 
-/** The bytes of a character of other people. */
+/** Returns the bytes of a third-party character. */
 export const rigOfOthers = (name: string): Uint8Array<ArrayBuffer> => new Uint8Array(readFileSync(join(FOLDER, name)));
 
-/** Whether there are none on this machine; says so once. */
+/** Whether the files are missing on this machine; prints this once. */
 export const othersAbsent = !existsSync(join(FOLDER, "m2m-sophia.glb"));
 if (othersAbsent) console.info(`Skipped: ${FOLDER} has no characters of other people.`);
 
-/** What three.js's loaders ask of a browser besides numbers: Node has no pictures, and textures stay empty there. */
+/**
+ * Stubs of the browser functions that three.js's loaders need besides numbers: Node has no pictures, so textures stay
+ * empty.
+ */
 export function withoutPictures(): void {
   const image = () => {
     const listeners = new Map<string, () => void>();

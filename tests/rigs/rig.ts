@@ -1,4 +1,7 @@
-/** Rigged characters made of the mannequin, as real files: what real families of rigs look like, with the truth known. */
+/**
+ * Rigged characters made from the mannequin, as real files: they resemble real families of rigs, and their ground truth
+ * is known.
+ */
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { chunksOf } from "../../web/character/glb_patch";
 import { vrmBone } from "../../web/character/vrm_humanoid";
@@ -7,17 +10,17 @@ import { mannequinGlb } from "../../web/formats/mannequin_glb";
 import { DEFAULT_PROPORTIONS, JOINT, PARENTS, ROLES, restPose } from "../../web/humanoid";
 import { FAMILIES, type Family, mirroredName } from "./families";
 
-/** A character and what is true of it. */
+/** A character and its ground truth. */
 export interface Rig {
   readonly family: Family;
   readonly glb: Uint8Array<ArrayBuffer>;
   /** World rotation of the joint of each role in the T-pose facing +Z. */
   readonly rest: readonly Quaternion[];
-  /** Length of its legs over that of the mannequin's. */
+  /** Length of its legs relative to the mannequin's. */
   readonly legRatio: number;
 }
 
-/** What may be changed of a file, for tests of what is refused. */
+/** Changes of a file, for tests of refused files. */
 export interface Changes {
   /** Changes the document before it is written. */
   document?: (document: GltfDocument) => void;
@@ -71,7 +74,7 @@ export function makeRig(family: Family, { document }: Changes = {}): Rig {
   };
 }
 
-/** All eight. */
+/** Returns all eight rigs. */
 export const rigs = (): Rig[] => FAMILIES.map((family) => makeRig(family));
 
 function mannequinSkin(): Skin {
@@ -98,7 +101,7 @@ function mannequinSkin(): Skin {
   };
 }
 
-/** The body in the T-pose: joints and skin, with the parts of the family's sizes. */
+/** Returns the body in the T-pose: joints and skin, with the family's proportions. */
 function shaped({ size, shape }: Family, skin: Skin) {
   const before: Vector3[] = [];
   const positions: Vector3[] = [];
@@ -123,7 +126,7 @@ function shaped({ size, shape }: Family, skin: Skin) {
 
 type Body = ReturnType<typeof shaped>;
 
-/** The skin with every vertex moved by its joints. */
+/** Moves every vertex of the skin by its joints. */
 function eachVertex(
   { positions, joints, weights }: Skin,
   move: (v: Vector3, joint: number, out: Vector3) => void,
@@ -143,7 +146,7 @@ function eachVertex(
   return out;
 }
 
-/** World turn of every joint from the T-pose to the bind pose. */
+/** Returns the world rotation of every joint from the T-pose to the bind pose. */
 function posed({ pose }: Family): Quaternion[] {
   const about = (degrees: number) => new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), (degrees * Math.PI) / 180);
   return ROLES.map((role) => {
@@ -155,7 +158,7 @@ function posed({ pose }: Family): Quaternion[] {
   });
 }
 
-/** Brings joints and skin into the bind pose, standing on the ground and turned as the family faces. */
+/** Moves joints and skin to the bind pose, standing on the ground and facing the family's direction. */
 function place(body: Body, turns: readonly Quaternion[], facing: Quaternion): void {
   const before = body.positions.map((p) => p.clone());
   for (const [j, parent] of PARENTS.entries())
@@ -182,7 +185,7 @@ function place(body: Body, turns: readonly Quaternion[], facing: Quaternion): vo
   }
 }
 
-/** The frame of a joint in the T-pose: how the family lays its bones. */
+/** Returns the frame of a joint in the T-pose, with the family's bone axes. */
 function restFrame({ axes }: Family, positions: readonly Vector3[], joint: number, facing: Quaternion): Quaternion {
   if (axes === "world") return facing.clone().invert();
   const role = ROLES[joint]!;
@@ -200,7 +203,7 @@ function restFrame({ axes }: Family, positions: readonly Vector3[], joint: numbe
   return new Quaternion().setFromUnitVectors(along, direction).multiply(roll);
 }
 
-/** The joints of the file, parents first. */
+/** Returns the joints of the file, parents first. */
 function jointsOf(
   family: Family,
   positions: readonly Vector3[],
@@ -309,7 +312,7 @@ function documentOf(
   return { document, buffer };
 }
 
-/** VRM's humanoid, a meta that allows everything, and hair that swings. */
+/** Adds VRM's humanoid, a meta that allows everything, and simulated hair. */
 function addVrm(document: GltfDocument, { vrm, trunk, hair }: Family, joints: RigJoint[], ofRole: number[]): void {
   const bones = ROLES.map((role, j): [string, number] => [
     role === "chest" && trunk.length > 0 ? "upperChest" : vrmBone(role),
@@ -346,7 +349,7 @@ function addVrm(document: GltfDocument, { vrm, trunk, hair }: Family, joints: Ri
             meta: { title: "Mannequin", author: "Strut", allowedUserName: "Everyone", licenseName: "CC_BY" },
             humanoid: { humanBones: bones.map(([bone, node]) => ({ bone, node, useDefaultValues: true })) },
             secondaryAnimation: {
-              // The misspelling is the format's.
+              // The format has this misspelling.
               boneGroups: [
                 { ...swing, stiffiness: 0.5, gravityDir: { x: 0, y: -1, z: 0 }, center: -1, bones: lock.slice(0, 1) },
               ],

@@ -1,4 +1,4 @@
-// The quiz of film strips: the shuffling, the key, the answer sheet and the marks.
+// The quiz of film strips: the shuffling, the key, the answer sheet and the scoring.
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import { answerSheet, keyOf, mark } from "../../scripts/quiz.mjs";
@@ -72,7 +72,7 @@ test("the answer sheet is the same whatever is right, and asks for the style of 
   for (const action of ACTIONS) expect(sheet).not.toContain(action);
   expect(sheet.match(/<img src="\d\d\.png"/g)).toHaveLength(12);
   for (const style of STYLES) expect(sheet.split(`<option>${style}</option>`)).toHaveLength(13);
-  // An answer is one that a person chose.
+  // No answer is preselected.
   expect(sheet).not.toContain("selected");
 });
 

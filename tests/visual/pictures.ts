@@ -1,6 +1,6 @@
 /**
- * Pictures beside those that a person has looked at (`pictures/`). STRUT_UPDATE_PICTURES=1 writes those anew that differ: look
- * at them.
+ * Comparison of pictures with those that a person has approved (`pictures/`). STRUT_UPDATE_PICTURES=1 replaces those
+ * that differ: look at them.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
@@ -8,21 +8,23 @@ import type { Page } from "playwright-core";
 import { expect } from "vitest";
 
 const PICTURES = resolve(import.meta.dirname, "pictures");
-/** Where pictures go that differ; git ignores it. */
+/** Folder of the pictures that differ, which git ignores. */
 const OUTPUT = resolve(import.meta.dirname, "../output");
 const UPDATE = process.env.STRUT_UPDATE_PICTURES === "1";
 
-/** Pictures are compared in squares of this many pixels of the halved picture, so that a small fault is not outvoted. */
+/**
+ * Pictures are compared in squares of this many pixels of the halved picture, so that a small fault is not averaged
+ * out.
+ */
 const REGION = 90;
-/** Share of the pixels of a region that may differ. */
+/** Greatest share of the pixels of a region that may differ. */
 const MOST_DIFFERENT = 0.002;
-/** Difference of a colour channel, 0–255, from which a pixel differs. */
+/** Difference of a colour channel, 0–255, from which a pixel counts as different. */
 const DIFFERENT = 28;
 
 /**
- * Makes pictures of a page the same every time: hides what is measured and previews, which play, and lets a second pass
- * from each animation frame to the next. Glides then end at once, and no rate of frames is measured that would lower the
- * quality of the 3-D picture.
+ * Makes pictures of a page reproducible: hides measured values and playing previews, and lets a second pass between
+ * animation frames. Transitions then end immediately, and no measured frame rate lowers the quality of the 3D picture.
  */
 export function steady(): void {
   const request = window.requestAnimationFrame.bind(window);
@@ -41,7 +43,10 @@ export function steady(): void {
   document.adoptedStyleSheets = [sheet];
 }
 
-/** The picture once nothing moves any more: each 3-D view draws a finer one when it has stood still for a while. */
+/**
+ * Returns the picture once nothing moves any more: each 3D view draws a refined one after it has been unchanged for a
+ * while.
+ */
 export async function stillPicture(page: Page): Promise<Buffer> {
   await page.waitForFunction(() =>
     [document, ...[...document.querySelectorAll("*")].flatMap(({ shadowRoot }) => shadowRoot ?? [])]
@@ -59,13 +64,13 @@ export async function stillPicture(page: Page): Promise<Buffer> {
   return before;
 }
 
-/** How a picture differs from the one that was kept. */
+/** Difference between a picture and the stored one. */
 interface Comparison {
-  /** Half the picture's size as WebP. */
+  /** The picture at half size as WebP. */
   webp: string;
   /** The halved picture with the pixels that differ in red, as PNG. */
   marked: string;
-  /** Regions in which too many pixels differ: places on the page and shares, `864,180: 1.3 %`. */
+  /** Regions in which too many pixels differ: positions on the page and shares, `864,180: 1.3 %`. */
   regions: string[];
 }
 
@@ -121,7 +126,7 @@ function compare(page: Page, picture: Buffer, kept: Buffer | undefined): Promise
   );
 }
 
-/** Expects that a picture is as the one of that name that was kept, or keeps it. */
+/** Expects that a picture equals the stored one of that name, or stores it. */
 export async function expectAsKept(page: Page, name: string, picture: Buffer): Promise<void> {
   const file = resolve(PICTURES, `${name}.webp`);
   const { webp, marked, regions } = await compare(page, picture, existsSync(file) ? readFileSync(file) : undefined);

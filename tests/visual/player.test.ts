@@ -1,4 +1,6 @@
-/** What `<strut-player>` looks like with all of its controls: wide, as on a phone, and in a narrow column, in both themes. */
+/**
+ * Pictures of `<strut-player>` with all of its controls: wide, as on a phone, and in a narrow column, in both themes.
+ */
 import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";

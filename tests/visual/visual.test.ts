@@ -1,6 +1,6 @@
 /**
- * What the page looks like: pictures of every view, in both themes, wide and narrow and in the middle of things, beside
- * those that a person has looked at (`pictures/`).
+ * Pictures of every view, in both themes, wide and narrow and in various states, compared with those that a person has
+ * approved (`pictures/`).
  */
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, it } from "vitest";
@@ -24,7 +24,7 @@ declare const window: Window & { strut?: StrutHook };
 const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
 
-/** The same second of the same motion everywhere. */
+/** The same instant of the same motion everywhere. */
 const SECOND = "play=0&frame=160&styles=proud:0.62,old:0.12,childlike:0.26";
 
 interface Case {
@@ -32,16 +32,16 @@ interface Case {
   hash: string;
   size: { width: number; height: number };
   theme: "dark" | "light";
-  /** Whether the view has no 3-D picture. */
+  /** Whether the view has no 3D picture. */
   flat?: true;
-  /** What a person is in the middle of. */
+  /** Brings the page into an intermediate state of an interaction. */
   act?: (page: Page) => Promise<void>;
 }
 
 /** Neutral, proud and old in turn, as in the design's picture. */
 const WALK = "play=0&view=walk&block=1&walk=1_3_3~neutral:1;1_4_2~proud:1,old:0,sexy:0;1_3_2~old:1";
 
-/** Goes into the transition to the second block. */
+/** Seeks into the transition to the second block. */
 async function walkOn(page: Page): Promise<void> {
   await page.locator('.planner-block, [data-key="block-0"]').first().waitFor();
   const { width } = (await page.locator(".planner .timeline-seek").boundingBox())!;
@@ -51,7 +51,7 @@ async function walkOn(page: Page): Promise<void> {
 
 /** Waits until the atlas is drawn. */
 async function mapped(page: Page): Promise<void> {
-  // It says how long that took.
+  // Then it shows how long that took.
   await page.locator(".atlas[data-drawn]").waitFor();
   await page.locator(".atlas-by").evaluate((by: HTMLElement) => by.style.setProperty("visibility", "hidden"));
 }
@@ -63,9 +63,9 @@ async function dragHandle(page: Page): Promise<void> {
   await dragHolding(page, from, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
 }
 
-/** Waits until every column has its figures. */
+/** Waits until every column has its values. */
 async function compared(page: Page): Promise<void> {
-  // The figure behind is made last, and the last column's first figure is its distance from that.
+  // The figure behind is computed last, and the last column's first value is its distance from that.
   await eventually(() => page.locator(".compare-table").last().locator("dd").first().textContent()).toMatch(/\d/);
   await page.locator(".compare .progress").first().waitFor({ state: "hidden" });
 }
@@ -75,7 +75,7 @@ async function listed(page: Page): Promise<void> {
   await page.locator(".catalogue li button:enabled").first().waitFor();
 }
 
-/** Drops clips of two styles, of which one has no name that tells. */
+/** Drops clips of two styles, one of which has a meaningless name. */
 async function dropClips(page: Page): Promise<void> {
   await listed(page);
   const names = ["walk_neutral_1.bvh", "walk_old_1.bvh", "walk_old_2.bvh", "run_neutral_1.bvh", "something.bvh"];
@@ -84,23 +84,23 @@ async function dropClips(page: Page): Promise<void> {
   await page.locator('.data[aria-busy="false"]').waitFor();
 }
 
-/** The third key of the built-in punches: the left hand is out. */
+/** The third key of the built-in punches: the left hand is extended. */
 const PUNCH = "play=0&view=key-style&set=punch&keyno=2&secs=0.4";
 /** The middle of a step. */
 const STEP = "play=0&view=key-style&secs=0.3";
 
-/** Waits until the motions are learned; what the link before asked for may still be on the stage. */
+/** Waits until the model is trained; the model of the previous link may still be displayed. */
 async function learn(page: Page): Promise<void> {
   await page.locator('.key-style[aria-busy="false"] .pad-key').first().waitFor();
 }
 
-/** Waits until people are there. */
+/** Waits until the crowd is present. */
 async function gathered(page: Page): Promise<void> {
   await page.locator(".crowd-foot .button:enabled").first().waitFor();
   await eventually(() => page.locator(".crowd-chart canvas").getAttribute("aria-label")).toMatch(/average \d/);
 }
 
-/** Waits until every figure of the lesson shows its state, and says what that is. */
+/** Waits until every figure of the lesson shows its state and its sentence. */
 async function figured(page: Page): Promise<void> {
   const figures = page.locator("strut-figure:not([hidden]) :is(.readout, .bars)");
   await figures.first().waitFor({ state: "attached" });
@@ -212,7 +212,7 @@ const CASES: readonly Case[] = [
 let browser: Browser;
 let site: Awaited<ReturnType<typeof serveSite>>;
 let page: Page;
-/** A motion that may be shown to anyone. */
+/** A motion that may be published. */
 let clip: Buffer;
 
 beforeAll(async () => {
@@ -234,7 +234,7 @@ describe("the page looks as it did when it was last looked at", () => {
     it(name, async () => {
       await page.setViewportSize(size);
       await page.emulateMedia({ colorScheme: theme });
-      // Loaded anew: where the camera comes to rest depends on what was seen before.
+      // Reloaded: the final camera position depends on what was shown before.
       await page.goto("about:blank");
       await page.goto(`${site.url}#${hash}`);
       await shown(page);

@@ -1,8 +1,8 @@
-/** Every WASM package gives errors as values of one shape, and panics as JavaScript errors. */
+/** Every WASM package throws errors as values with the same shape, and panics as JavaScript errors. */
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 
-/** What a package throws. */
+/** Error of a package. */
 interface EngineError {
   readonly code: string;
   readonly message: string;
@@ -18,7 +18,7 @@ type Glue = Record<string, unknown> & { initSync: Method; EngineError: Construct
 const make = (glue: Glue, name: string, ...args: unknown[]) => new (glue[name] as Constructor)(...args);
 const call = (glue: object, name: string, ...args: unknown[]) => (glue as Record<string, Method>)[name]!(...args);
 
-/** Each package with a call that is refused for its bytes, and where there is one a call that is refused for an argument. */
+/** Each package with a call that is refused for its bytes and, if available, one that is refused for an argument. */
 const PACKAGES = [
   {
     folder: "web/engine/pkg",
@@ -61,7 +61,7 @@ const PACKAGES = [
   },
 ];
 
-/** A character of one joint, in a unit of so many metres. */
+/** Creates a character of one joint, with this number of metres per unit. */
 function character(glue: Glue, metresPerUnit: number) {
   const roles = new Int32Array(21).fill(-1);
   const [parents, offsets, turn] = [Int32Array.of(-1), new Float32Array(3), Float32Array.of(0, 0, 0, 1)];

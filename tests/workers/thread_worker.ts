@@ -1,4 +1,7 @@
-/** Real workers for tests in Node: the worker's code in one file, run in threads, each with its own instance of the engine. */
+/**
+ * Real workers for tests in Node: the worker's code in one file, run in threads, each with its own instance of the
+ * engine.
+ */
 import { mkdtempSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -8,13 +11,13 @@ import type { WorkerPort } from "../../web/client/connection";
 import type { Reply, Request } from "../../web/client/messages";
 import { root } from "../recordings";
 
-/** Builds the worker's code; its path. */
+/** Builds the worker's code and returns its path. */
 export async function buildWorker(): Promise<string> {
   const outDir = mkdtempSync(join(tmpdir(), "strut-worker-"));
   const ssr = join(root, "tests", "workers", "entry.ts");
   const target = "node20";
   await build({ configFile: false, publicDir: false, logLevel: "error", build: { ssr, outDir, target } });
-  // The engine finds its files beside its own code.
+  // The engine finds its files next to its code.
   for (const folder of ["pkg", "motions"]) symlinkSync(join(root, "web", "engine", folder), join(outDir, folder));
   return join(outDir, "entry.js");
 }
@@ -39,7 +42,7 @@ export class ThreadWorker implements WorkerPort {
     void this.thread.terminate();
   }
 
-  /** Ends the thread as an operating system does that runs out of memory: nobody is told. */
+  /** Ends the thread as an operating system without memory does: without notice. */
   async kill(): Promise<void> {
     await this.thread.terminate();
   }

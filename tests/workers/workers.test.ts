@@ -1,4 +1,4 @@
-/** Several sessions in one worker, with real threads: none hears of another, and all survive its end. */
+/** Several sessions in one worker, with real threads: they are independent, and all survive its end. */
 import { afterEach, beforeAll, expect, test } from "vitest";
 import type { Patience } from "../../web/client/connection";
 import { EngineClient, type EngineRestart } from "../../web/client/engine_client";
@@ -7,7 +7,7 @@ import type { LiveFrame, StylizeOptions } from "../../web/client/protocol";
 import { buildWorker, ThreadWorker } from "./thread_worker";
 
 const STEPS = 60;
-/** Two sessions that differ in all that a session has: options, loop, place and speed. */
+/** Two sessions that differ in all properties of a session: options, loop, position and speed. */
 const SCENES: readonly Scene[] = [
   { options: { styles: { old: 1 }, rho: 0.5 }, range: { first: 5, last: 60 }, frame: 20, stepSecs: 1 / 60 },
   { options: { styles: { proud: 0.7 }, timing: false }, range: { first: 0, last: 90 }, frame: 50, stepSecs: 1 / 45 },
@@ -31,7 +31,7 @@ afterEach(() => {
   clients = [];
 });
 
-/** A client with the built-in database and a motion; `worker` is its newest. */
+/** Opens a client with the built-in database and a motion; `worker` is its newest worker. */
 async function openDemo(patience: Partial<Patience> = {}) {
   const workers: ThreadWorker[] = [];
   const spawn = () => {
@@ -51,7 +51,7 @@ async function openDemo(patience: Partial<Patience> = {}) {
   return { client, begin, worker: () => workers.at(-1)! };
 }
 
-/** Steps sessions in turn, without waiting for one before the next is asked, and gives the frames of each. */
+/** Steps sessions in turn, without waiting for one before the next request, and returns the frames of each. */
 async function interleaved(sessions: readonly ClientSession[]): Promise<LiveFrame[][]> {
   const frames: LiveFrame[][] = sessions.map(() => []);
   for (let i = 0; i < STEPS; i++) {

@@ -1,4 +1,4 @@
-//! Small valid files, which edits begin with: our own motions, performed once a process.
+//! Small valid files from which edited files are made: built-in motions, generated once per process.
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, LazyLock};
@@ -15,16 +15,16 @@ use strut_formats::bvh::{self, Bvh, Channel};
 use strut_formats::strutdb::packed;
 use strut_formats::{GENERATOR, key_style_model, strutdb, walk_model};
 
-/// Styles of the databases.
+/// Number of styles of the databases.
 const DATABASE_STYLES: usize = 2;
-/// Frames of the databases' clips: a little over a stride.
+/// Number of frames of the databases' clips: slightly more than a stride.
 const CLIP_FRAMES: usize = 70;
-/// Frames of the motion that databases are tried on.
+/// Number of frames of the motion that databases are tested with.
 const INPUT_FRAMES: usize = 24;
-/// Frames of the clips that walking is learnt from.
+/// Number of frames of the clips that walk models are trained on.
 const WALK_FRAMES: usize = 400;
 
-/// A neutral walk on the spot's rate and body.
+/// A neutral walk at the demo's rate on the default body.
 pub static WALK: LazyLock<HumanoidMotion> =
     LazyLock::new(|| perform(&WALK_TAKES[0], &STYLES[0], &Proportions::default(), RATE_HZ).motion);
 
@@ -60,7 +60,7 @@ pub static DATABASE: LazyLock<Database> = LazyLock::new(|| {
     database
 });
 
-/// [`DATABASE`], ready for use.
+/// [`DATABASE`] with its search index.
 pub static MODEL: LazyLock<Arc<Model>> = LazyLock::new(|| Arc::new(Model::new(DATABASE.clone())));
 
 /// [`DATABASE`] as a `.strutdb` file.

@@ -1,18 +1,18 @@
-//! Files with a few changes, which arbitrary bytes describe. What is changed stays a file of its kind: texts keep their
-//! words, containers their lengths and checksums, so that the changes reach what lies behind them.
+//! Files with a few changes, which are derived from arbitrary bytes. A changed file keeps its kind: texts keep their
+//! words, containers their lengths and checksums, so that the changes reach the code behind these checks.
 
 use arbitrary::{Result, Unstructured};
 use safetensors::tensor::{Dtype, SafeTensors, TensorView};
 use serde_json::{Number, Value};
 
-/// Most changes of a file.
+/// Greatest number of changes of a file.
 const MAX_EDITS: usize = 12;
 /// Longest edited text, bytes.
 const MAX_TEXT_BYTES: usize = 1 << 16;
-/// Most numbers of an edited tensor.
+/// Greatest number of numbers of an edited tensor.
 const MAX_NUMBERS: usize = 1 << 16;
 
-/// Words that a text in place of a number, or a number in place of a text, may be.
+/// Words that replace a number, or a text.
 const WORDS: [&str; 24] = [
     "0",
     "-0",
@@ -40,7 +40,7 @@ const WORDS: [&str; 24] = [
     "µ",
 ];
 
-/// A text with changed, repeated, removed and swapped words; `words` are further words of its kind.
+/// Returns a text with changed, repeated, removed and swapped words. `words` are additional words of its kind.
 ///
 /// # Errors
 /// If the bytes are used up.
@@ -88,14 +88,14 @@ pub fn text(u: &mut Unstructured<'_>, base: &str, words: &[&str]) -> Result<Vec<
     Ok(bytes)
 }
 
-/// The word of a token, which ends with what separates it from the next.
+/// Replaces the word of a token, and keeps the separator after it.
 fn replace_word(token: &mut Vec<u8>, word: &str) {
     let separator = token.last().copied().filter(|byte| b" \n\t,".contains(byte));
     *token = word.as_bytes().to_vec();
     token.extend(separator);
 }
 
-/// Bytes with some of them changed, removed or repeated.
+/// Returns bytes with some of them changed, removed or repeated.
 ///
 /// # Errors
 /// If the bytes are used up.
@@ -105,7 +105,7 @@ pub fn bytes(u: &mut Unstructured<'_>, base: &[u8]) -> Result<Vec<u8>> {
         if out.is_empty() {
             break;
         }
-        // Headers are short and at the beginning: half of the changes are there.
+        // Headers are short and at the start: half of the changes are in the first bytes.
         let within = if u.arbitrary()? { out.len() } else { out.len().min(512) };
         let at = u.choose_index(within)?;
         match u.int_in_range(0..=4)? {
@@ -134,8 +134,8 @@ struct Tensor {
     data: Vec<u8>,
 }
 
-/// A container (`strut_formats::container`) with changed metadata and tensors; its lengths and its checksum are right. `entry`
-/// is that of its metadata.
+/// Returns a container (`strut_formats::container`) with changed metadata and tensors, and with correct lengths and
+/// checksum. `entry` is the key of its metadata.
 ///
 /// # Errors
 /// If the bytes are used up.
@@ -168,7 +168,7 @@ pub fn container(u: &mut Unstructured<'_>, base: &[u8], entry: &str) -> Result<V
     Ok(write_container(&metadata, &tensors, entry))
 }
 
-/// Changes one value somewhere in the metadata, or takes it away.
+/// Changes or removes one value of the metadata.
 fn edit_metadata(u: &mut Unstructured<'_>, value: &mut Value) -> Result<()> {
     match value {
         Value::Object(map) if !map.is_empty() => {
@@ -195,10 +195,10 @@ fn edit_metadata(u: &mut Unstructured<'_>, value: &mut Value) -> Result<()> {
     }
 }
 
-/// A value in place of another one.
+/// Returns a replacement of a value.
 fn scalar(u: &mut Unstructured<'_>, was: &Value) -> Result<Value> {
     Ok(match (was, u.int_in_range(0..=6)?) {
-        // A little more or less than was there.
+        // Slightly more or less than the value.
         (Value::Number(n), 0..=2) => {
             let near = n.as_f64().unwrap_or(0.0) + f64::from(u.int_in_range(-3..=3)?);
             if n.is_f64() { number(near) } else { Value::from(near as i64) }
@@ -210,12 +210,12 @@ fn scalar(u: &mut Unstructured<'_>, was: &Value) -> Result<Value> {
     })
 }
 
-/// JSON has no number that is not finite.
+/// Returns a JSON number, or `null` for a number that is not finite, which JSON lacks.
 fn number(of: f64) -> Value {
     Number::from_f64(of).map_or(Value::Null, Value::Number)
 }
 
-/// Changes numbers, the shape or the type of a tensor, or takes it away.
+/// Changes numbers, the shape or the type of a tensor, or removes it.
 fn edit_tensors(u: &mut Unstructured<'_>, tensors: &mut Vec<Tensor>) -> Result<()> {
     let at = u.choose_index(tensors.len())?;
     let tensor = &mut tensors[at];
@@ -251,7 +251,7 @@ fn edit_tensors(u: &mut Unstructured<'_>, tensors: &mut Vec<Tensor>) -> Result<(
     Ok(())
 }
 
-/// A number that programs do not expect, or one that they do.
+/// Returns an unexpected number, or a usual one.
 fn float(u: &mut Unstructured<'_>) -> Result<f32> {
     Ok(match u.int_in_range(0..=9)? {
         0 => f32::NAN,
@@ -279,7 +279,7 @@ fn write_container(metadata: &Value, tensors: &[Tensor], entry: &str) -> Vec<u8>
     file
 }
 
-/// Enters the right checksum into a file that has one, in whatever form; other bytes stay as they are.
+/// Sets the right checksum in a file that has one, in whatever form; other bytes are unchanged.
 pub fn enter_checksum(file: &mut [u8]) {
     const FIELD: &[u8] = br#"\"checksum\":\""#;
     const DIGITS: usize = 8;

@@ -1,10 +1,12 @@
 //! Fuzz targets: functions of arbitrary bytes that fail by a panic.
 //!
-//! *Parsers* take files as they come, and files that were edited so that they get past headers and checksums ([`edits`]).
-//! *Semantic* targets go on with what a parser accepts: it is styled, walked, keyed, exported and read back, and what comes of
-//! it is finite, as long as it was, and takes no more memory than the file has a right to.
+//! *Parsers* read arbitrary files, and files that were edited so that they pass the checks of headers and checksums
+//! ([`edits`]). *Semantic* targets use the values that a parser accepts: they are styled, walked, keyed, exported and
+//! read again. The results must be finite, have the right length, and take no more memory than the size of the file
+//! justifies.
 //!
-//! `npm run fuzz` runs them with libFuzzer; `cargo tests` on their corpora (`corpus/`) and on a few random inputs.
+//! `npm run fuzz` runs them with libFuzzer; `cargo tests` runs them on their corpora (`corpus/`) and on a few random
+//! inputs.
 #![forbid(unsafe_code)]
 
 pub mod bases;
@@ -20,10 +22,10 @@ pub struct Target {
     pub name: &'static str,
     /// Longest useful input, bytes.
     pub max_len: usize,
-    /// Runs it on an input.
+    /// Runs the target on an input.
     ///
     /// # Panics
-    /// If the product does with this input what it must not.
+    /// If the product violates its rules with this input.
     pub run: fn(&[u8]),
 }
 
@@ -47,7 +49,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "key_style", max_len: 256, run: semantics::key_style },
 ];
 
-/// The target of this name.
+/// Returns the target of this name.
 pub fn target(name: &str) -> Option<&'static Target> {
     TARGETS.iter().find(|target| target.name == name)
 }

@@ -1,4 +1,4 @@
-//! A fuzz target under libFuzzer: that which the environment variable `STRUT_FUZZ_TARGET` names.
+//! A fuzz target under libFuzzer, selected by the environment variable `STRUT_FUZZ_TARGET`.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,14 +1,14 @@
-//! How much memory a file has a right to.
+//! Memory limit of a parser.
 
 use allocation_counter::measure;
 
-/// Bytes that a parser may take at once whatever the file is: tables, messages, buffers.
+/// Bytes that a parser may always allocate, for tables, messages and buffers.
 const FREE_BYTES: u64 = 1 << 20;
 
-/// What `parse` gives; it may take `times` the bytes of its input at once, and [`FREE_BYTES`].
+/// Returns the result of `parse`, which may have allocated `times` the bytes of its input at once, plus [`FREE_BYTES`].
 ///
 /// # Panics
-/// If it takes more: then a number in the file, and not the file's length, decides how much.
+/// If it allocates more: then a number in the file determines the size, and not the file's length.
 pub(crate) fn bounded<T>(input: &[u8], times: u64, parse: impl FnOnce(&[u8]) -> T) -> T {
     let mut out = None;
     let info = measure(|| out = Some(parse(input)));

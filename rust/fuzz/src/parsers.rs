@@ -1,5 +1,5 @@
-//! Parsers: whatever the bytes are, they give a value that keeps its own rules or an error with a sentence, and take no more
-//! memory than the bytes have a right to.
+//! Parsers: for any bytes they return a valid value, or an error with a message, and take no more memory than the
+//! length of the bytes justifies.
 
 use crate::memory::bounded;
 use crate::{bases, edits};
@@ -37,16 +37,16 @@ pub(crate) const BVH_WORDS: [&str; 16] = [
     "Xrotation",
 ];
 
-/// A text number of two bytes becomes one of eight, and then the rotation of a joint and its place.
+/// A text number of two bytes becomes one of eight, and then the rotation and the position of a joint.
 const BVH_TIMES: u64 = 64;
 /// A row of a database becomes a row, its points and those of its window.
 const DATABASE_TIMES: u64 = 32;
-/// A database that needs more than this is refused: those that are edited need about as much.
+/// Memory limit above which a database is refused; the edited ones need about as much.
 const CATALOGUE_BYTES: u64 = 1 << 20;
-/// A byte of packed motions is a number at least.
+/// A byte of packed motions is at least one number.
 const PACKED_TIMES: u64 = 64;
 
-/// An error is a sentence for people: it says something, on one line, and not at length.
+/// Checks that an error is a message for users: not empty, on one line, and not long.
 pub(crate) fn says_something(error: &impl Display) {
     let text = error.to_string();
     let length = text.chars().count();
@@ -54,7 +54,7 @@ pub(crate) fn says_something(error: &impl Display) {
     assert!(!text.contains('\n'), "an error of several lines: {text}");
 }
 
-/// Runs a target on the file that the bytes describe.
+/// Runs a target on the file that is derived from the bytes.
 pub(crate) fn with_edited(
     data: &[u8],
     edit: impl FnOnce(&mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>>,
@@ -66,14 +66,14 @@ pub(crate) fn with_edited(
     }
 }
 
-/// BVH as it comes.
+/// Arbitrary bytes as BVH.
 pub(crate) fn bvh(data: &[u8]) {
     match bounded(data, BVH_TIMES, bvh::parse) {
         Err(e) => says_something(&e),
         Ok(file) => {
             assert!(file.values.iter().all(|v| v.abs() <= bvh::MAX_ABS_VALUE));
             assert_eq!(file.values.len(), file.frames * file.channels());
-            // What was read is written, and read again it is the same.
+            // The value that was read is written, and is the same when it is read again.
             let text = bvh::write(&file);
             assert_eq!(bvh::parse(&text).as_ref(), Ok(&file));
             if let Err(e) = bounded(data, BVH_TIMES, Clip::parse) {
@@ -88,20 +88,20 @@ pub(crate) fn bvh_edited(data: &[u8]) {
     with_edited(data, edited_bvh, |file, _| bvh(file));
 }
 
-/// A changed BVH file.
+/// Returns a changed BVH file.
 pub(crate) fn edited_bvh(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
     let base = u.choose(&*bases::BVH)?;
     let text = edits::text(u, base, &BVH_WORDS)?;
     Ok(match u.int_in_range(0..=9)? {
         7 => format!("\u{FEFF}{}", String::from_utf8_lossy(&text)).encode_utf16().flat_map(u16::to_le_bytes).collect(),
         8 => text.iter().map(|b| if *b == b'\n' { b' ' } else { *b }).collect(),
-        // Most names of joints have this letter; this one's second byte is a brace.
+        // Most names of joints have this letter; the second byte of its replacement is a brace.
         9 => text.split(|b| *b == b'g').collect::<Vec<_>>().join(&b"\x83{"[..]),
         _ => text,
     })
 }
 
-/// Databases as they come.
+/// Arbitrary bytes as a database.
 pub(crate) fn strutdb(data: &[u8]) {
     match bounded(data, DATABASE_TIMES, strutdb::read) {
         Err(e) => says_something(&e),
@@ -109,12 +109,12 @@ pub(crate) fn strutdb(data: &[u8]) {
             let database = &contents.database;
             assert_finite(database);
             if let Some(plan) = contents.plan {
-                // A plan for other rows is refused; the index is built then.
+                // A plan for other rows is refused; then the index is built.
                 let _ = Index::from_plan(database, plan);
             }
         }
     }
-    // Opened to style with, where it may be refused for its size.
+    // Opened for styling, where it may be refused for its size.
     for most_bytes in [None, Some(CATALOGUE_BYTES)] {
         if let Err(e) = bounded(data, DATABASE_TIMES, |bytes| strutdb::read_catalogue(&bytes, most_bytes)) {
             says_something(&e);
@@ -132,12 +132,12 @@ pub(crate) fn strutdb_edited(data: &[u8]) {
     with_edited(data, edited_database, |file, _| strutdb(file));
 }
 
-/// A changed database.
+/// Returns a changed database.
 pub(crate) fn edited_database(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
     edited(u, &bases::STRUTDB, strutdb::KIND)
 }
 
-/// A changed file of a kind, or one whose bytes were changed but whose checksum is right.
+/// Returns a changed file of a kind, or one with changed bytes but a correct checksum.
 fn edited(u: &mut Unstructured<'_>, base: &[u8], kind: Kind) -> arbitrary::Result<Vec<u8>> {
     if u.ratio(1, 8)? {
         let mut file = edits::bytes(u, base)?;
@@ -169,12 +169,12 @@ pub(crate) fn packed_edited(data: &[u8]) {
     );
 }
 
-/// A changed model of walks.
+/// Returns a changed walk model.
 pub(crate) fn edited_walk_model(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
     edited(u, &bases::WALK_MODEL, walk_model::KIND)
 }
 
-/// Models of walks with a few changes.
+/// Walk models with a few changes.
 pub(crate) fn walk_model_edited(data: &[u8]) {
     with_edited(data, edited_walk_model, |file, _| {
         if let Err(e) = bounded(file, DATABASE_TIMES, walk_model::read) {
@@ -183,7 +183,7 @@ pub(crate) fn walk_model_edited(data: &[u8]) {
     });
 }
 
-/// A changed key-style model.
+/// Returns a changed key-style model.
 pub(crate) fn edited_key_style_model(u: &mut Unstructured<'_>) -> arbitrary::Result<Vec<u8>> {
     edited(u, &bases::KEY_STYLE_MODEL, key_style_model::KIND)
 }
@@ -214,7 +214,7 @@ pub(crate) fn style_keys(data: &[u8]) {
     }
 }
 
-/// Tables of labels, and files that they name.
+/// Tables of labels, and the files that they name.
 pub(crate) fn corpus_table(data: &[u8]) {
     let with_header = [b"file,action,style,take\n", data].concat();
     let name = |line: &str| format!("clips/{}", line.split(',').next().unwrap_or_default().trim());
@@ -230,7 +230,7 @@ pub(crate) fn corpus_table(data: &[u8]) {
     }
 }
 
-/// Patterns, and the labels that they find in names; the names' own pattern.
+/// Patterns, and the labels that they find in names; and the pattern guessed from the names.
 pub(crate) fn labels(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     let mut lines = text.lines();
@@ -265,7 +265,7 @@ pub(crate) fn expression(data: &[u8]) {
     }
 }
 
-/// Packets of motion capture programs, several in a row; each begins with its length.
+/// Packets of motion capture programs, several in a row; each is preceded by its length.
 pub(crate) fn vmc(data: &[u8]) {
     let mut reader = FrameReader::default();
     let mut performer: Option<Performer> = None;
@@ -280,7 +280,7 @@ pub(crate) fn vmc(data: &[u8]) {
             says_something(&e);
             continue;
         }
-        // What is understood is sent on, and understood again.
+        // A message that was understood is sent again, and understood again.
         let mut again = Vec::new();
         for packet in encode(&messages) {
             decode(&packet, &mut again).expect("our own packet");

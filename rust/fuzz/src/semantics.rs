@@ -1,5 +1,5 @@
-//! What is done with files that parsers accept: it works, or an error says why not, and all that comes out is finite, as long
-//! as what went in, and can be read back.
+//! Operations on files that parsers accept. They succeed or return an error; all results are finite, as long as the
+//! input, and can be read again.
 
 use crate::bases;
 use crate::parsers::{
@@ -19,14 +19,14 @@ use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
 use strut_formats::{key_style_model, strutdb, walk_model};
 
-/// Most frames that are styled of a file: longer ones are only read.
+/// Greatest number of frames of a file that are styled: longer files are only read.
 const MAX_FRAMES: usize = 120;
-/// Frames that a model walks.
+/// Number of frames that a walk model synthesises.
 const WALKED_FRAMES: usize = 60;
-/// Beyond what anatomy allows of a joint, radians, by rounding.
+/// Tolerance of anatomical limits, radians, for rounding.
 const ROUNDING: f32 = 0.02;
 
-/// A BVH file that was changed a little, styled with a sound database and written back.
+/// A BVH file with a few changes, styled with a valid database and written again.
 pub(crate) fn style_a_file(data: &[u8]) {
     with_edited(data, edited_bvh, |file, u| {
         let Ok(clip) = Clip::parse(file) else { return };
@@ -51,7 +51,7 @@ pub(crate) fn style_a_file(data: &[u8]) {
     });
 }
 
-/// A sound motion, styled with a database that was changed a little.
+/// A valid motion, styled with a database that has a few changes.
 pub(crate) fn style_with_a_database(data: &[u8]) {
     with_edited(data, edited_database, |file, u| {
         let Ok(contents) = strutdb::read(file) else { return };
@@ -63,7 +63,7 @@ pub(crate) fn style_with_a_database(data: &[u8]) {
     });
 }
 
-/// A stylizer with styles that the bytes choose.
+/// Returns a stylizer with styles from the bytes.
 fn stylizer(model: Arc<Model>, u: &mut Unstructured<'_>) -> Stylizer {
     let styles = model.catalogue().styles.len();
     let mut stylizer = Stylizer::new(model, Options::DEFAULT).expect("the default options are allowed");
@@ -72,7 +72,7 @@ fn stylizer(model: Arc<Model>, u: &mut Unstructured<'_>) -> Stylizer {
     stylizer
 }
 
-/// A clip styled frame by frame.
+/// Styles a clip frame by frame.
 fn style(stylizer: Stylizer, input: &[Pose]) -> StyledMotion {
     let allowed = allowed(stylizer.model(), input);
     let mut job = ClipJob::new(stylizer);
@@ -80,7 +80,7 @@ fn style(stylizer: Stylizer, input: &[Pose]) -> StyledMotion {
         job.push(pose, &mut NoClock);
     }
     for (f, frame) in job.frames().iter().enumerate() {
-        // Planting turns ankles farther where a foot must stay on the ground.
+        // Footplant turns ankles farther when a foot must stay on the ground.
         for role in Role::ALL {
             let beyond = beyond_anatomy(role, frame.pose.rotations[role.index()]);
             let allowed = allowed[role.index()];
@@ -101,8 +101,8 @@ fn style(stylizer: Stylizer, input: &[Pose]) -> StyledMotion {
     styled
 }
 
-/// How far each joint may go beyond anatomy: as far as the input or the database does. A database's joints may go wherever
-/// each of their coordinates was.
+/// Returns how far each joint may exceed the anatomical limits: as far as the input or the database does. A joint may
+/// reach any combination of the coordinates in the database.
 fn allowed(model: &Model, input: &[Pose]) -> [f32; JOINTS] {
     let catalogue = model.catalogue();
     let [least, greatest] = catalogue.observed_range();
@@ -124,7 +124,7 @@ fn allowed(model: &Model, input: &[Pose]) -> [f32; JOINTS] {
     allowed
 }
 
-/// Finite, and of rotations.
+/// Checks that a pose is finite and has unit rotations.
 fn assert_is_pose(pose: &Pose) {
     assert!(pose.is_finite(), "{pose:?}");
     for (joint, q) in pose.rotations.iter().enumerate() {
@@ -132,7 +132,7 @@ fn assert_is_pose(pose: &Pose) {
     }
 }
 
-/// A model of walks that was changed a little, walked.
+/// A walk model with a few changes, walked.
 pub(crate) fn walk(data: &[u8]) {
     with_edited(data, edited_walk_model, |file, u| {
         let Ok(model) = walk_model::read(file) else { return };
@@ -152,7 +152,7 @@ pub(crate) fn walk(data: &[u8]) {
     });
 }
 
-/// A key-style model that was changed a little, keyed.
+/// A key-style model with a few changes, keyed.
 pub(crate) fn key_style(data: &[u8]) {
     with_edited(data, edited_key_style_model, |file, u| {
         let Ok(model) = key_style_model::read(file) else { return };
@@ -176,7 +176,7 @@ pub(crate) fn key_style(data: &[u8]) {
     });
 }
 
-/// A motion as a file that can be read back, frame for frame.
+/// Checks that a motion can be written to a file and read again, frame by frame.
 fn can_be_written(motion: &HumanoidMotion) {
     match Bvh::from_humanoid(motion) {
         Err(e) => says_something(&e),

@@ -1,4 +1,4 @@
-//! Every target on its corpus, which holds what fuzzing has found, and on a few random inputs.
+//! Every target on its corpus, which has the inputs that fuzzing found, and on a few random inputs.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -6,7 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 use strut_fuzz::{TARGETS, Target};
 
-/// Random inputs of each target.
+/// Number of random inputs per target.
 const RANDOM_RUNS: u32 = 48;
 
 fn corpus(target: &Target) -> Vec<PathBuf> {

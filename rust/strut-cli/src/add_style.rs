@@ -1,4 +1,4 @@
-//! `strut add-style`: a clip becomes a style of a database.
+//! `strut add-style`: adds a style to a database from one clip.
 
 use crate::failure::{Failure, Outcome};
 use crate::print::{print, print_warnings};

@@ -1,22 +1,22 @@
-//! When the feet are planted on an action's canonical timeline, and how well each clip agrees with that.
+//! Foot contacts on an action's canonical timeline, and the agreement of each clip with them.
 
 use serde::Serialize;
 use std::fmt::Write;
 use std::ops::Range;
 use strut_core::database::Database;
 
-/// Share of an action's clips or gait cycles that have a foot planted, for every frame of the canonical timeline.
+/// Share of an action's clips or gait cycles with a planted foot, for every frame of the canonical timeline.
 #[derive(Serialize)]
 pub(crate) struct CanonicalContact {
-    /// Of the left foot, 0 to 1.
+    /// Shares of the left foot, 0 to 1.
     pub(crate) left: Vec<f32>,
-    /// Of the right foot, 0 to 1.
+    /// Shares of the right foot, 0 to 1.
     pub(crate) right: Vec<f32>,
 }
 
 impl CanonicalContact {
-    /// Of an action whose timeline has this many frames; the time of gait cycles wraps around. Every frame of a clip
-    /// counts for the canonical time that it covers, so that slow clips weigh as much as fast ones.
+    /// Measures an action whose timeline has this many frames; the time of gait cycles wraps around. Every frame of a
+    /// clip is weighted by the canonical time that it covers, so that slow and fast clips have the same weight.
     pub(crate) fn of(db: &Database, action: u16, frames: f32, cyclic: bool) -> Self {
         let count = (frames.ceil() as usize).max(1);
         let mut planted = vec![[0.0_f32; 2]; count];
@@ -40,7 +40,7 @@ impl CanonicalContact {
         Self { left: share(0), right: share(1) }
     }
 
-    /// Per cent of a clip's contact labels, both feet, that most of its action's share.
+    /// Returns the percentage of a clip's contact labels, both feet, that agree with the majority of its action.
     pub(crate) fn agreement(&self, db: &Database, rows: Range<usize>, frames: f32, cyclic: bool) -> f32 {
         let (mut same, mut compared) = (0, 0);
         for row in rows {
@@ -53,7 +53,8 @@ impl CanonicalContact {
         100.0 * same as f32 / compared.max(1) as f32
     }
 
-    /// Cells of a table: each foot's duty factor in per cent, and where on the timeline most have it planted.
+    /// Returns the cells of a table: each foot's duty factor, per cent, and where on the timeline the majority has it
+    /// planted.
     pub(crate) fn cells(&self) -> String {
         [&self.left, &self.right].into_iter().fold(String::new(), |mut out, shares| {
             let duty = 100.0 * shares.iter().sum::<f32>() / shares.len() as f32;
@@ -64,7 +65,7 @@ impl CanonicalContact {
     }
 }
 
-/// The frame of the canonical timeline that a time falls on; `None` before or after the timeline of whole clips.
+/// Returns the frame of the canonical timeline at a time, or `None` outside the timeline of whole clips.
 fn canonical_frame(time: f32, frames: f32, cyclic: bool) -> Option<usize> {
     let last = (frames.ceil() as usize).saturating_sub(1);
     if cyclic {
@@ -73,7 +74,7 @@ fn canonical_frame(time: f32, frames: f32, cyclic: bool) -> Option<usize> {
     (0.0..=frames).contains(&time).then(|| (time as usize).min(last))
 }
 
-/// Stretches where more than half have the foot planted, in per cent of the timeline.
+/// Returns the ranges in which more than half have the foot planted, per cent of the timeline.
 fn planted_ranges(shares: &[f32]) -> String {
     let percent = |k: usize| 100.0 * k as f32 / shares.len() as f32;
     let mut ranges: Vec<String> = Vec::new();

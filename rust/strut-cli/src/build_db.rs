@@ -1,4 +1,4 @@
-//! `strut build-db`: labelled clips become a database.
+//! `strut build-db`: builds a database from labelled clips.
 
 use crate::annotation::CanonicalContact;
 use crate::failure::{Failure, Outcome};
@@ -79,7 +79,7 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
-/// A class with as many clips has a median residual of its own: an extreme style is farther from all others.
+/// Smallest number of clips for which a class has its own median residual: an extreme style is farther from all others.
 const MIN_CLASS_CLIPS: usize = 3;
 
 /// How clips are warped onto each other.
@@ -197,7 +197,7 @@ struct ClipEntry {
     residual_ratio: f32,
     contact_agreement_percent: f32,
     faulty_cycles: Vec<FaultyCycle>,
-    /// What may be wrong in how its file was read.
+    /// Warnings about how its file was read.
     notes: Vec<NoteReport>,
 }
 
@@ -225,7 +225,7 @@ impl Report {
         }
         let action = |a: &build::ActionReport| {
             let (frames, cyclic) = (a.canonical_frames, a.method == Method::Cycles);
-            // Every reported action is in the database: its reference clip is.
+            // Every reported action is in the database, since its reference clip is.
             let index = db.action_index(&a.action).unwrap_or_default();
             ActionEntry {
                 action: a.action.clone(),
@@ -288,7 +288,8 @@ impl Report {
         }
     }
 
-    /// Refused clips with the reason, actions, styles of two manners, then every clip and its faulty cycles, worst first.
+    /// Returns the refused clips with the reasons, the actions, the bimodal styles, then every clip and its faulty
+    /// cycles, worst first.
     fn markdown(&self) -> String {
         let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
         // Writing to a string cannot fail.
@@ -353,7 +354,7 @@ impl Report {
     }
 }
 
-/// How far every clip remains from its counterparts.
+/// Residual distance of every clip from its counterparts.
 struct Residuals {
     cm: Vec<f32>,
 }
@@ -363,7 +364,7 @@ impl Residuals {
         Self { cm: residuals(db).iter().map(|r| 100.0 * r).collect() }
     }
 
-    /// A clip's residual as a multiple of the median of its class, or of its action if the class is small.
+    /// Returns a clip's residual relative to the median of its class, or of its action if the class is small.
     fn ratio(&self, db: &Database, clip: usize) -> f32 {
         let here = &db.clips[clip];
         let sorted = |same_style: bool| {

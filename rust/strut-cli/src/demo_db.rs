@@ -1,4 +1,4 @@
-//! `strut demo-db`: the built-in motions as files.
+//! `strut demo-db`: writes the built-in motions to files.
 
 use crate::demo_report;
 use crate::failure::{Failure, Outcome};

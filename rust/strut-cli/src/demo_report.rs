@@ -1,4 +1,4 @@
-//! The report `docs/demo-motions.md`: what the built-in motions are and how they measure up.
+//! The report `docs/demo-motions.md`: description and measurements of the built-in motions.
 
 use crate::failure::{Failure, Outcome};
 use std::collections::BTreeMap;
@@ -14,17 +14,17 @@ use strut_demo::{
 };
 use strut_tasks::clip::read_clip;
 
-/// Numbers of the recorded actions in the names of `xia/`.
+/// Numbers of the recorded actions in the file names of `xia/`.
 const RECORDED: [(&str, &str); 5] = [("walk", "01"), ("run", "13"), ("jump", "16"), ("punch", "18"), ("kick", "22")];
 
-/// Speeds, as multiples of the preferred one, at which a gait is measured.
+/// Speeds at which a gait is measured, relative to the preferred speed.
 const PACES: [&[Passage]; 4] = [&straight(0.7), &straight(0.85), &straight(1.0), &straight(1.25)];
 
 const fn straight(speed: f32) -> [Passage; 1] {
     [Passage { strides: 12, speed, turn_degrees: 0.0 }]
 }
 
-/// The report as Markdown; `recordings` is a folder that holds `xia/` and `bandai-namco-2/`.
+/// Returns the report as Markdown. `recordings` is a folder with `xia/` and `bandai-namco-2/`.
 pub(crate) fn report(recordings: Option<&Path>) -> Outcome<String> {
     let clips = strut_demo::full_clips();
     let mut out = String::from(PREFACE);
@@ -53,7 +53,7 @@ fn composition(out: &mut String, clips: &[PlannedClip]) {
     }
 }
 
-/// A straight gait of a style at a multiple of its speed.
+/// Returns a straight gait of a style at a multiple of its speed.
 fn paced(action: Action, passages: &'static [Passage], style: &Style) -> Performance {
     let script = Script { name: "straight", action, passages, seed: 4 };
     perform(&script, style, &Proportions::default(), FULL_RATE_HZ)
@@ -101,7 +101,7 @@ fn walking(out: &mut String, recordings: Option<&Path>) -> Outcome {
     Ok(())
 }
 
-/// Cells of a table's row at 0, 10, … 90 % of the cycle.
+/// Returns the cells of a table's row at 0, 10, … 90 % of the cycle.
 fn cells(cell: impl Fn(usize) -> String) -> String {
     (0..10).map(|i| cell(10 * i)).collect::<Vec<_>>().join(" | ")
 }

@@ -1,4 +1,4 @@
-//! `strut drive`: neutral motion of a database that goes where it is told to, in a style, into a BVH file.
+//! `strut drive`: drives a styled character along a path or by controls, and writes a BVH file.
 
 mod figures;
 mod orders;
@@ -71,7 +71,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let orders = Orders::read(args.path.as_deref(), args.controls.as_deref(), args.gait)?;
     let mut driver = Driver::new(Arc::clone(&clips));
     let model = Arc::new(Model::of(contents.into_catalogue()));
-    // The neutral clips of this database are what is styled.
+    // The input is in the database's neutral style if all clips are from the database.
     let input_style = note.is_none().then_some(model.catalogue().neutral);
     let options = Options { input_style, ..Options::default() };
     let mut stylizer = Stylizer::new(Arc::clone(&model), options).map_err(Failure::new)?;
@@ -116,8 +116,8 @@ fn check(args: &Args) -> Outcome {
     Ok(())
 }
 
-/// The clips to drive with: neutral ones of a database, and the built-in takes that it may lack. Where it has too little
-/// walking, built-in clips walk, and a note says so.
+/// Returns the clips for driving: the neutral ones of a database, and the built-in takes that it lacks. If the database
+/// has too little walking, built-in walks are used, with a note.
 fn driving_clips(db: &Database) -> Result<(DrivingClips, Option<String>), String> {
     let (body, rate_hz) = (db.proportions, db.rate_hz);
     let carried =
@@ -137,9 +137,9 @@ fn driving_clips(db: &Database) -> Result<(DrivingClips, Option<String>), String
 
 struct Driven {
     log: Log,
-    /// As they are shown: feet are planted without knowledge of later frames.
+    /// The styled frames as displayed: footplant does not use later frames.
     styled: Vec<StyledFrame>,
-    /// Frames until nothing further was asked.
+    /// Number of frames until the last order was done.
     arrived: usize,
 }
 
@@ -148,7 +148,7 @@ fn drive(driver: &mut Driver, mut stylizer: Stylizer, orders: &Orders, secs: Opt
     if let Some(path) = orders.path() {
         driver.set_path(path);
     }
-    // A motion has a frame at least.
+    // A motion has at least one frame.
     let most = ((secs.unwrap_or(MAX_SECS) * rate_hz) as usize).max(1);
     let mut over = false;
     while driven.log.poses.len() < most && (secs.is_some() || !over) {

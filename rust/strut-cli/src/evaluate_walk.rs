@@ -27,9 +27,9 @@ use strut_tasks::progress::unwatched;
 use strut_tasks::threads::ThreadPool;
 use strut_tasks::walks::{Walk, read_walks};
 
-/// Steps in between of the transitions that are measured.
+/// Numbers of steps of the measured transitions.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
-/// Frames that are timed.
+/// Number of timed frames.
 const FRAMES: u32 = 3000;
 
 /// Measure a model of walk styles on takes that it was not trained on
@@ -111,7 +111,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     write_or_print(args.output.as_deref(), &text)
 }
 
-/// Reconstruction errors of each model on held-out walks.
+/// Writes the reconstruction errors of each model on held-out walks.
 fn held_out(text: &mut String, models: &[(&str, &WalkModel)], tests: &[&Walk]) {
     text.push_str(
         "## Held-out walks\n\nWith the states' likeliest durations. *Amplitude* and *step length* are shares of ",
@@ -141,13 +141,13 @@ fn held_out(text: &mut String, models: &[(&str, &WalkModel)], tests: &[&Walk]) {
     text.push('\n');
 }
 
-/// Pairs of different styles.
+/// Returns pairs of different styles.
 fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
     let styles = model.styles.len();
     (0..styles).flat_map(move |a| (a + 1..styles).map(move |b| (a, b)))
 }
 
-/// Linearity of interpolation between two styles, with the adapted and with the refined means.
+/// Writes the linearity of interpolation between two styles, with the adapted and with the refined means.
 fn linearity(text: &mut String, models: [(&WalkModel, &Arc<RuntimeWalkModel>); 2]) -> Result<(), WeightsError> {
     let [adapted, refined] = models.map(|(model, runtime)| deviations(model, runtime));
     text.push_str(
@@ -165,7 +165,7 @@ fn linearity(text: &mut String, models: [(&WalkModel, &Arc<RuntimeWalkModel>); 2
     Ok(())
 }
 
-/// Median deviations from the straight line between styles, by name.
+/// Returns the median deviations from the straight line between styles, by name.
 fn deviations(model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<Vec<(&'static str, f64)>, WeightsError> {
     let mut all: Vec<(&str, Vec<f64>)> = Vec::new();
     for (a, b) in pairs(model) {
@@ -184,7 +184,7 @@ fn deviations(model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<Vec<
     Ok(all.into_iter().map(|(name, of_name)| (name, median(of_name))).collect())
 }
 
-/// Contexts whose steps need models of their own.
+/// Writes the contexts whose steps need separate models.
 fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
     let walks: Vec<(usize, &Track)> = walks
         .iter()
@@ -210,7 +210,7 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
     text.push_str("models are those of left and right steps.\n\n");
 }
 
-/// Joint velocities during changes of style.
+/// Writes the joint velocities during changes of style.
 fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     text.push_str(
         "## Transitions\n\nThese are the greatest accelerations while one style gives way to another, as a share of ",
@@ -252,7 +252,7 @@ fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkMo
     Ok(())
 }
 
-/// Error of the finite horizon, and of going back from it in single precision.
+/// Writes the error of the finite horizon, and of its backward pass in single precision.
 fn horizon(
     text: &mut String,
     model: &WalkModel,
@@ -278,19 +278,19 @@ fn horizon(
     Ok(())
 }
 
-/// The median; NaN of no values.
+/// Returns the median; NaN without values.
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// Names of files and folders, for a sentence.
+/// Returns names of files and folders for a message.
 fn names(inputs: &[PathBuf]) -> String {
     let names: Vec<String> = inputs.iter().filter_map(|p| p.file_name()).map(|n| n.display().to_string()).collect();
     names.join(", ")
 }
 
-/// Microseconds of a frame.
+/// Returns the time per frame, microseconds.
 fn cost_us(runtime: &Arc<RuntimeWalkModel>) -> f64 {
     let mut walker = Walker::new(Arc::clone(runtime));
     let begin = Instant::now();

@@ -4,34 +4,34 @@ use std::fmt::{self, Display};
 use std::path::Path;
 use strut_tasks::{Code, TaskError};
 
-/// One sentence for people, on one line, and the exit code that goes with it.
+/// A message of one sentence on one line, and the exit code.
 #[derive(Debug)]
 pub(crate) struct Failure {
     sentence: String,
     pub(crate) exit_code: u8,
 }
 
-/// What shells expect of a program that Ctrl-C ended.
+/// Exit code that shells expect after Ctrl-C.
 pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Result of a step.
 pub(crate) type Outcome<T = ()> = Result<T, Failure>;
 
 impl Failure {
-    /// A failure that concerns no file in particular.
+    /// Creates a failure that concerns no particular file.
     pub(crate) fn new(reason: impl Display) -> Self {
         let sentence = reason.to_string();
-        // Names from files may hold anything; a message is one line.
+        // Names from files may contain control characters; a message is one line.
         let one_line = sentence.chars().map(|c| if c.is_control() { ' ' } else { c });
         Self { sentence: one_line.collect(), exit_code: 1 }
     }
 
-    /// A failure of a file.
+    /// Creates a failure about a file.
     pub(crate) fn in_file(path: &Path, reason: impl Display) -> Self {
         Self::new(format_args!("{}: {reason}", path.display()))
     }
 
-    /// Arguments that no file could make right.
+    /// Creates a failure about an invalid argument.
     pub(crate) fn usage(reason: impl Display) -> Self {
         Self { exit_code: 2, ..Self::new(reason) }
     }

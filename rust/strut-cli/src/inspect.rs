@@ -1,4 +1,4 @@
-//! `strut inspect`: contents of a file.
+//! `strut inspect`: prints the contents of a file.
 
 use crate::failure::{Failure, Outcome};
 use crate::manners::{self, TwoMannersEntry};
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let path = args.file.display().to_string();
     let is_database = args.file.extension().is_some_and(|e| e.eq_ignore_ascii_case("strutdb"));
     let bytes = files::read(&args.file, if is_database { strutdb::KIND.max_bytes } else { bvh::MAX_BYTES })?;
-    // A safetensors header begins after its eight bytes of length.
+    // A safetensors header begins after its eight length bytes.
     let (json, text) = if is_database || bytes.get(8) == Some(&b'{') {
         let report = database_report(path, &bytes).map_err(|e| Failure::in_file(&args.file, e))?;
         (serde_json::to_vec_pretty(&report), report.text())
@@ -86,7 +86,7 @@ struct BvhReport {
     rate_hz: f64,
     duration_secs: f64,
     humanoid: Option<HumanoidReport>,
-    /// What may be wrong.
+    /// Warnings.
     notes: Vec<NoteReport>,
     not_humanoid: Option<String>,
     contacts: Vec<[u8; 2]>,
@@ -110,12 +110,12 @@ struct HumanoidReport {
     metres_per_unit: f32,
     /// The file's up axis.
     up: &'static str,
-    /// Height of the ground along it.
+    /// Height of the ground along the up axis.
     floor_m: f32,
-    /// Whether left and right are exchanged in the file.
+    /// Whether left and right are swapped in the file.
     mirrored: bool,
     leg_length_m: f32,
-    /// Way of the hips over the ground.
+    /// Horizontal distance that the hips travel.
     travel_m: f32,
     /// Joints without a role.
     unmapped: Vec<String>,
@@ -183,7 +183,7 @@ fn describe_humanoid(motion: &Motion, binding: &Binding) -> (HumanoidReport, Vec
     (report, contact::label(&body).into_iter().map(|c| c.map(u8::from)).collect())
 }
 
-/// Share of the frames in which the left and the right foot is planted.
+/// Returns the share of the frames in which the left and the right foot is planted.
 fn planted_share(contacts: &[[u8; 2]]) -> [f32; 2] {
     [0, 1].map(|side| contacts.iter().filter(|c| c[side] == 1).count() as f32 / contacts.len().max(1) as f32)
 }

@@ -1,4 +1,4 @@
-//! `strut key-style`: a few styles over time become a BVH file.
+//! `strut key-style`: makes a BVH file from a few styles over time.
 
 use crate::failure::{Failure, Outcome};
 use crate::print::print;

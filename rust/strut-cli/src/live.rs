@@ -1,4 +1,4 @@
-//! `strut live`: the motion of somebody who performs now, in a style, to programs that show it.
+//! `strut live`: styles a live performer's motion and sends it to other programs.
 
 mod address;
 mod figures;
@@ -29,14 +29,14 @@ use strut_tasks::files::Outputs;
 use strut_tasks::search::Search;
 use strut_tasks::weights::StyleWeights;
 
-/// Ports that VMC programs use: the one that performers send to, and the one that avatars listen to.
+/// Default ports of VMC programs: of performers and of avatars.
 const PERFORMER_PORT: u16 = 39_539;
 const AVATAR_PORT: u16 = 39_540;
 /// Longest calibration, seconds.
 const MAX_CALIBRATION_SECS: f64 = 60.0;
-/// Packets that are taken without a look at the time: a flood of them does not keep frames from being sent.
+/// Number of packets that are received before the time is checked, so that a flood of packets does not block sending.
 const MOST_AT_ONCE: usize = 1024;
-/// Behind by more than this, frames are left out, seconds.
+/// Delay beyond which frames are skipped, seconds.
 const MOST_BEHIND_SECS: f64 = 0.25;
 
 /// Style somebody's motion while it goes on
@@ -87,12 +87,12 @@ pub(crate) struct Args {
 }
 
 impl Args {
-    /// Where to listen.
+    /// Returns the address to listen on.
     fn source(&self) -> Address {
         self.input.unwrap_or(Address::on_this_computer(PERFORMER_PORT))
     }
 
-    /// Where to send to.
+    /// Returns the addresses to send to.
     fn targets(&self) -> Vec<Address> {
         let port = if self.send.is_some() { PERFORMER_PORT } else { AVATAR_PORT };
         if self.outputs.is_empty() { vec![Address::on_this_computer(port)] } else { self.outputs.clone() }
@@ -170,7 +170,7 @@ fn style(args: &Args, db: &Path) -> Outcome {
     finish(args, &session)
 }
 
-/// Takes packets as they come and sends a frame at every tick of the database's rate, until it is told to stop.
+/// Receives packets and sends a frame at every tick of the database's rate, until it is stopped.
 fn stream(session: &mut Session, receiver: &Receiver, output: &mut Output, secs: Option<f64>) -> Outcome {
     let stopped = stop::on_signals()?;
     let shows = std::io::stderr().is_terminal();
@@ -181,7 +181,7 @@ fn stream(session: &mut Session, receiver: &Receiver, output: &mut Output, secs:
         if stopped() || secs.is_some_and(|secs| due_secs > secs) {
             break;
         }
-        // All that has arrived is heard before the tick, as the rest of a frame may be among it.
+        // All packets that have arrived are processed before the tick, since they may complete a frame.
         for _ in 0..MOST_AT_ONCE {
             let wait = Duration::from_secs_f64((due_secs - receiver.now_secs()).max(0.0));
             let Some(packet) = receiver.next(wait)? else { break };
@@ -209,7 +209,7 @@ fn stream(session: &mut Session, receiver: &Receiver, output: &mut Output, secs:
     Ok(())
 }
 
-/// Writes what was recorded, and the figures.
+/// Writes the recordings and the statistics.
 fn finish(args: &Args, session: &Session) -> Outcome {
     let figures: Figures = session.figures();
     let mut outputs = Outputs::default();
@@ -224,7 +224,7 @@ fn finish(args: &Args, session: &Session) -> Outcome {
     Ok(())
 }
 
-/// Poses on the database's body as a file.
+/// Returns poses on the database's body as a BVH file.
 fn bvh_of(session: &Session, poses: &[Pose]) -> Result<Vec<u8>, String> {
     if poses.is_empty() {
         return Err("no motion came that could be recorded".into());

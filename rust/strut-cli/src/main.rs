@@ -1,10 +1,10 @@
-//! The `strut` command: files, arguments, progress, printing; no algorithm.
+//! The `strut` command: files, arguments, progress, printing; no algorithms.
 //!
-//! Exit codes: 0 done; 1 failed, with `error: ` and one sentence on stderr and no file written; 2 wrong
-//! usage. Results go to stdout and to the files named; progress to stderr, and only to a terminal.
+//! Exit codes: 0 success; 1 failure, with `error: ` and one sentence on stderr and no file written; 2 wrong usage.
+//! Results go to stdout and to the named files. Progress goes to stderr, only if that is a terminal.
 #![forbid(unsafe_code)]
 
-// A batch goes on after a job that panics.
+// A batch continues after a job that panics.
 const _: () = assert!(cfg!(panic = "unwind"), "the command must unwind");
 
 mod add_style;

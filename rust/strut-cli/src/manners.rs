@@ -1,10 +1,10 @@
-//! Styles that are performed in two manners, as reports name them.
+//! Bimodal styles in reports.
 
 use serde::Serialize;
 use std::fmt::Write;
 use strut_core::database::TwoManners;
 
-/// A style of two manners in JSON.
+/// A bimodal style in JSON.
 #[derive(Serialize)]
 pub(crate) struct TwoMannersEntry {
     pub(crate) action: String,
@@ -13,7 +13,7 @@ pub(crate) struct TwoMannersEntry {
     pub(crate) clips: [Vec<String>; 2],
 }
 
-/// The entries of what was found.
+/// Converts the results to entries.
 pub(crate) fn entries(found: &[TwoManners]) -> Vec<TwoMannersEntry> {
     let entry = |TwoManners { action, style, separation, clips }: TwoManners| TwoMannersEntry {
         action,
@@ -25,7 +25,7 @@ pub(crate) fn entries(found: &[TwoManners]) -> Vec<TwoMannersEntry> {
 }
 
 impl TwoMannersEntry {
-    /// What was found, and what it leads to.
+    /// Returns a sentence about the style and its consequence.
     pub(crate) fn sentence(&self) -> String {
         format!(
             "{}/{} is performed in two manners, {:.1} times as far apart as two takes usually are, and styles to the \
@@ -35,7 +35,7 @@ impl TwoMannersEntry {
     }
 }
 
-/// A line for every style of two manners and one for the clips of each.
+/// Returns a line for every bimodal style, and one for the clips of each cluster.
 pub(crate) fn text(found: &[TwoMannersEntry]) -> String {
     let mut out = String::new();
     for entry in found {

@@ -1,4 +1,4 @@
-//! A database that is ready for use.
+//! Opening of databases.
 
 use crate::failure::Outcome;
 use crate::print::print_warnings;
@@ -7,7 +7,7 @@ use strut_core::transfer::Model;
 use strut_tasks::clip::{Opened, read_contents};
 use strut_tasks::search::Search;
 
-/// The database in a file, to be searched so; says so if its search index had to be made.
+/// Opens the database in a file with this search. Prints a message if its search index had to be built.
 pub(crate) fn read_model(path: &Path, search: Search) -> Outcome<Model> {
     let Opened { model, indexed_in } = Opened::new(read_contents(path)?, search);
     if let Some(took) = indexed_in {

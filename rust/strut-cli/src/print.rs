@@ -23,7 +23,7 @@ pub(crate) fn write_or_print(target: Option<&Path>, text: &str) -> Outcome {
     Ok(outputs.commit()?)
 }
 
-/// Prints notes on a file to stderr, where they are seen also if a program reads the text.
+/// Prints notes on a file to stderr, where users see them even if a program reads the text.
 pub(crate) fn print_notes(file: &str, notes: &[NoteReport]) {
     for note in notes {
         print_warnings(&format!("note: {file}: {}\n", note.text));

@@ -1,4 +1,4 @@
-//! The options of reading, which several commands have.
+//! Reading options, which several commands share.
 
 use clap::Args;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
-    /// What is said of the files.
+    /// Returns the reading options.
     pub(crate) fn reading(&self) -> Outcome<Reading> {
         let parse = |path: &PathBuf| {
             let bytes = files::read(path, joints::MAX_BYTES)?;

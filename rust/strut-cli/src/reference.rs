@@ -1,4 +1,5 @@
-//! `strut reference`: every command and option as JSON. The documentation makes its page of it (`scripts/docs/reference/`).
+//! `strut reference`: prints every command and option as JSON. The documentation generates its page from it
+//! (`scripts/docs/reference/`).
 
 use crate::failure::{Failure, Outcome};
 use crate::print::print;
@@ -12,7 +13,7 @@ struct CommandEntry {
     /// The whole description.
     about: String,
     usage: String,
-    /// What stands below the options of its help.
+    /// Text below the options of its help.
     more: Option<String>,
     arguments: Vec<ArgumentEntry>,
 }
@@ -22,7 +23,7 @@ struct CommandEntry {
 struct ArgumentEntry {
     long: Option<String>,
     short: Option<char>,
-    /// Names of its values; none for a switch.
+    /// Names of its values; empty for a switch.
     values: Vec<String>,
     is_required: bool,
     is_repeated: bool,
@@ -31,7 +32,7 @@ struct ArgumentEntry {
     help: String,
 }
 
-/// Prints the commands below a built one that are shown in its help.
+/// Prints the subcommands of a built command that its help shows.
 pub(crate) fn run(root: &mut Command) -> Outcome {
     root.build();
     let shown = root.get_subcommands_mut().filter(|c| !c.is_hide_set() && c.get_name() != "help");

@@ -1,4 +1,4 @@
-//! The options of styling, which several commands have.
+//! Styling options, which several commands share.
 
 use clap::Args;
 use strut_core::transfer::{Method, Options};
@@ -57,7 +57,7 @@ pub(crate) struct StyleArgs {
 }
 
 impl StyleArgs {
-    /// The settings for these styles.
+    /// Returns the settings for these styles.
     pub(crate) fn settings(&self, styles: StyleWeights) -> Outcome<StyleSettings> {
         let options = Options {
             k: self.k,

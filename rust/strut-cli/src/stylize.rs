@@ -1,4 +1,4 @@
-//! `strut stylize`: BVH files in another style.
+//! `strut stylize`: styles BVH files.
 
 use crate::failure::{Failure, Outcome};
 use crate::model::read_model;
@@ -96,20 +96,20 @@ fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
     Ok(())
 }
 
-/// What was made of an input.
+/// Report on an input.
 #[derive(Serialize)]
 struct StyledReport {
     input: String,
     output: String,
     frames: usize,
     duration_secs: f64,
-    /// What the input was read as: the mean weight of each class, "action/style".
+    /// Recognised classes of the input: the mean weight of each class, "action/style".
     class_weights: BTreeMap<String, f64>,
     /// Mean distance of its poses from the nearest ones of the database, metres.
     distance_metres: f64,
-    /// How far the input and the styled motion travel over the ground, on the database's body, metres.
+    /// Horizontal distances that the input and the styled motion travel, on the database's body, metres.
     travel_metres: [f32; 2],
-    /// What may be wrong; empty for a clean clip.
+    /// Warnings; empty for a clean clip.
     notes: Vec<NoteReport>,
 }
 
@@ -135,7 +135,7 @@ fn styling_of(args: &Args, settings: &StyleSettings, model: &Arc<Model>) -> Outc
     Ok(Styling::new(settings.stylizer(model, &args.db)?).with_reading(&settings.reading))
 }
 
-/// What there is to say of a clip.
+/// Returns the summary of a clip.
 fn text(target: &Path, clip: &Clip, styled: &Styled, styling: &Styling) -> String {
     styled.summary.text(target, clip, &styled.file, styling.classes())
 }
@@ -153,7 +153,7 @@ fn style_several(args: &Args, settings: &StyleSettings) -> Outcome {
     }
     let styled = style_into(args, settings, &sources, folder);
     if styled.is_err() && is_new {
-        // The failure is what there is to report.
+        // The earlier failure is the one to report.
         let _ = fs::remove_dir(folder);
     }
     let (texts, reports): (Vec<String>, Vec<StyledReport>) = styled?.into_iter().unzip();
@@ -167,7 +167,7 @@ fn style_several(args: &Args, settings: &StyleSettings) -> Outcome {
     Ok(())
 }
 
-/// Styles all sources into an existing folder; what there is to say of each.
+/// Styles all sources into an existing folder. Returns a summary and a report of each.
 fn style_into(
     args: &Args,
     settings: &StyleSettings,
@@ -185,7 +185,7 @@ fn style_into(
     let model = Arc::new(read_model(&args.db, settings.search)?);
     let styling = styling_of(args, settings, &model)?;
     let bar = Bar::new("styling", sources.len());
-    // Whole clips keep all threads busy where there are as many; frames do where there are fewer.
+    // With many clips, one clip per thread uses all threads; with few, the frames are spread over the threads.
     let few = sources.len() < rayon::current_num_threads();
     let spread = if few { Spread::Frames } else { Spread::Clips };
     let style = |(source, target): &(&Source, &PathBuf)| -> Outcome<(Outputs, (String, StyledReport))> {
@@ -197,10 +197,10 @@ fn style_into(
         let report = StyledReport::new(source, target, &styled, &styling);
         Ok((outputs, (text(target, &clip, &styled, &styling), report)))
     };
-    // One by one: clips differ in length.
+    // One clip at a time per thread, since clips differ in length.
     let pairs: Vec<(&Source, &PathBuf)> = sources.iter().zip(&targets).collect();
     let styled: Vec<Outcome<_>> = pairs.par_iter().with_max_len(1).map(style).collect();
-    // The first failure in the order of the inputs, whichever came first.
+    // The first failure in the order of the inputs, not of time.
     let styled = styled.into_iter().collect::<Outcome<Vec<_>>>()?;
     let commit = |(outputs, said): (Outputs, _)| outputs.commit().map(|()| said).map_err(Failure::from);
     styled.into_iter().map(commit).collect()

@@ -16,10 +16,10 @@ use strut_tasks::files::Outputs;
 use strut_tasks::stylize::StyleSettings;
 use strut_tasks::weights::StyleWeights;
 
-/// Most problems that are printed; the manifest has all.
+/// Greatest number of printed problems; the manifest has all.
 const MOST_PRINTED: usize = 10;
 
-/// What is written where, and how a run ends.
+/// Help on the outputs and the exit codes.
 const LONG_HELP: &str = "\
 Outputs: DIR/VARIANT/PATH.bvh, where PATH is the input's below the folder or in the archive that was given. The variant of
 --style is what was typed, with + for commas. A table of --variants has the columns variant,style[,option…]; options have
@@ -83,7 +83,7 @@ pub(crate) struct Args {
     json: Option<PathBuf>,
 }
 
-/// Whether the user, or the system, has asked to stop.
+/// Whether the user or the system has requested a stop.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -146,7 +146,7 @@ fn problems(report: &BatchReport) -> String {
     }
 }
 
-/// Whether the batch is as it was wanted.
+/// Returns an error if the outcome is not as requested.
 fn verdict(args: &Args, report: &BatchReport) -> Outcome {
     let BatchReport { jobs, skipped, failed, .. } = report;
     let fail = |reason: String| Err(Failure::in_file(&args.output, reason));

@@ -1,4 +1,4 @@
-//! `strut train-key-style`: learns a map from a few style variables to poses.
+//! `strut train-key-style`: trains a map from a few style variables to poses.
 
 use crate::failure::Outcome;
 use crate::print::{print, print_warnings};

@@ -1,4 +1,4 @@
-//! `strut train-walk`: labelled walks become a model of walk styles.
+//! `strut train-walk`: trains a walk model on labelled walks.
 
 use crate::failure::Outcome;
 use crate::print::{print, print_warnings};

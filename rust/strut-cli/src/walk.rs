@@ -1,4 +1,4 @@
-//! `strut walk`: a model of walk styles walks into a BVH file.
+//! `strut walk`: synthesises a walk and writes a BVH file.
 
 use crate::failure::{Failure, Outcome};
 use crate::print::print;
@@ -54,7 +54,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
     let gait = Gait { cadence: args.cadence, stride: args.stride, turn: args.turn, limits: args.limits == "on" };
-    // Before the model is read.
+    // Checked before the model is read.
     gait.check()?;
     let file = files::read(&args.model, walk_model::KIND.max_bytes)?;
     let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;

@@ -1,4 +1,4 @@
-//! Whatever is wrong with a file: one sentence, exit code 1, and nothing written.
+//! Invalid files: the command prints one sentence, exits with 1 and writes nothing.
 
 mod common;
 
@@ -6,7 +6,7 @@ use common::{assert_refused, demo_database, demo_walk, strut};
 use std::fs::{self, File};
 use std::path::Path;
 
-/// A folder with the built-in database as `demo.strutdb`.
+/// Creates a folder with the built-in database as `demo.strutdb`.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("demo.strutdb"), demo_database()).unwrap();
@@ -26,7 +26,7 @@ fn a_command_without_the_graphics_processor_says_how_to_build_it() {
     );
 }
 
-/// Every command that reads `in.bvh` refuses it.
+/// Checks that every command that reads `in.bvh` refuses it.
 fn assert_bvh_refused(folder: &Path, content: impl AsRef<[u8]>, expected: &str) {
     fs::write(folder.join("in.bvh"), content).unwrap();
     assert_refused(folder, &["inspect", "in.bvh", "--json", "in.json"], expected);
@@ -36,7 +36,7 @@ fn assert_bvh_refused(folder: &Path, content: impl AsRef<[u8]>, expected: &str) 
     assert_refused(folder, &["build-db", "in.bvh", "-o", "new.strutdb", "--labels", "labels.csv"], expected);
 }
 
-/// The walk with the line after `MOTION`, the line of frames, and so on, changed.
+/// Returns the walk with changed lines after `MOTION`, the line of frames first.
 fn walk_with(change: impl Fn(usize, &str) -> String) -> String {
     let walk = demo_walk();
     let motion = walk.lines().position(|l| l == "MOTION").unwrap();
@@ -44,12 +44,12 @@ fn walk_with(change: impl Fn(usize, &str) -> String) -> String {
     lines.map(|(i, line)| if i < motion { line.to_owned() } else { change(i - motion, line) } + "\n").collect()
 }
 
-/// The walk with another first value in its tenth frame.
+/// Returns the walk with another first value in its tenth frame.
 fn walk_with_value(value: &str) -> String {
     walk_with(|i, line| if i == 12 { format!("{value} {}", line.split_once(' ').unwrap().1) } else { line.to_owned() })
 }
 
-/// The walk cut to a number of frames that it also announces.
+/// Returns the walk cut to a number of frames, with a matching frame count.
 fn walk_of(frames: usize) -> String {
     let text = walk_with(|i, line| match i {
         1 => format!("Frames: {frames}"),
@@ -145,7 +145,7 @@ fn motions_that_would_become_too_long_at_the_database_s_rate() {
     let frames = 20_000;
     let long = walk_with(|i, line| match i {
         1 => format!("Frames: {frames}"),
-        // Not so long that it could be milliseconds.
+        // Short enough not to be interpreted as milliseconds.
         2 => "Frame Time: 3".to_owned(),
         3 => vec![frame.as_str(); frames].join("\n"),
         i if i > 3 => String::new(),
@@ -180,7 +180,7 @@ fn large_files_are_refused() {
     for (megabytes, expected) in
         [(200, "in.bvh: line 1, column 1 has "), (300, "in.bvh: the file is larger than 256 MiB")]
     {
-        // Sparse: takes no room on the disk.
+        // A sparse file takes no space on the disk.
         File::create(folder.path().join("in.bvh")).unwrap().set_len(megabytes << 20).unwrap();
         assert_refused(folder.path(), &STYLIZE, expected);
     }

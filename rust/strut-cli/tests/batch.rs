@@ -1,4 +1,4 @@
-//! `strut stylize-batch`: every job once, whatever happens in between.
+//! `strut stylize-batch`: every job is done once, even after interruptions.
 
 mod common;
 
@@ -13,14 +13,14 @@ use strut_tasks::digest::sha256_hex;
 
 const ALL: [&str; 5] = ["clips", "--db", "demo.strutdb", "-o", "out"];
 
-/// A folder with `demo.strutdb` and `clips/`, which holds copies of a walk and folders of them.
+/// Creates a folder with `demo.strutdb` and `clips/`, which has copies of a walk and subfolders with copies.
 fn folder(clips: usize) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("demo.strutdb"), demo_database()).unwrap();
     fs::create_dir_all(folder.path().join("clips/more")).unwrap();
     for clip in 0..clips {
         let place = if clip % 2 == 0 { "clips" } else { "clips/more" };
-        // White space at the end is no other motion, but another file.
+        // White space at the end makes another file of the same motion.
         let text = demo_walk() + &"\n".repeat(clip);
         fs::write(folder.path().join(format!("{place}/{clip}.bvh")), text).unwrap();
     }
@@ -31,7 +31,7 @@ fn batch<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&["stylize-batch"], &ALL[..], more].concat()
 }
 
-/// Runs a batch to its end; its report.
+/// Runs a batch to its end and returns its report.
 fn report(folder: &Path, more: &[&str]) -> Value {
     strut_ok(folder, &[&batch(more)[..], &["--json", "report.json"]].concat());
     serde_json::from_slice(&fs::read(folder.join("report.json")).unwrap()).unwrap()
@@ -41,7 +41,7 @@ fn counts(report: &Value) -> [u64; 5] {
     ["jobs", "done", "styled", "skipped", "failed"].map(|name| report[name].as_u64().unwrap())
 }
 
-/// All files below a folder by their paths in it, apart from those of the batch itself.
+/// Returns all files below a folder by relative path, except those of the batch itself.
 fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     fn walk(root: &Path, at: &Path, found: &mut BTreeMap<PathBuf, Vec<u8>>) {
         for entry in fs::read_dir(at).unwrap() {
@@ -59,7 +59,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     found
 }
 
-/// The records of the manifest.
+/// Returns the records of the manifest.
 fn records(folder: &Path) -> Vec<Value> {
     let text = fs::read_to_string(folder.join("out/manifest.jsonl")).unwrap_or_default();
     text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect()
@@ -116,7 +116,7 @@ fn only_what_is_not_done_is_done() {
     assert_eq!(counts(&third), [4, 4, 1, 0, 0], "another content of the same size");
     let now = files(&at.join("out"));
     assert!(outputs.iter().all(|(path, bytes)| now[path] == *bytes));
-    // Other options are another output at the same place.
+    // Other options change the output at the same path.
     assert_eq!(counts(&report(at, &["--style", "old", "-k", "20"])), [4, 4, 4, 0, 0]);
 }
 
@@ -135,7 +135,7 @@ fn what_cannot_be_styled_or_written_stops_nothing_else() {
     fs::write(at.join("clips/broken.bvh"), demo_walk()).unwrap();
     assert_eq!(counts(&report(at, &["--style", "old"])), [3, 3, 1, 0, 0], "its input is another");
 
-    // A folder is where the output should be.
+    // A folder is at the path of an output.
     fs::create_dir_all(at.join("out/proud/0.bvh")).unwrap();
     let failed = strut(at, &batch(&["--style", "proud"]));
     let stderr = String::from_utf8(failed.stderr).unwrap();
@@ -178,7 +178,7 @@ fn impossible_batches_are_refused_with_a_sentence() {
     }
 }
 
-/// Starts a batch and waits until it has recorded `more` jobs than before, or has ended.
+/// Starts a batch and waits until it has recorded `more` new jobs, or has ended.
 fn start(folder: &Path, more: usize) -> Child {
     let before = records(folder).len();
     let mut child = Command::new(env!("CARGO_BIN_EXE_strut"))
@@ -199,21 +199,21 @@ fn signal(child: &Child, name: &str) {
     assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
 }
 
-/// Kills a batch again and again while it works, at no instant in particular, and lets it end at last: every job has one
-/// output, the same as without the kills. `STRUT_KILLS` says how often.
+/// Kills a batch repeatedly at random times while it works, and finally lets it end. Every job then has one output, the
+/// same as without the kills. `STRUT_KILLS` is the number of kills.
 #[cfg(unix)]
 #[test]
 fn a_batch_that_is_killed_goes_on_as_if_it_had_not_been() {
     let kills: usize = std::env::var("STRUT_KILLS").map_or(5, |number| number.parse().unwrap());
-    // A start ends about three jobs and has two more in hand, and those that were in hand come last: of so many none is in hand
-    // three times.
+    // A start ends about three jobs and has two more in progress, which come last in the next start. With this number
+    // of jobs none is in progress three times.
     let jobs = 8 * (kills + 1);
     let folder = folder(jobs);
     let at = folder.path();
     let mut state = std::process::id();
     for kill in 0..kills {
         let mut child = start(at, 1);
-        // Up to a tenth of a second more, several times what a job takes, but at most two more jobs.
+        // Wait up to a tenth of a second more, several times the duration of a job, but at most for two more jobs.
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let (begin, before) = (Instant::now(), records(at).len());
         let wait = Duration::from_micros(u64::from(state >> 8) % 100_000);
@@ -227,7 +227,7 @@ fn a_batch_that_is_killed_goes_on_as_if_it_had_not_been() {
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    // As if the last line had been cut off too.
+    // Simulates a truncated last line.
     let manifest = at.join("out/manifest.jsonl");
     let text = fs::read_to_string(&manifest).unwrap();
     fs::write(&manifest, &text[..text.len() - 20]).unwrap();
@@ -252,7 +252,7 @@ fn the_start_of_a_recorded_job_is_removed_by_the_next_run() {
     let folder = folder(1);
     let at = folder.path();
     report(at, &["--style", "old"]);
-    // What a process leaves that is killed between the record of a job and the removal of its start.
+    // State after a process is killed between the record of a job and the removal of its start.
     let record = &records(at)[0];
     let name = &sha256_hex(record["job"].as_str().unwrap().as_bytes())[..32];
     let start = at.join("out/.attempts").join(name);
@@ -283,7 +283,7 @@ fn after_ctrl_c_nothing_is_half_done() {
     assert_eq!((done, styled), (12, 12 - recorded.len() as u64));
 }
 
-/// Where the system lets us make a small disk.
+/// Requires a system that can create a small disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_told_in_a_sentence_and_blames_no_job() {

@@ -1,4 +1,4 @@
-//! What the commands do when all is well, on the built-in motions.
+//! The commands on valid input: the built-in motions.
 
 mod common;
 
@@ -12,7 +12,7 @@ fn json(path: &Path) -> Value {
     serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }
 
-/// A folder with `demo.strutdb` and `in.bvh`.
+/// Creates a folder with `demo.strutdb` and `in.bvh`.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("demo.strutdb"), demo_database()).unwrap();
@@ -26,7 +26,8 @@ fn stylize(folder: &Path, style: &str, more: &[&str]) -> bvh::Bvh {
     bvh::parse(&fs::read(folder.join("out.bvh")).unwrap()).unwrap()
 }
 
-/// Clips that stand half a metre over the ground are carried to it with a note, or as a person says without one.
+/// Clips that stand half a metre above the ground are lowered to it, with a note, or with an explicit floor without a
+/// note.
 #[test]
 fn clips_of_a_database_are_read_as_is_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -61,7 +62,7 @@ fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
     );
     let clips = names(&at.join("clips")).len();
     assert_eq!(clips, strut_demo::clips().len());
-    // Two styles suffice.
+    // Two styles are sufficient.
     for name in names(&at.join("clips")) {
         if !(name.starts_with("walk_neutral") || name.starts_with("walk_old")) {
             fs::remove_file(at.join("clips").join(name)).unwrap();
@@ -78,7 +79,7 @@ fn the_built_in_database_is_written_and_can_be_built_from_its_own_files() {
     assert!(report["clips"][0]["cycles"].as_u64().unwrap() > 5, "{}", report["clips"][0]);
     assert!(report["clips"][0]["registration_cost"].as_f64().unwrap() > 0.0);
 
-    // A cycle begins where the left foot strikes; the right foot strikes half a cycle later.
+    // A cycle begins at a strike of the left foot; the right foot strikes half a cycle later.
     let contact = &report["actions"][0]["canonical_contact"];
     let planted = |side: &str, part: f64| {
         let shares = contact[side].as_array().unwrap();
@@ -168,7 +169,7 @@ fn the_same_command_gives_the_same_bytes() {
 fn threads_change_nothing_about_a_clip() {
     let folder = folder();
     let at = folder.path();
-    // Long enough for several portions a thread, and of several classes.
+    // Long enough for several portions per thread, and of several classes.
     let motions = ["run", "kick", "jump"].map(|action| {
         let clips = strut_demo::clips();
         clips.into_iter().find(|clip| clip.action == action && clip.style == "proud").unwrap().motion
@@ -187,7 +188,7 @@ fn threads_change_nothing_about_a_clip() {
             assert!(styled(threads) == serial, "{threads} threads, {more:?}");
         }
     }
-    // With a trace every frame is searched and timed in its turn.
+    // With a trace the frames are searched and timed one after the other.
     let serial = stylize(at, "old", &["--threads", "2"]);
     assert!(stylize(at, "old", &["--threads", "2", "--trace", "t.jsonl"]) == serial);
 }

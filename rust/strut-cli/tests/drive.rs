@@ -15,7 +15,7 @@ fn folder() -> TempDir {
     folder
 }
 
-/// Once round a circle of 2 m radius, from the origin towards +Z.
+/// One turn around a circle of 2 m radius, from the origin towards +Z.
 fn circle() -> String {
     let mut csv = String::from("x,z\n");
     for i in 0..320 {
@@ -91,7 +91,7 @@ fn a_jump_from_a_run_keeps_its_speed() {
     let report: serde_json::Value =
         serde_json::from_slice(&fs::read(folder.path().join("drive.json")).unwrap()).unwrap();
     let jump = |of: &str| report["orders"][1][of].as_f64().unwrap();
-    // It takes off with the next step, flies, and runs on: braking for it took a second.
+    // The character takes off at the next step, flies, and continues to run. Braking before the jump took a second.
     assert!(jump("action_secs") < 0.5 && (0.25..0.7).contains(&jump("acted_secs")), "{report}");
     assert!(jump("moved_m") > 2.0, "{report}");
 }

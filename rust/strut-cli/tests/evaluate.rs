@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
-/// A folder with the built-in motions as BVH files, in `bvh`.
+/// Creates a folder with the built-in motions as BVH files in `bvh`.
 fn demo() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     strut_ok(folder.path(), &["demo-db", "--page", "-o", "demo.strutdb", "--bvh", "bvh"]);

@@ -1,4 +1,4 @@
-//! Key-styling: the commands on the built-in walk, and held-out errors on real motion capture, where it is present
+//! Key-styling: the commands on the built-in walk, and held-out errors on real motion capture, if it is present
 //! (`STRUT_MOCAP`).
 
 mod common;
@@ -24,7 +24,7 @@ use strut_formats::key_style_model;
 
 const AXES: &str = "foot_separation,foot_height_difference";
 
-/// A folder with the built-in walk as `walk.bvh` and a circle of steps as `keys.csv`.
+/// Creates a folder with the built-in walk as `walk.bvh` and a circle of steps as `keys.csv`.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("walk.bvh"), demo_walk()).unwrap();
@@ -32,7 +32,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Keys on a circle in which feet go round: 5 a turn of 35 frames.
+/// Returns keys on a circle of foot styles: 5 per turn of 35 frames.
 fn circle(keys: usize) -> String {
     let key = |i: usize| {
         let angle = std::f64::consts::TAU * i as f64 / 5.0;
@@ -64,7 +64,7 @@ fn a_few_numbers_walk() {
         let way = body.poses[273].root.z - body.poses[0].root.z;
         assert!(way > 4.0, "{way}");
     }
-    // What a model was saved as, expectation and maximisation included, can be used.
+    // Every saved model can be used, with expectation maximisation too.
     strut_ok(
         at,
         &["train-key-style", "walk.bvh", "--axes", "hips.y - foot_l.y", "--method", "em", "-o", "em.strutkeys"],
@@ -132,7 +132,7 @@ fn whatever_is_wrong_is_said_in_a_sentence() {
     with("walk.bvh", "walk.bvh: this is no key-style model");
 }
 
-/// Recordings on the body of the first.
+/// Reads recordings onto the body of the first.
 fn recordings(mocap: &Path, names: impl Iterator<Item = String>) -> Vec<Recording> {
     let mut body = None;
     names
@@ -148,7 +148,8 @@ fn walks(mocap: &Path) -> Vec<Recording> {
     recordings(mocap, (1..=8).map(|take| format!("bandai-namco-2/dataset-2_walk_normal_{take:03}.bvh")))
 }
 
-/// A model of sixteen components, and the mean error of what it says of other recordings, degrees.
+/// Trains a model of sixteen components. Returns it with the mean error of its predictions for other recordings,
+/// degrees.
 fn learnt(training: &[&Recording], test: &[&Recording], axes: &str) -> (Arc<KeyStyleModel>, f64) {
     let options = Options { components: Some(16), ..Options::default() };
     let model = Arc::new(train(training, &Measure::parse_list(axes).unwrap(), options).unwrap());
@@ -218,7 +219,7 @@ fn a_run_by_keys_flies_as_far_as_the_recorded_one() {
     for (name, run) in names.iter().zip(&runs).take(3) {
         let clip = Clip::parse(&fs::read(mocap.join(name)).unwrap()).unwrap();
         let recorded = to_humanoid(&clip.motion, &clip.binding, &run.proportions).resampled(RATE_HZ).unwrap();
-        // A key a frame: the style says all, and the root alone is made.
+        // With a key per frame the style is fixed everywhere; only the root is synthesised.
         let styles = Observed::new(&model, run).styles;
         let keys: Vec<_> = styles
             .iter()
@@ -228,7 +229,7 @@ fn a_run_by_keys_flies_as_far_as_the_recorded_one() {
         let mut synthesis = Synthesis::new(Arc::clone(&model));
         let styling = KeyStyling::new(&keys, Interpolation::default(), &mut synthesis, Mode::KEYED).unwrap();
         let made = styling.motion(&mut synthesis, Method::KeyStyle);
-        // By its feet alone the body covers half of the way.
+        // With its supporting feet alone the body travels half of the distance.
         let share = way(&made) / way(&recorded);
         assert!((0.85..1.1).contains(&share), "{name}: {share} of the way");
         let highest = |motion: &HumanoidMotion| motion.poses.iter().map(|p| p.root.y).fold(0.0, f32::max);

@@ -1,5 +1,5 @@
-//! `strut live` over loopback: a performer, a bad network, and somebody who receives.
-//! Nothing here depends on how fast the computer is: conditions are waited for.
+//! `strut live` over loopback: a performer, an unreliable network, and a receiver. Tests wait for conditions and do not
+//! depend on the speed of the computer.
 
 mod common;
 
@@ -22,7 +22,7 @@ use strut_formats::bvh;
 use strut_formats::vmc::{self, Bone, Calibration, Frame, Message, Performer, Place};
 use tempfile::TempDir;
 
-/// How long anything is waited for.
+/// Timeout of all waits.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 fn folder() -> TempDir {
@@ -32,7 +32,7 @@ fn folder() -> TempDir {
     folder
 }
 
-/// Numbers from 0 to 1, always the same.
+/// Reproducible random numbers from 0 to 1.
 struct Random(u64);
 
 impl Random {
@@ -61,13 +61,13 @@ impl Running {
         Self { child, said }
     }
 
-    /// `strut live` on any free port, sending to a socket.
+    /// Starts `strut live` on any free port, sending to a socket.
     fn live(folder: &Path, target: &UdpSocket, args: &[&str]) -> Self {
         let out = target.local_addr().unwrap().to_string();
         Self::start(folder, &[&["live", "--db", "db.strutdb", "--in", "127.0.0.1:0", "--out", &out][..], args].concat())
     }
 
-    /// Where it listens.
+    /// Returns the address that it listens on.
     fn address(&self) -> SocketAddr {
         let address = self.said.strip_prefix("listening on ").and_then(|said| said.split(',').next());
         address.and_then(|address| address.parse().ok()).unwrap_or_else(|| panic!("{}", self.said))
@@ -109,7 +109,7 @@ fn receive_until(socket: &UdpSocket, what: &str, mut holds: impl FnMut(&Message)
     panic!("no {what} in {PATIENCE:?}");
 }
 
-/// Something that goes on until it is dropped.
+/// A thread that runs until it is dropped.
 struct Thread {
     stop: Arc<AtomicBool>,
     handle: Option<JoinHandle<()>>,
@@ -135,7 +135,7 @@ impl Drop for Thread {
     }
 }
 
-/// Passes packets on, but loses 2 % of them, swaps some with the next, holds some back for a burst, and adds broken ones.
+/// Forwards packets, but loses 2 % of them, swaps some with the next, delays some into a burst, and adds invalid ones.
 fn bad_network(from: UdpSocket, to: SocketAddr) -> Thread {
     let (out, stranger) = (socket(), socket());
     let mut random = Random(42);
@@ -150,7 +150,7 @@ fn bad_network(from: UdpSocket, to: SocketAddr) -> Thread {
             x if x < 0.05 => hold = 2,
             x if x < 0.06 => hold = 8,
             x if x < 0.1 => {
-                // Half a packet, none at all, and one of somebody else.
+                // Half a packet, an invalid one, and one from another sender.
                 out.send_to(&packet[..length / 2], to).unwrap();
                 out.send_to(b"no packet", to).unwrap();
                 stranger.send_to(&packet, to).unwrap();
@@ -192,7 +192,7 @@ fn a_performance_is_styled_through_a_bad_network() {
 
     let json: serde_json::Value = serde_json::from_slice(&fs::read(folder.path().join("live.json")).unwrap()).unwrap();
     let number = |name: &str| json[name].as_f64().unwrap();
-    // Each frame is two packets; more are lost where some come so late that the next one has begun.
+    // Each frame is two packets. More frames are lost if some packets are so late that the next frame has begun.
     assert!(number("lost_percent") > 1.0 && number("lost_percent") < 50.0, "{json}");
     assert!(number("packets_refused") > 0.0 && number("packets_of_others") > 0.0, "{json}");
     assert!(number("frames_out") >= 150.0 && number("buffer_ms") > 16.0, "{json}");
@@ -208,7 +208,7 @@ fn a_performance_is_styled_through_a_bad_network() {
     assert!(lean(&styled) < lean(&input) - 0.03, "old people stoop: {} {} m", lean(&styled), lean(&input));
 }
 
-/// Sends a clip as a performer whose clock begins at 0, over and over.
+/// Sends a looped clip as a performer whose clock begins at 0.
 fn perform(motion: HumanoidMotion, to: SocketAddr, beside: Vec3) -> Thread {
     let performer = Performer::of_body(&motion.proportions);
     send_frames(to, move |i| {
@@ -217,7 +217,7 @@ fn perform(motion: HumanoidMotion, to: SocketAddr, beside: Vec3) -> Thread {
     })
 }
 
-/// Sends 60 frames a second, the i-th of which is at i / 60 s.
+/// Sends 60 frames a second; frame i is sent at i / 60 s.
 fn send_frames(to: SocketAddr, frame_of: impl Fn(usize) -> Frame + Send + 'static) -> Thread {
     let from = socket();
     let (begin, mut i) = (Instant::now(), 0_usize);
@@ -261,8 +261,8 @@ fn a_performer_who_is_gone_is_said_to_be_and_may_come_back_elsewhere() {
     });
     let hips: Vec<Vec3> = frames.iter().map(|frame| frame.world()[0].position).collect();
     let leap = hips.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f32::max);
-    // The walk that is sent leaps back by 1.2 m every second, and the second one begins 3.6 m away; the figure goes on. How
-    // smoothly is tested in the core: here a busy computer may lose some frames.
+    // The sent walk jumps back by 1.2 m every second, and the second performer starts 3.6 m away; the figure must move
+    // continuously. Smoothness is tested in the core: here a busy computer may lose some frames.
     assert!(leap < 1.0, "{leap} m");
 }
 
@@ -274,8 +274,8 @@ fn a_held_t_pose_says_how_the_bones_of_a_raw_skeleton_are_turned() {
     let args = ["--style", "proud", "--calibrate", "0.5", "--record-input", "in.bvh"];
     let live = Running::live(folder.path(), &target, &args);
 
-    // Every bone points along its own axes, as in a raw VRM 1 or a Blender rig: the same turn for all, so that only the hips
-    // have a rotation in the T-pose, and all offsets are in turned axes.
+    // Every bone has its own axes, as in a raw VRM 1 or a Blender rig. The turn is the same for all, so that only the
+    // hips have a rotation in the T-pose, and all offsets are in turned axes.
     let motion = strut_demo::input_clips().remove(0).motion;
     let turn = Quat::from_rotation_x(1.2) * Quat::from_rotation_z(-0.7);
     let unturned = Performer::of_body(&motion.proportions);
@@ -306,7 +306,7 @@ fn a_held_t_pose_says_how_the_bones_of_a_raw_skeleton_are_turned() {
     live.interrupt();
     drop(performer);
 
-    // What arrived is the walk, whose arms hang …
+    // The received motion is the walk, whose arms hang …
     let input = body_of(&read_bvh(&folder.path().join("in.bvh")).to_motion().unwrap());
     let nearest = |pose: &Pose| {
         let worst = |other: &Pose| {
@@ -318,7 +318,7 @@ fn a_held_t_pose_says_how_the_bones_of_a_raw_skeleton_are_turned() {
     let last = input.poses.len() - 30..input.poses.len() - 10;
     let off = input.poses[last].iter().map(nearest).fold(0.0, f32::max);
     assert!(off < 0.1, "{off} rad");
-    // … and what is sent on has the bones turned as they came.
+    // … and the sent motion has the original bone axes.
     let styled = world_from_local(raw.proportions(), &raw.pose(frames.last().unwrap()));
     let [hips, head] = [0, 4].map(|joint| styled.positions[joint].y);
     assert!(head > hips + 0.4, "{head} above {hips} m");
@@ -350,7 +350,7 @@ fn what_cannot_be_gets_a_sentence() {
     misused(&["--calibrate", "0"], "--calibrate is 0; more than 0 to 60 seconds were expected");
 }
 
-/// Clips of recorded walks, turns and runs, or the built-in walk where there are none.
+/// Returns clips of recorded walks, turns and runs, or the built-in walk if there are none.
 fn performances() -> Vec<HumanoidMotion> {
     let resampled = |motion: HumanoidMotion| motion.resampled(60.0).unwrap();
     let built_in = || vec![resampled(strut_demo::input_clips().remove(0).motion)];
@@ -363,7 +363,7 @@ fn performances() -> Vec<HumanoidMotion> {
     files.iter().map(|path| resampled(body_of(&read(path)))).collect()
 }
 
-/// A network.
+/// A network model.
 #[derive(Clone, Copy)]
 struct Network {
     name: &'static str,
@@ -371,7 +371,7 @@ struct Network {
     lost: f64,
     /// Mean of exponential jitter, seconds.
     jitter_secs: f64,
-    /// Longest time for which the air is taken, about once a second; what waits then comes at once.
+    /// Longest interruption, seconds, about once a second; delayed frames then arrive together.
     blocked_secs: f64,
 }
 
@@ -382,7 +382,7 @@ const NETWORKS: [Network; 3] = [
 ];
 
 impl Network {
-    /// When frames are sent, and when those that are not lost arrive, in the order of arrival; the frame.
+    /// Returns sending times and arrival times of frames that are not lost, in the order of arrival, with the frame.
     fn arrivals(&self, frames: usize) -> Vec<(f64, f64, usize)> {
         let mut random = Random(7);
         let mut blocked_until = 0.0_f64;
@@ -402,8 +402,8 @@ impl Network {
         arrivals
     }
 
-    /// Distances of the worst joint from where it was at the time shown, centimetres, with a delay; or, where the buffer would
-    /// go on, with the newest frame held.
+    /// Returns the error of the worst joint at each displayed time, centimetres, with a delay. With `holds` the newest
+    /// frame is held instead of extrapolated.
     fn errors(&self, motion: &HumanoidMotion, delay_secs: f64, holds: bool) -> Vec<f64> {
         let step = (60.0 / self.rate_hz) as usize;
         let frames: Vec<Pose> = motion.poses.iter().step_by(step).copied().collect();
@@ -411,7 +411,7 @@ impl Network {
         let mut buffer = JitterBuffer::new(Delay::Fixed(delay_secs));
         let mut newest = 0;
         let mut errors = Vec::new();
-        // Ticks fall somewhere between the sender's.
+        // Ticks fall between the sender's ticks.
         for tick in 0..motion.poses.len().saturating_sub(30) {
             let now = (tick as f64 + 0.37) / 60.0;
             while let Some((sent, arrived, i)) = arrivals.next_if(|(_, arrived, _)| *arrived <= now) {
@@ -430,14 +430,14 @@ impl Network {
     }
 }
 
-/// Mean and 99th percentile.
+/// Returns mean and 99th percentile.
 fn mean_and_p99(mut errors: Vec<f64>) -> [f64; 2] {
     errors.sort_by(f64::total_cmp);
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     [mean, errors[(0.99 * (errors.len() - 1) as f64).ceil() as usize]]
 }
 
-/// The table of `docs/live.md`: `cargo test -p strut-motion-cli --test live buffer -- --nocapture` prints it.
+/// Prints the table of `docs/live.md`: `cargo test -p strut-motion-cli --test live buffer -- --nocapture`.
 #[test]
 fn the_buffer_shows_most_of_what_is_late_in_its_place() {
     let motions = performances();
@@ -449,10 +449,10 @@ fn the_buffer_shows_most_of_what_is_late_in_its_place() {
         let held = measured(0.017, true);
         let cell = |[mean, p99]: [f64; 2]| format!("{mean:.2} / {p99:.1}");
         println!("{}: {} ({}) | {} | {}", network.name, cell(at_17), cell(held), cell(at_33), cell(at_50));
-        // Where a frame is lost, the line between those beside it is all that there is, whatever the delay.
+        // For a lost frame only interpolation between its neighbours is possible, whatever the delay.
         let between_frames = 0.02;
         assert!(at_50[0] < at_17[0] + between_frames && at_17[0] < held[0], "{}: {held:?}", network.name);
-        // Acceptance: 2 % lost, 99 % within 2 cm with 50 ms.
+        // Requirement: with 2 % loss and 50 ms, 99 % are within 2 cm.
         assert!(at_50[1] <= 2.0, "{}: {at_50:?}", network.name);
     }
 }

@@ -1,4 +1,4 @@
-//! What opening a database takes is known before.
+//! The memory for opening a database is known before it is opened.
 
 mod common;
 
@@ -11,7 +11,7 @@ use strut_core::search::Index;
 use strut_demo::benchmark;
 use strut_formats::strutdb;
 
-/// Compares the bytes that opening takes at most with those that are expected, with a plan of the search index and without.
+/// Compares the peak memory of opening with the expected bytes, with a plan of the search index and without.
 fn assert_known(name: &str, db: &Database) {
     let size = CatalogueSize::of_clips(&db.clips, db.styles.len(), db.counterparts_per_style);
     let planned = Index::build(db).plan();

@@ -1,4 +1,4 @@
-//! The acceptance figures of the product on real motion capture, where it is present (`STRUT_MOCAP`).
+//! Acceptance criteria on real motion capture, if it is present (`STRUT_MOCAP`).
 
 mod common;
 
@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 use strut_core::{contact, metrics};
 use strut_formats::bvh::Bvh;
 
-/// Mean horizontal speed of planted feet, cm/s, as the file's own motion shows them planted.
+/// Returns the mean horizontal speed of planted feet, cm/s, with contacts detected in the file's own motion.
 fn skate_cm_s(file: &Bvh) -> f32 {
     let body = body_of(&file.to_motion().unwrap());
     100.0 * metrics::foot_skate(&body, &contact::label(&body))
@@ -23,7 +23,7 @@ struct Built {
     report: Value,
 }
 
-/// Built once for all tests.
+/// Builds the folder once for all tests.
 fn bandai_namco_2(folder_of_sets: &Path) -> &'static Built {
     static BUILT: OnceLock<Built> = OnceLock::new();
     BUILT.get_or_init(|| {
@@ -52,7 +52,7 @@ fn a_neutral_walk_becomes_elderly_active_and_exhausted() {
     let Built { folder, report } = bandai_namco_2(&mocap);
     let totals = &report["totals"];
     assert_eq!(totals["clips"].as_u64().unwrap() + totals["refused"].as_u64().unwrap(), 245);
-    // The clips that turn the other way are label errors of the data set.
+    // The clips that turn in the opposite direction are label errors of the data set.
     let refused: Vec<&str> =
         report["refused"].as_array().unwrap().iter().map(|r| r["file"].as_str().unwrap()).collect();
     let wrong =
@@ -93,7 +93,7 @@ fn exhausted_turns_are_named_with_the_clips_of_their_two_manners() {
     }
 }
 
-/// Mean weight of the classes whose action is a walk.
+/// Returns the mean weight of the classes whose action is a walk.
 fn mean_walking_weight(trace: &Path) -> f64 {
     let text = fs::read_to_string(trace).unwrap();
     let weight = |line: &str| -> f64 {
@@ -104,7 +104,7 @@ fn mean_walking_weight(trace: &Path) -> f64 {
     text.lines().map(weight).sum::<f64>() / text.lines().count() as f64
 }
 
-/// Clips of all data sets. All 460 take twenty minutes: every ninth, or all with `STRUT_ALL_CLIPS=1`.
+/// Returns clips of all data sets. All 460 take twenty minutes: every ninth, or all with `STRUT_ALL_CLIPS=1`.
 fn clips(mocap: &Path) -> Vec<PathBuf> {
     let step = if all_clips() { 1 } else { 9 };
     mocap::clips_of(mocap, "").into_iter().step_by(step).collect()
@@ -116,7 +116,7 @@ fn clips_of_every_kind_are_styled() {
     let folder = &bandai_namco_2(&mocap).folder;
     clips(&mocap).par_iter().enumerate().for_each(|(i, path)| {
         let input = read_bvh(path);
-        // Reading refuses anything that is no finite number.
+        // Reading refuses numbers that are not finite.
         let output = stylize(folder.path(), path, "elderly", &format!("out-{i}.bvh"), &[]);
         assert_eq!(output.joints, input.joints, "{}", path.display());
         assert_eq!(output.frame_time_secs, input.frame_time_secs, "{}", path.display());
@@ -133,7 +133,7 @@ fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
     let report = fs::read_to_string(folder.path().join("report.md")).unwrap();
     println!("{report}");
     let jerk = report.split("## Skate, anatomy, jerk").nth(1).unwrap();
-    // As measured; both the motions and the recordings are fixed.
+    // Measured values; both the motions and the recordings are fixed.
     for (action, measured) in [("walk", 1.39), ("run", 1.47), ("jump", 1.02), ("punch", 1.52), ("kick", 0.61)] {
         let row = jerk.lines().find(|l| l.starts_with(&format!("| {action} |"))).unwrap();
         let ratio: f32 = row.split('|').nth_back(1).unwrap().trim().parse().unwrap();
@@ -141,7 +141,7 @@ fn the_built_in_motions_are_as_smooth_as_recorded_ones() {
     }
 }
 
-/// Codes of the notes on clips that are styled by the built-in database, clip by clip.
+/// Returns the codes of the notes on clips that are styled with the built-in database, by clip.
 fn noted(folder: &Path, more: &[&str]) -> Vec<(String, Vec<String>)> {
     let args =
         ["stylize", "--db", "demo.strutdb", "--input", "in", "--style", "old", "-o", "out", "--json", "out.json"];
@@ -154,7 +154,7 @@ fn noted(folder: &Path, more: &[&str]) -> Vec<(String, Vec<String>)> {
     report.as_array().unwrap().iter().map(|clip| (clip["input"].as_str().unwrap().to_owned(), codes(clip))).collect()
 }
 
-/// Recordings of half of whose actions the database has none are far from it, but not as far as what is read wrongly.
+/// Recordings are far from the database if it lacks their action, as for half of them, but not as far as misread files.
 #[test]
 fn what_is_read_wrongly_is_noted_and_no_recording_is() {
     let Some(mocap) = mocap::folder() else { return };

@@ -1,6 +1,6 @@
-//! Feet and joints of styled clips on real motion capture, where it is present (`STRUT_MOCAP`): a sample of all
-//! pairs of clip and style, or all of them with `STRUT_ALL_CLIPS=1`. The clips go through what `strut stylize` does with
-//! them, but for the text of the file.
+//! Feet and joints of styled clips on real motion capture, if it is present (`STRUT_MOCAP`): a sample of all pairs of
+//! clip and style, or all with `STRUT_ALL_CLIPS=1`. The clips are processed as in `strut stylize`, except for the text
+//! of the file.
 
 mod common;
 
@@ -19,7 +19,7 @@ use strut_core::transfer::{Model, NoClock, Options, Stylizer, beyond_anatomy, gr
 use strut_core::{contact, metrics};
 use strut_formats::strutdb;
 
-/// The clips of a folder whose names contain a text, sorted.
+/// Returns the clips of a folder whose names contain a text, sorted.
 fn clips(mocap: &Path, set: &str, containing: &str) -> Vec<PathBuf> {
     let mut clips = mocap::clips_of(mocap, set);
     clips.retain(|p| p.to_str().unwrap().contains(containing));
@@ -37,16 +37,16 @@ fn build(inputs: &[PathBuf], [neutral, pattern]: [&str; 2]) -> Arc<Model> {
 const BANDAI_NAMCO: [&str; 2] = ["normal", "{set}_{action}_{style}_{take}.bvh"];
 const XIA: [&str; 2] = ["neutral", "{style}_{action}_{take}.bvh"];
 
-/// A clip before and after, each read off its own skeleton.
+/// A clip before and after styling, each on its own body.
 struct Styled {
     name: String,
     input: HumanoidMotion,
     output: HumanoidMotion,
-    /// Whether the left and right foot of the input was taken to be planted, by frame at the database's rate.
+    /// Detected contacts of the input's left and right foot, by frame at the database's rate.
     contact: Vec<[bool; 2]>,
 }
 
-/// Styles clips, each in the styles that `wanted` says for its number, and hands each pair to `check`.
+/// Styles each clip in the styles that `wanted` returns for its index, and passes each pair to `check`.
 fn for_each_styled(
     model: &Arc<Model>,
     clips: &[PathBuf],
@@ -72,28 +72,28 @@ fn styled(model: &Arc<Model>, clip: &Path, style: &str) -> Styled {
     Styled {
         name: format!("{} → {style}", clip.file_stem().unwrap().to_str().unwrap()),
         input: on_own_body(&motion),
-        // On the floor of the input: that of the output would be measured anew.
+        // With the floor of the input: that of the output would be estimated again.
         output: on_own_body(&output),
         contact: styled.frames.iter().map(|f| f.contact.map(|c| c > 0.5)).collect(),
     }
 }
 
-/// One of `styles` for each number, in turn; all of them if all are asked for.
+/// Returns one of `styles` for each index, in turn, or all of them if all are requested.
 fn in_turn(styles: &[String]) -> impl Fn(usize) -> Vec<String> + Sync {
     move |i| if all_clips() { styles.to_vec() } else { vec![styles[i % styles.len()].clone()] }
 }
 
-/// By the rule of `docs/methods/mar.md` §3, applied to the motion itself.
+/// Foot skate with the rule of `docs/methods/mar.md` §3, applied to the motion itself.
 fn skate_cm_s(motion: &HumanoidMotion) -> f32 {
     100.0 * metrics::foot_skate(motion, &contact::label(motion))
 }
 
-/// Height of the lowest point of any sole, cm.
+/// Returns the height of the lowest point of any sole, cm.
 fn lowest_sole_cm(motion: &HumanoidMotion) -> f32 {
     100.0 * motion.poses.iter().map(|p| ground_clearance(&motion.proportions, p)).fold(f32::INFINITY, f32::min)
 }
 
-/// Greatest acceleration of any joint at 60 Hz, m/s².
+/// Returns the greatest acceleration of any joint at 60 Hz, m/s².
 fn peak_acceleration(motion: &HumanoidMotion) -> f32 {
     let poses = motion.resampled(60.0).unwrap().poses;
     let at: Vec<_> = poses.iter().map(|p| world_from_local(&motion.proportions, p).positions).collect();
@@ -157,7 +157,7 @@ fn contacts_of_unseen_takes_are_recognised_and_their_feet_held() {
     });
 }
 
-/// For each joint how far a motion goes beyond what anatomy allows, radians.
+/// Returns for each joint how far a motion exceeds the anatomical limits, radians.
 fn beyond(rotations: impl Iterator<Item = [Quat; JOINTS]>) -> [f32; JOINTS] {
     let mut most = [0.0_f32; JOINTS];
     for rotations in rotations {
@@ -186,7 +186,7 @@ fn one_take_a_class_is_enough_to_stay_within_limits() {
                 (beyond(s.input.poses.iter().map(|p| p.rotations)), beyond(s.output.poses.iter().map(|p| p.rotations)));
             for role in Role::ALL {
                 let allowed = before[role.index()].max(known[role.index()]);
-                // Legs bend a little more where feet are held.
+                // Legs bend slightly more where feet are held.
                 let excess = after[role.index()] - allowed;
                 assert!(excess < 0.1, "{set}: {}: {} is {excess} rad beyond its limits", s.name, role.name());
             }

@@ -1,6 +1,6 @@
-//! The search finds what brute force finds, on real motion capture that the database does not hold, where it is present
-//! (`STRUT_MOCAP`): for a sample of frames, or, with `STRUT_ALL_CLIPS=1` and half an hour, for 10 000 of them at three sizes
-//! and 1 000 at a fourth.
+//! The search finds the same as brute force on real motion capture outside the database, if it is present
+//! (`STRUT_MOCAP`): for a sample of frames, or with `STRUT_ALL_CLIPS=1` and half an hour for 10 000 of them at three
+//! sizes and 1 000 at a fourth.
 
 mod common;
 #[path = "../../strut-core/benches/grown/mod.rs"]
@@ -12,7 +12,7 @@ use std::fs;
 use strut_core::search::{Index, Metric, Neighbours, Scratch};
 use strut_formats::strutdb;
 
-/// Frames of one run: neighbours of one frame help to find those of the next.
+/// Number of frames of a run: the neighbours of one frame help to find those of the next.
 const RUN: usize = 20;
 
 #[test]
@@ -43,7 +43,7 @@ fn neighbours_of_unseen_motion_are_those_of_brute_force_at_every_size() {
     }
 }
 
-/// How many neighbour sets of a run of frames are not those of brute force.
+/// Returns the number of neighbour sets of a run that differ from brute force.
 fn differing(index: &Index, run: &[strut_core::search::QueryWindow]) -> usize {
     let (mut scratch, mut expected, mut differing) = (Scratch::default(), Neighbours::default(), 0);
     for metric in [Metric::FullBody, Metric::LowerBody] {

@@ -1,4 +1,4 @@
-//! Walk synthesis on real motion capture, where it is present (`STRUT_MOCAP`).
+//! Walk synthesis on real motion capture, if it is present (`STRUT_MOCAP`).
 
 mod common;
 
@@ -17,11 +17,11 @@ use strut_formats::corpus::Clip;
 
 const STYLES: [&str; 7] = ["active", "elderly", "exhausted", "feminine", "masculine", "normal", "youthful"];
 
-/// Those of `bandai-namco-1`.
+/// File names of the walks of `bandai-namco-1`.
 const ACTED: &str =
     "active angry childish chimpira feminine giant happy masculinity musical normal not-confident old proud sad tired";
 
-/// The walks of `bandai-namco-2`: style, take and track, on the body of the first.
+/// Reads the walks of `bandai-namco-2`: style, take and track, on the body of the first.
 fn walks(mocap: &Path) -> (Proportions, Vec<(usize, usize, Track)>) {
     let (mut body, mut walks) = (None, Vec::new());
     for (style, name) in STYLES.iter().enumerate() {
@@ -130,8 +130,8 @@ fn steps_and_speed_go_one_way_from_the_opposite_of_a_style_to_twice_of_it() {
     all_go_one_way(&train(&body, &training, Options { refined: true }, &Sequential).unwrap(), 100);
 }
 
-/// Fails unless length and speed of so many steps of every style go one way with its weight. What settles in the first few
-/// counts little among them: most where a style's legs are at their limit.
+/// Checks that length and speed of a number of steps of every style are monotonic in its weight. The initial transient
+/// has little effect on the mean: it is greatest where a style's legs are at their limit.
 fn all_go_one_way(model: &WalkModel, steps: u64) {
     let runtime = Arc::new(RuntimeWalkModel::new(model));
     for (style, name) in model.styles.iter().enumerate() {
@@ -149,7 +149,7 @@ fn all_go_one_way(model: &WalkModel, steps: u64) {
     }
 }
 
-/// The built-in walk straight ahead.
+/// Returns the built-in walk straight ahead.
 fn demo_walk() -> HumanoidMotion {
     strut_demo::input_clips().remove(0).motion
 }
@@ -168,7 +168,7 @@ fn walks_of_one_style_are_not_compared_with_each_other() {
     assert_refused(folder.path(), &["evaluate-walk", "."], "walks of two styles at least were expected");
 }
 
-/// BVH text without the joints of the toes: their parents end where they were.
+/// Removes the joints of the toes from BVH text: their parents end at the toes' positions.
 fn without_toes(text: &str) -> String {
     let (mut lines, mut columns, mut skipped) = (Vec::new(), Vec::new(), None);
     let (mut count, mut depth) = (0, 0);
@@ -190,7 +190,7 @@ fn without_toes(text: &str) -> String {
             "}" => depth -= 1,
             _ => {}
         }
-        // Of what is skipped the first offset stays, in braces of its own.
+        // The first offset of the skipped part is kept, in separate braces.
         let inner = skipped.is_some_and(|begin| depth > begin + 1 || (depth == begin + 1 && words[0] == "}"));
         if keeps && !inner {
             lines.push(line.to_owned());
@@ -209,7 +209,7 @@ fn without_toes(text: &str) -> String {
     format!("{}\nMOTION\n{head}\n{}\n", lines.join("\n"), rows.map(kept).collect::<Vec<_>>().join("\n"))
 }
 
-/// Seconds of a step of the only style that `train-walk` finds in a file.
+/// Returns the step duration of the only style that `train-walk` finds in a file, seconds.
 fn step_secs(folder: &Path, text: &str) -> f64 {
     std::fs::write(folder.join("walk_own_1.bvh"), text).unwrap();
     strut_ok(folder, &["train-walk", "walk_own_1.bvh", "-o", "m.strutwalk", "--json", "r.json"]);
@@ -240,7 +240,7 @@ fn what_holds_no_walk_is_left_out_with_a_reason() {
     assert_refused(path, &["train-walk", "walk_still_1.bvh", "-o", "m.strutwalk"], "walk_still_1.bvh");
     assert_refused(path, &["train-walk", "walk_still_1.bvh", "-o", "m.strutwalk"], "a walk of at least");
 
-    // Beside others it is a warning.
+    // With other clips it is a warning.
     std::fs::write(path.join("walk_own_1.bvh"), bvh_of(&walk)).unwrap();
     let output = strut(path, &["train-walk", "walk_still_1.bvh", "walk_own_1.bvh", "-o", "m.strutwalk"]);
     let warning = String::from_utf8(output.stderr).unwrap();
@@ -257,7 +257,7 @@ fn takes_that_differ_much_are_styles_of_their_own() {
     let mut args = vec!["train-walk", "--pattern", "{set}_{action}_{style}_{take}.bvh", "-o", &model];
     args.extend(clips.iter().map(|clip| clip.to_str().unwrap()));
     let printed = strut_ok(folder.path(), &args);
-    // The prototype finds the takes of these four alike, and those of proud farthest apart.
+    // The prototype considers the takes of these four styles similar, and those of proud the farthest apart.
     for style in ["active,", "giant,", "masculinity,", "proud A, proud B", "tired)"] {
         assert!(printed.contains(style), "{style} in {printed}");
     }

@@ -1,6 +1,6 @@
-//! Pictures of every distance between some windows and those of a database.
+//! Pictures of all distances between some windows and those of a database.
 //!
-//! All arrays are what [`strut_core::search::Atlas`] gives, as plain numbers: who draws need not have the database.
+//! All arrays are plain numbers from [`strut_core::search::Atlas`], so that drawing does not need the database.
 
 use crate::context::{Adapter, Context};
 use crate::error::GpuError;
@@ -8,14 +8,14 @@ use crate::kernels::atlas::{EMPTY, SHADER};
 use std::ops::Range;
 use strut_core::search::{PACKED_ROW, PACKED_TILE, PACKED_WINDOW, TRAVEL, WINDOW};
 
-/// Words of a query's rows.
+/// Number of words of a query's rows.
 const QUERY_ROWS: usize = WINDOW * PACKED_ROW;
-/// The word of a window that has its last row.
+/// Index of the word with a window's last row.
 const END: usize = TRAVEL + 1;
-/// The line of windows that are on none.
+/// Line of windows that are on no line.
 const NO_LINE: u32 = u32::MAX;
 
-/// Draws pictures of a database by a graphics processor.
+/// Draws pictures of a database on a GPU.
 #[derive(Debug)]
 pub struct Painter {
     context: Context,
@@ -23,16 +23,16 @@ pub struct Painter {
     rows: wgpu::Buffer,
     windows: wgpu::Buffer,
     lines: wgpu::Buffer,
-    /// Windows, padding included.
+    /// Number of windows, padding included.
     count: usize,
     /// Tiles of windows that are on lines.
     tiles: Range<usize>,
     height: usize,
-    /// Made for the columns at hand, and kept for as many.
+    /// Buffers for the present columns, kept for the same number of columns.
     slice: Option<Slice>,
 }
 
-/// Buffers of some columns.
+/// Buffers of a number of columns.
 #[derive(Debug)]
 struct Slice {
     columns: usize,
@@ -45,10 +45,11 @@ struct Slice {
 }
 
 impl Painter {
-    /// Of a database's rows ([`PACKED_ROW`] numbers each) and windows ([`PACKED_WINDOW`] words each, in whole tiles).
+    /// Creates a painter for a database's rows ([`PACKED_ROW`] numbers each) and windows ([`PACKED_WINDOW`] words each,
+    /// in whole tiles).
     ///
     /// # Errors
-    /// If arrays are not of that form, or do not fit the graphics processor.
+    /// If the arrays do not have this form, or do not fit on the GPU.
     pub fn new(context: Context, rows: &[f32], windows: &[u32]) -> Result<Self, GpuError> {
         let count = windows.len() / PACKED_WINDOW;
         let frames = rows.len() / PACKED_ROW;
@@ -70,20 +71,20 @@ impl Painter {
         Ok(Self { context, kernel, rows, windows, lines, count, tiles: 0..0, height: 1, slice: None })
     }
 
-    /// The graphics processor that draws.
+    /// Returns the GPU.
     pub fn adapter(&self) -> &Adapter {
         self.context.adapter()
     }
 
-    /// Has it stop for good, as a driver does that is reset.
+    /// Simulates device loss.
     pub fn destroy(&self) {
         self.context.destroy();
     }
 
-    /// Takes the line of each window, below `height` and ascending by ones, or the largest number for none.
+    /// Sets the line of each window, below `height` and ascending by ones, or the largest number for none.
     ///
     /// # Errors
-    /// If lines are not of that form, or the graphics processor fails.
+    /// If the lines do not have this form, or the GPU fails.
     pub fn set_lines(&mut self, lines: &[u32], height: usize) -> Result<(), GpuError> {
         let tiles: Vec<&[u32]> = lines.chunks_exact(PACKED_TILE).collect();
         let on_lines = |tile: &[u32]| tile.iter().copied().filter(|line| *line != NO_LINE).collect::<Vec<_>>();
@@ -104,11 +105,11 @@ impl Painter {
         self.context.check()
     }
 
-    /// Bits of the least D of each line, a column after the other: of queries' rows ([`WINDOW`] times [`PACKED_ROW`] numbers
-    /// each) and windows ([`PACKED_WINDOW`] words each). They are one submission.
+    /// Returns the bits of the least D of each line, column by column, for the rows ([`WINDOW`] times [`PACKED_ROW`]
+    /// numbers each) and windows ([`PACKED_WINDOW`] words each) of queries. They are one submission.
     ///
     /// # Errors
-    /// If arrays are not of that form, or the graphics processor fails. After [`GpuError::Lost`] it always does.
+    /// If the arrays do not have this form, or the GPU fails. After [`GpuError::Lost`] it always fails.
     pub async fn draw(&mut self, rows: &[f32], windows: &[u32]) -> Result<Vec<u32>, GpuError> {
         let columns = windows.len() / PACKED_WINDOW;
         if rows.len() != columns * QUERY_ROWS || !windows.len().is_multiple_of(PACKED_WINDOW) {
@@ -139,12 +140,13 @@ impl Painter {
         Ok(found)
     }
 
-    /// Buffers for so many columns. What pads the last tile holds what was there before, and nobody reads its pixels.
+    /// Creates buffers for a number of columns. The padding of the last tile keeps old contents; its pixels are never
+    /// read.
     fn make_slice(&self, columns: usize) -> Result<Slice, GpuError> {
         use wgpu::BufferUsages as Usage;
         let context = &self.context;
         let rows = context.buffer(4 * (columns * QUERY_ROWS) as u64, Usage::STORAGE | Usage::COPY_DST)?;
-        // Padding refers to rows that are there.
+        // Padding refers to existing rows.
         let padding = strut_core::search::PackedWindow::PADDING.words();
         let windows = context.storage(bytemuck::cast_slice(&vec![padding; columns]))?;
         let view = context.buffer(16, Usage::UNIFORM | Usage::COPY_DST)?;

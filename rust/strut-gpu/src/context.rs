@@ -1,20 +1,20 @@
-//! The graphics processor: which one it is, what it may be asked, and whether it still works.
+//! The GPU: its properties, its limits, and its state.
 
 use crate::error::GpuError;
 use crate::readback::Readback;
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A graphics processor and how it is driven.
+/// Description of a GPU and its driver.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Adapter {
-    /// As its maker calls it.
+    /// Name of the GPU.
     pub name: String,
     /// Driver and its version.
     pub driver: String,
     /// Vulkan or Metal.
     pub backend: String,
-    /// Whether a program on the processor plays its part: it tells whether a kernel is right, not how fast it is.
+    /// Whether the GPU is emulated in software: results are meaningful, times are not.
     pub is_software: bool,
 }
 
@@ -25,32 +25,32 @@ impl fmt::Display for Adapter {
     }
 }
 
-/// An open graphics processor; copies share it.
+/// An open GPU; copies share it.
 #[derive(Clone, Debug)]
 pub struct Context {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: Adapter,
-    /// What was compiled, by shader: a driver may take seconds for one.
+    /// Compiled kernels by shader: a driver may take seconds for one.
     kernels: Arc<Mutex<Vec<(&'static str, wgpu::ComputePipeline)>>>,
-    /// What the device reported outside any call; a loss stays.
+    /// Error that the device reported outside of any call; a loss is permanent.
     fault: Arc<Mutex<Option<GpuError>>>,
 }
 
 impl Context {
-    /// Opens the fastest graphics processor, and waits for it.
+    /// Opens the fastest GPU, and waits for it.
     ///
     /// # Errors
-    /// If there is none, or it cannot be opened.
+    /// If there is no GPU, or it cannot be opened.
     #[cfg(not(target_family = "wasm"))]
     pub fn new() -> Result<Self, GpuError> {
         pollster::block_on(Self::open())
     }
 
-    /// Opens the fastest graphics processor.
+    /// Opens the fastest GPU.
     ///
     /// # Errors
-    /// If there is none, or it cannot be opened.
+    /// If there is no GPU, or it cannot be opened.
     pub async fn open() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let options = wgpu::RequestAdapterOptions {
@@ -92,28 +92,28 @@ impl Context {
         Ok(Self { device, queue, adapter, kernels: Arc::default(), fault })
     }
 
-    /// Which graphics processor it is.
+    /// Returns the description of the GPU.
     pub fn adapter(&self) -> &Adapter {
         &self.adapter
     }
 
-    /// Has the device stop for good, as a driver does that is reset.
+    /// Simulates device loss.
     pub fn destroy(&self) {
         self.device.destroy();
     }
 
-    /// Most bytes of a storage buffer.
+    /// Returns the greatest number of bytes of a storage buffer.
     pub(crate) fn binding_limit(&self) -> u64 {
         let limits = self.device.limits();
         limits.max_storage_buffer_binding_size.min(limits.max_buffer_size)
     }
 
-    /// Most workgroups in a row.
+    /// Returns the greatest number of workgroups in a row.
     pub(crate) fn workgroup_limit(&self) -> u64 {
         self.device.limits().max_compute_workgroups_per_dimension.into()
     }
 
-    /// A buffer of at least one word.
+    /// Creates a buffer of at least one word.
     ///
     /// # Errors
     /// If it is too large for a binding.
@@ -126,7 +126,7 @@ impl Context {
         Ok(self.device.create_buffer(&descriptor))
     }
 
-    /// A storage buffer with these contents.
+    /// Creates a storage buffer with these contents.
     ///
     /// # Errors
     /// If it is too large for a binding.
@@ -136,12 +136,12 @@ impl Context {
         Ok(buffer)
     }
 
-    /// Puts bytes at the beginning of a buffer.
+    /// Writes bytes to the start of a buffer.
     pub(crate) fn write(&self, buffer: &wgpu::Buffer, contents: &[u8]) {
         self.queue.write_buffer(buffer, 0, contents);
     }
 
-    /// The function `main` of a shader, compiled once.
+    /// Returns the function `main` of a shader, compiled once.
     pub(crate) fn kernel(&self, shader: &'static str) -> wgpu::ComputePipeline {
         let mut kernels = self.kernels.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, kernel)) = kernels.iter().find(|(of, _)| *of == shader) {
@@ -177,11 +177,11 @@ impl Context {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries })
     }
 
-    /// Runs kernels one after the other, each on so many workgroups, and reads the first words of a result through a buffer
-    /// for reading.
+    /// Runs kernels one after the other, each on its number of workgroups, and reads the first words of a result
+    /// through a readback buffer.
     ///
     /// # Errors
-    /// If the device is lost or refuses.
+    /// If the device is lost or rejects a command.
     pub(crate) async fn run(
         &self,
         passes: &[(&wgpu::ComputePipeline, &wgpu::BindGroup, [u32; 2])],
@@ -199,7 +199,7 @@ impl Context {
         encoder.copy_buffer_to_buffer(result, 0, reading, 0, bytes);
         self.queue.submit([encoder.finish()]);
         let mapping = Readback::of(reading, bytes);
-        // In a browser this does nothing: the mapping resolves by itself.
+        // In a browser this does nothing: the mapping resolves without it.
         let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
         self.check()?;
         waited.map_err(|error| GpuError::Failed(one_line(&error)))?;
@@ -213,10 +213,10 @@ impl Context {
         Ok(out)
     }
 
-    /// What the device has reported since the last time.
+    /// Checks for errors that the device has reported since the last check.
     ///
     /// # Errors
-    /// That.
+    /// The reported error.
     pub(crate) fn check(&self) -> Result<(), GpuError> {
         let mut fault = self.fault.lock().unwrap_or_else(PoisonError::into_inner);
         let found = fault.clone();
@@ -227,7 +227,7 @@ impl Context {
     }
 }
 
-/// A message for one sentence.
+/// Returns a message on one line.
 fn one_line(message: &impl ToString) -> String {
     message.to_string().split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }

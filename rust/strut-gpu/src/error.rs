@@ -1,40 +1,40 @@
-//! What can go wrong.
+//! Errors of the GPU.
 
-/// Why a graphics processor gives no result; the processor can always give it instead.
+/// Reason why a GPU gives no result; the CPU can always compute it instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GpuError {
-    /// There is no graphics processor that wgpu can use.
+    /// There is no GPU that wgpu can use.
     #[error("no graphics processor was found: {0}")]
     NoAdapter(String),
-    /// There is one, but it could not be opened.
+    /// The GPU could not be opened.
     #[error("the graphics processor could not be opened: {0}")]
     NoDevice(String),
-    /// Data exceed what one binding may hold.
+    /// Data exceed the size limit of one binding.
     #[error("{bytes} bytes exceed the {limit} that the graphics processor takes at once")]
     TooLarge {
-        /// What is needed.
+        /// Required size.
         bytes: u64,
-        /// What the device allows.
+        /// Limit of the device.
         limit: u64,
     },
-    /// There are more windows than workgroups for them.
+    /// There are more windows than workgroups.
     #[error("{windows} windows exceed the {limit} that the graphics processor compares at once")]
     TooMany {
-        /// Windows, with those that fill classes up to whole tiles.
+        /// Number of windows, including the padding of classes to whole tiles.
         windows: u64,
-        /// What the device allows.
+        /// Limit of the device.
         limit: u64,
     },
     /// Windows have a length other than [`WINDOW`](strut_core::search::WINDOW).
     #[error("windows are {0} frames long; {expected} were expected", expected = strut_core::search::WINDOW)]
     WindowLength(usize),
-    /// Arrays do not fit each other.
+    /// Arrays do not match.
     #[error("the arrays of {0} do not fit each other")]
     Malformed(&'static str),
-    /// The device stopped working and remains so.
+    /// The device stopped working permanently.
     #[error("the graphics processor stopped: {0}")]
     Lost(String),
-    /// The device refused a command.
+    /// The device rejected a command.
     #[error("the graphics processor failed: {0}")]
     Failed(String),
 }

@@ -1,9 +1,9 @@
-//! Every distance between inputs and a database at once, on a graphics processor.
+//! All distances between inputs and a database at once, on a GPU.
 //!
-//! The engine searches on the processor, which is faster for a character or a thousand. This crate is for where *every*
-//! distance is wanted, and for comparing with the search of Xia et al. 2015, which compared all windows on a graphics card.
-//! Each kernel is a shader beside its twin of the same name for the processor. What comes out is exact: the graphics
-//! processor only finds candidates, with a margin for its rounding ([`rounding`]).
+//! The engine searches on the CPU, which is faster for one character and for a thousand. This crate is for tasks that
+//! need *every* distance, and for comparisons with the search of Xia et al. 2015, which compared all windows on a GPU.
+//! Each kernel is a shader with a CPU twin of the same name. Results are exact: the GPU only finds candidates, with a
+//! margin for its rounding ([`rounding`]).
 #![forbid(unsafe_code)]
 
 mod atlas;

@@ -1,19 +1,19 @@
-//! A buffer's contents, once the graphics processor has made them.
+//! Contents of a buffer, once the GPU has written them.
 
 use std::future::Future;
 use std::pin::Pin;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll, Waker};
 
-/// What comes of a mapping.
+/// Result of a mapping.
 type Mapped = Result<(), wgpu::BufferAsyncError>;
 
-/// Resolves when a buffer can be read.
+/// Future that resolves when a buffer can be read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Readback(Arc<Mutex<(Option<Mapped>, Option<Waker>)>>);
 
 impl Readback {
-    /// Asks for the first bytes of a buffer for reading.
+    /// Requests the first bytes of a buffer for reading.
     pub(crate) fn of(buffer: &wgpu::Buffer, bytes: u64) -> Self {
         let readback = Self::default();
         let answered = readback.clone();

@@ -1,4 +1,4 @@
-//! Databases and windows to test with, and a graphics processor where there is one.
+//! Databases and windows for tests, and a GPU if there is one.
 
 use crate::context::Context;
 use crate::error::GpuError;
@@ -13,19 +13,19 @@ use strut_core::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_X
 use strut_core::search::{Index, QueryWindow, WINDOW};
 use strut_demo::benchmark::{self, LEAST_FRAMES};
 
-/// A procedural database.
+/// Returns a procedural database.
 pub(crate) fn database() -> &'static Database {
     static DATABASE: OnceLock<Database> = OnceLock::new();
     DATABASE.get_or_init(|| benchmark::database(LEAST_FRAMES).unwrap())
 }
 
-/// Its windows.
+/// Returns the index of the database.
 pub(crate) fn index() -> &'static Index {
     static INDEX: OnceLock<Index> = OnceLock::new();
     INDEX.get_or_init(|| Index::build(database()))
 }
 
-/// Windows that it does not hold, 64 from here and there.
+/// Returns 64 windows that are not in the database.
 pub(crate) fn foreign_windows() -> Vec<QueryWindow> {
     let mut windows = Vec::new();
     for query in benchmark::queries() {
@@ -42,7 +42,7 @@ pub(crate) fn foreign_windows() -> Vec<QueryWindow> {
     windows
 }
 
-/// The database with other figures: a class for each list of point clouds, in one clip each.
+/// Returns the database with other point clouds: a class for each list, in one clip each.
 pub(crate) fn database_of(classes: &[Vec<PointCloud>]) -> Database {
     let procedural = database();
     let mut parts = DatabaseParts {
@@ -67,7 +67,8 @@ pub(crate) fn database_of(classes: &[Vec<PointCloud>]) -> Database {
     Database::new(parts).unwrap()
 }
 
-/// A database of classes of so many windows that are nearly the same: a standing figure trembles by some micrometres.
+/// Returns a database of classes with these numbers of nearly equal windows: a standing figure that trembles by some
+/// micrometres.
 pub(crate) fn trembling(windows: &[usize]) -> Database {
     let mut random = SplitMix64::new(5);
     let mut tremble = || (random.share() - 0.5) * 1e-5;
@@ -80,13 +81,13 @@ pub(crate) fn trembling(windows: &[usize]) -> Database {
     Database::new(parts).unwrap()
 }
 
-/// Any figure, as large as a person or many times larger.
+/// Any point cloud, as large as a person or many times larger.
 fn cloud() -> impl Strategy<Value = PointCloud> {
     let point = prop::array::uniform3(-1.0f32..1.0).prop_map(Vec3::from_array);
     prop::collection::vec(point, JOINTS).prop_map(|points| std::array::from_fn(|j| points[j]))
 }
 
-/// A database of random figures in two classes.
+/// A database of random point clouds in two classes.
 pub(crate) fn random_database() -> impl Strategy<Value = Database> {
     let class = |frames| prop::collection::vec(cloud(), frames);
     (class(8..40), class(8..70), prop::sample::select(vec![0.1f32, 1.0, 30.0])).prop_map(|(a, b, size)| {
@@ -95,7 +96,7 @@ pub(crate) fn random_database() -> impl Strategy<Value = Database> {
     })
 }
 
-/// Windows of random figures on random ways.
+/// Windows of random point clouds on random paths.
 pub(crate) fn random_windows() -> impl Strategy<Value = Vec<QueryWindow>> {
     let at = (-2.0f32..2.0, -2.0f32..2.0, -3.0f32..3.0).prop_map(|(x, z, heading)| Placement { x, z, heading });
     let window = prop::collection::vec((cloud(), at), WINDOW).prop_map(|frames| {
@@ -108,14 +109,14 @@ pub(crate) fn random_windows() -> impl Strategy<Value = Vec<QueryWindow>> {
     prop::collection::vec(window, 1..40)
 }
 
-/// The graphics processor that tests share, and what it has compiled. Without one prints that the test is skipped; if a driver
-/// is named, it must be there.
+/// Returns the GPU that tests share, with its compiled kernels. Without a GPU prints that the test is skipped. If a
+/// driver is named, it must exist.
 pub(crate) fn context() -> Option<Context> {
     static CONTEXT: OnceLock<Result<Context, GpuError>> = OnceLock::new();
     or_skip(CONTEXT.get_or_init(Context::new).clone())
 }
 
-/// A graphics processor for a test that has it stop; otherwise as [`context`].
+/// Returns a GPU for a test that stops it; otherwise as [`context`].
 pub(crate) fn own_context() -> Option<Context> {
     or_skip(Context::new())
 }
@@ -123,7 +124,7 @@ pub(crate) fn own_context() -> Option<Context> {
 fn or_skip(opened: Result<Context, GpuError>) -> Option<Context> {
     if let Err(reason) = &opened {
         assert!(std::env::var_os("VK_ICD_FILENAMES").is_none(), "{reason}, though VK_ICD_FILENAMES names a driver");
-        // Not `println!`, whose output cargo shows of failed tests only.
+        // Not `println!`, whose output cargo shows only for failed tests.
         let _ = writeln!(
             std::io::stderr(),
             "skipped: {reason}; VK_ICD_FILENAMES and LD_LIBRARY_PATH may name Chromium's SwiftShader"

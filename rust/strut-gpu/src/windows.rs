@@ -1,13 +1,13 @@
-//! Windows as a graphics processor reads them, and how far its distances may be off.
+//! Windows in the format of the shaders, and the margins of their distances.
 
 use crate::error::GpuError;
 use crate::rounding;
 use strut_core::search::{BodyPart, Index, PackedQuery, PackedWindow, PackedWindows, Query, QueryWindow, WINDOW};
 
-/// Words of [`PackedWindow::words`], window by window.
+/// Words of a window; see [`PackedWindow::words`].
 pub(crate) type Words = [u32; strut_core::search::PACKED_WINDOW];
 
-/// All windows of an index.
+/// Returns all windows of an index.
 ///
 /// # Errors
 /// If they have a length other than [`WINDOW`].
@@ -19,19 +19,19 @@ pub(crate) fn table(index: &Index) -> Result<PackedWindows, GpuError> {
     }
 }
 
-/// Windows to be compared with a table's.
+/// Windows that are compared with a table's.
 #[derive(Clone, Debug)]
 pub(crate) struct Batch {
     pub(crate) queries: Vec<PackedQuery>,
-    /// How much farther than the k-th nearest a candidate may seem: for each query, of every class, m².
+    /// Distance by which a candidate may exceed the k-th nearest: for each query, of every class, m².
     pub(crate) margins: Vec<f32>,
 }
 
 impl Batch {
-    /// Windows of `index` to be compared with all of its `table`.
+    /// Prepares windows for the comparison with all windows of the `table` of `index`.
     ///
     /// # Errors
-    /// If one has another length than [`WINDOW`], which an empty one has.
+    /// If a window has another length than [`WINDOW`], as an empty one has.
     pub(crate) fn new(
         table: &PackedWindows,
         index: &Index,
@@ -51,12 +51,12 @@ impl Batch {
     }
 }
 
-/// Windows as the shaders read them.
+/// Returns windows in the format of the shaders.
 pub(crate) fn words(windows: impl IntoIterator<Item = PackedWindow>) -> Vec<Words> {
     windows.into_iter().map(|window| window.words()).collect()
 }
 
-/// Queries as the shaders read them: their rows one after the other, and their windows, whose last rows are among these.
+/// Returns queries in the format of the shaders: all rows, and the windows, whose last rows are indices of these.
 pub(crate) fn query_words(queries: &[PackedQuery]) -> (Vec<strut_core::search::PackedRow>, Vec<Words>) {
     let rows = queries.iter().flat_map(|query| query.rows).collect();
     let end = |q: usize| (q * WINDOW + WINDOW - 1) as u32;

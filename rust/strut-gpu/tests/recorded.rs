@@ -1,5 +1,5 @@
-//! The exhaustive search on real motion capture that the database does not hold, where it is present (`STRUT_MOCAP`): by the
-//! kernels' twins, and by a graphics processor where there is one.
+//! The exhaustive search on real motion capture outside the database, if it is present (`STRUT_MOCAP`), with the CPU
+//! twins of the kernels and on a GPU if there is one.
 
 #[path = "../../strut-formats/tests/mocap/labelled.rs"]
 mod labelled;
@@ -15,7 +15,7 @@ use strut_demo::benchmark::{Query, hold_out};
 use strut_gpu::{Context, Searcher};
 
 const K: usize = 40;
-/// Frames between two that are searched.
+/// Distance between searched frames.
 const STRIDE: usize = 40;
 
 #[test]

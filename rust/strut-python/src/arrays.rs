@@ -1,4 +1,4 @@
-//! Poses and numpy arrays.
+//! Conversion between poses and numpy arrays.
 
 use crate::error::bad_input;
 use numpy::{
@@ -8,10 +8,11 @@ use numpy::{
 use pyo3::prelude::*;
 use strut_core::humanoid::{POSE_FLOATS, Pose};
 
-/// The poses of an array: C-contiguous float32 of 87 columns, root x y z in metres and x y z w of every rotation.
+/// Reads the poses of an array: C-contiguous float32 with 87 columns, root x y z in metres and x y z w of every
+/// rotation.
 ///
 /// # Errors
-/// If it is something else.
+/// If the array has another form.
 pub(crate) fn poses_of(array: &Bound<'_, PyAny>) -> PyResult<Vec<Pose>> {
     let py = array.py();
     let wrong = || bad_input(py, format_args!("C-contiguous float32 of {POSE_FLOATS} columns was expected"));
@@ -23,10 +24,10 @@ pub(crate) fn poses_of(array: &Bound<'_, PyAny>) -> PyResult<Vec<Pose>> {
     Ok(floats.as_chunks::<POSE_FLOATS>().0.iter().map(Pose::read_from).collect())
 }
 
-/// The numbers of an array: C-contiguous float32 of this shape, `None` being any size.
+/// Reads the numbers of an array: C-contiguous float32 of this shape, in which `None` is any size.
 ///
 /// # Errors
-/// If it is something else.
+/// If the array has another form.
 pub(crate) fn floats(array: &Bound<'_, PyAny>, name: &str, shape: &[Option<usize>]) -> PyResult<Vec<f32>> {
     let py = array.py();
     let sizes: Vec<String> = shape.iter().map(|size| size.map_or("n".to_owned(), |size| size.to_string())).collect();
@@ -43,7 +44,7 @@ pub(crate) fn floats(array: &Bound<'_, PyAny>, name: &str, shape: &[Option<usize
     Ok(array.as_slice().map_err(|_| wrong())?.to_vec())
 }
 
-/// Poses as an array, in the same layout.
+/// Returns poses as an array in the same layout.
 pub(crate) fn array_of<'py>(py: Python<'py>, poses: &[Pose]) -> PyResult<Bound<'py, PyArray2<f32>>> {
     let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
     for (pose, out) in poses.iter().zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
@@ -52,18 +53,18 @@ pub(crate) fn array_of<'py>(py: Python<'py>, poses: &[Pose]) -> PyResult<Bound<'
     rows(py, floats, POSE_FLOATS)
 }
 
-/// Two flags a row as an array of 0 and 1.
+/// Returns two flags per row as an array of 0 and 1.
 pub(crate) fn flags(py: Python<'_>, of: impl Iterator<Item = [bool; 2]>) -> PyResult<Bound<'_, PyArray2<u8>>> {
     rows(py, of.flatten().map(u8::from).collect(), 2)
 }
 
-/// Numbers as an array with so many columns; they are moved, not copied.
+/// Returns numbers as an array with this number of columns; they are moved, not copied.
 pub(crate) fn rows<T: Element>(py: Python<'_>, flat: Vec<T>, columns: usize) -> PyResult<Bound<'_, PyArray2<T>>> {
     let rows = flat.len() / columns;
     flat.into_pyarray(py).reshape([rows, columns])
 }
 
-/// Numbers as an array; they are moved, not copied.
+/// Returns numbers as an array; they are moved, not copied.
 pub(crate) fn column<T: Element>(py: Python<'_>, flat: Vec<T>) -> Bound<'_, PyArray1<T>> {
     flat.into_pyarray(py)
 }

@@ -1,4 +1,4 @@
-//! Work without the interpreter, of which it hears now and then: signals and progress.
+//! Work without the interpreter lock, with checks for signals and progress.
 
 use crate::error::exception;
 use pyo3::prelude::*;
@@ -11,14 +11,14 @@ use std::thread;
 use std::time::Duration;
 use strut_tasks::{Code, OnProgress, Outcome, Progress, TaskError};
 
-/// Longest time without a look at signals.
+/// Longest time between two checks for signals.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
-/// Does a task on a thread of its own while this one watches signals and tells `progress` how far it has come, as
-/// `progress(what, done, total)`. An exception of either cancels the task. A panic is an exception.
+/// Runs a task on another thread while this one checks for signals and calls `progress` as `progress(what, done,
+/// total)`. An exception of either cancels the task. A panic is raised as an exception.
 ///
 /// # Errors
-/// The task's, or what cancelled it.
+/// Error of the task, or the exception that cancelled it.
 pub(crate) fn watched<T: Send>(
     py: Python<'_>,
     progress: Option<&Py<PyAny>>,
@@ -30,7 +30,7 @@ pub(crate) fn watched<T: Send>(
         *latest.lock().unwrap_or_else(PoisonError::into_inner) = Some(progress);
         if is_stopped.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    // What an exception of a signal or of `progress` is, the task is cancelled by.
+    // An exception of a signal handler or of `progress` cancels the task.
     let look = || {
         Python::attach(|py| {
             py.check_signals()?;
@@ -48,7 +48,7 @@ pub(crate) fn watched<T: Send>(
             let on_progress = &on_progress;
             scope.spawn(move || {
                 let result = catch_unwind(AssertUnwindSafe(|| task(on_progress)));
-                // Whoever waits is there until this has come.
+                // The receiver exists until this has arrived.
                 let _ = ended.send(result.unwrap_or_else(|panic| Err(fault(&*panic))));
             });
             loop {
@@ -68,12 +68,12 @@ pub(crate) fn watched<T: Send>(
         return Err(exception);
     }
     let result = result.map_err(|error| exception(py, &error))?;
-    // The last step, if that was within the last wait.
+    // Reports the last step if it was done within the last wait.
     look()?;
     Ok(result)
 }
 
-/// The error of a panic.
+/// Returns the error of a panic.
 fn fault(panic: &(dyn Any + Send)) -> TaskError {
     let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
     TaskError::of(Code::Fault, format_args!("a fault of the program: {}", text.unwrap_or("it panicked")))

@@ -1,4 +1,4 @@
-//! Clips with what is said of them.
+//! Clips with their reading options.
 
 use crate::error::bad_input;
 use pyo3::exceptions::PyTypeError;
@@ -17,9 +17,9 @@ use strut_tasks::{Outcome, TaskError};
 pub(crate) struct Named {
     pub(crate) name: String,
     pub(crate) clip: Clip,
-    /// The file.
+    /// Contents of the file.
     pub(crate) bytes: Vec<u8>,
-    /// What was said of it.
+    /// Explicit reading options.
     pub(crate) reading: Reading,
 }
 
@@ -36,7 +36,8 @@ impl Named {
     }
 }
 
-/// What is said of a motion; `roles` has names of joints, or None, by names of roles, `floor` is in metres.
+/// Returns the reading options of a motion. `roles` has names of joints, or None, by names of roles; `floor` is in
+/// metres.
 pub(crate) fn reading(
     py: Python<'_>,
     roles: Option<&Bound<'_, PyDict>>,
@@ -63,7 +64,7 @@ pub(crate) fn reading(
     Ok(Reading { joints: roles.map(read).transpose()?, read_as })
 }
 
-/// Notes as dicts of a code and a text.
+/// Returns notes as dicts of a code and a text.
 pub(crate) fn notes<'py>(py: Python<'py>, notes: &[Note]) -> PyResult<Bound<'py, PyList>> {
     let dict_of = |note: &Note| {
         let dict = PyDict::new(py);

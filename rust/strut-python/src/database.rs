@@ -30,28 +30,28 @@ use strut_tasks::suggestion::unknown;
 use strut_tasks::threads::{ThreadPool, with_threads};
 use strut_tasks::{Code, Outcome, TaskError};
 
-/// Databases of this process by their SHA-256: one that is opened again, or comes by pickle, is the same.
+/// Open databases of this process by SHA-256: a database that is opened again or unpickled is shared.
 static OPEN: LazyLock<Mutex<HashMap<String, Weak<Shared>>>> = LazyLock::new(Mutex::default);
 
-/// Where the bytes of a database are.
+/// Origin of a database's bytes.
 enum Origin {
     Path(PathBuf),
     Bytes(Vec<u8>),
 }
 
-/// What pickle calls, and with what.
+/// Function that pickle calls, with its arguments.
 type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyAny>, String));
 
-/// What all databases with the same bytes share.
+/// State that all databases with the same bytes share.
 pub(crate) struct Shared {
     pub(crate) model: Arc<Model>,
     pub(crate) sha256: String,
-    /// With another search than the exact one: the last that was asked for.
+    /// The model with a search other than the exact one, for the last requested search.
     other: Mutex<Option<(Search, Arc<Model>)>>,
 }
 
 impl Origin {
-    /// The path, or what stands for it in messages.
+    /// Returns the path, or its replacement in messages.
     fn name(&self) -> String {
         match self {
             Self::Path(path) => path.display().to_string(),
@@ -59,7 +59,7 @@ impl Origin {
         }
     }
 
-    /// The bytes of the file.
+    /// Returns the bytes of the file.
     fn bytes(&self) -> Outcome<Cow<'_, [u8]>> {
         match self {
             Self::Path(path) => Ok(Cow::Owned(files::read(path, strutdb::KIND.max_bytes)?)),
@@ -69,7 +69,7 @@ impl Origin {
 }
 
 impl Shared {
-    /// Reads a database, or finds it where it is open.
+    /// Reads a database, or returns it if it is open.
     fn open(origin: &Origin) -> Outcome<Arc<Self>> {
         let bytes = origin.bytes()?;
         let sha256 = sha256_hex(&bytes);
@@ -102,12 +102,12 @@ impl Database {
         Ok(Self { shared: Shared::open(&origin)?, origin, refused })
     }
 
-    /// The database in the file at a path.
+    /// Opens the database in the file at a path.
     pub(crate) fn at(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         watched(py, None, |_| Self::opened(Origin::Path(path), Vec::new()))
     }
 
-    /// The database as it is searched so.
+    /// Returns the model with this search.
     pub(crate) fn model(&self, search: Search) -> Outcome<Arc<Model>> {
         if search == Search::Exact {
             return Ok(Arc::clone(&self.shared.model));
@@ -123,12 +123,12 @@ impl Database {
         Ok(model)
     }
 
-    /// Its name in messages.
+    /// Returns the name in messages.
     pub(crate) fn message_name(&self) -> String {
         self.origin.name()
     }
 
-    /// The bytes of its file, if that is still the same.
+    /// Returns the bytes of its file, if the file is unchanged.
     fn bytes(&self) -> Outcome<Cow<'_, [u8]>> {
         let bytes = self.origin.bytes()?;
         if matches!(self.origin, Origin::Bytes(_)) || sha256_hex(&bytes) == self.shared.sha256 {
@@ -141,7 +141,7 @@ impl Database {
 
 #[pymethods]
 impl Database {
-    /// Opens a file by its path, or from its bytes. With `sha256` another file is refused.
+    /// Opens a file by its path, or from its bytes. With `sha256`, another file is refused.
     #[staticmethod]
     #[pyo3(signature = (source, *, sha256=None))]
     fn open(py: Python<'_>, source: &Bound<'_, PyAny>, sha256: Option<&str>) -> PyResult<Self> {
@@ -159,7 +159,7 @@ impl Database {
         Ok(database)
     }
 
-    /// The built-in database.
+    /// Returns the built-in database.
     #[staticmethod]
     fn demo(py: Python<'_>) -> PyResult<Self> {
         watched(py, None, |_| {
@@ -216,8 +216,8 @@ impl Database {
         watched(py, progress.as_ref(), task)
     }
 
-    /// This database with a motion as a style of its own, as `strut add-style` makes it. Its action is one of the database's: the one
-    /// that the motion resembles most, unless it is given.
+    /// Returns this database with a motion added as a style, as `strut add-style` does. The style's action is the given
+    /// one, or the most similar action of the database.
     #[pyo3(signature = (motion, name, *, action=None, threads=0))]
     fn add_style(
         &self,
@@ -246,12 +246,13 @@ impl Database {
         })
     }
 
-    /// A tensor of the file, which is in the safetensors format, by its name: a copy.
+    /// Returns a copy of a tensor of the file, which is in the safetensors format, by its name.
     fn tensor<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         py.import("strut._tensors")?.getattr("tensor")?.call1((self.to_bytes(py)?, name))
     }
 
-    /// The body: for each of the 21 joints its offset in its parent's frame in the T-pose, metres; for the hips their height.
+    /// The body: for each of the 21 joints its offset in its parent's frame in the T-pose, metres; for the hips their
+    /// height.
     #[getter]
     fn proportions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let offsets = self.shared.model.catalogue().proportions.offsets;
@@ -273,13 +274,13 @@ impl Database {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// The path it was opened from, or "the database".
+    /// The path of its file, or "the database".
     #[getter]
     fn name(&self) -> String {
         self.origin.name()
     }
 
-    /// Frames of all clips.
+    /// Number of frames of all clips.
     #[getter]
     fn frames(&self) -> usize {
         self.shared.model.catalogue().frames()
@@ -322,7 +323,7 @@ impl Database {
         strut_tasks::stylize::class_names(self.shared.model.catalogue())
     }
 
-    /// Why files did not enter it, by their paths.
+    /// Why files were not used in it, by their paths.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         reasons(py, &self.refused)
@@ -338,7 +339,7 @@ impl Database {
         format!("<strut.Database {}: {} frames, styles {}>", self.name(), self.frames(), self.styles().join(", "))
     }
 
-    /// The path with the SHA-256 if it was opened by one, else the bytes.
+    /// The path and the SHA-256 if it was opened by a path, otherwise the bytes.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let py = slf.py();
         let reopen = py.import("strut._pickle")?.getattr("open_database")?;

@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 use std::io;
 use strut_tasks::{Code, TaskError};
 
-/// The exception of an error: an `OSError` where the system failed, else a `StrutError`.
+/// Returns the exception of an error: an `OSError` for an I/O error, otherwise a `StrutError`.
 pub(crate) fn exception(py: Python<'_>, error: &TaskError) -> PyErr {
     match error.code {
         Code::Io(kind) => io::Error::new(kind, error.message.clone()).into(),
@@ -16,7 +16,7 @@ pub(crate) fn exception(py: Python<'_>, error: &TaskError) -> PyErr {
     }
 }
 
-/// The exception of arguments that do not go together.
+/// Returns the exception of arguments that do not match.
 pub(crate) fn bad_input(py: Python<'_>, message: impl std::fmt::Display) -> PyErr {
     exception(py, &TaskError::of(Code::BadInput, message))
 }

@@ -10,8 +10,8 @@ use std::path::PathBuf;
 use strut_tasks::evaluate::{Request, evaluate as measure};
 use strut_tasks::threads::with_threads;
 
-/// Measures the error of styled motion against real motion, as `strut evaluate` does: its rows of results. Options are the long ones
-/// of the command with `_` for `-`; of lists all combinations are measured.
+/// Measures the error of styled motion against real motion, as `strut evaluate` does, and returns its rows of results.
+/// Options are the long options of the command with `_` for `-`. All combinations of the values in lists are measured.
 #[pyfunction]
 #[pyo3(signature = (data, source, *, threads=0, progress=None, **options))]
 pub(crate) fn evaluate<'py>(

@@ -1,4 +1,4 @@
-//! Poses by a few style variables.
+//! Key-style models: poses as a function of a few style variables.
 
 use crate::arrays::column;
 use crate::call::watched;
@@ -26,7 +26,7 @@ use strut_tasks::recordings::read_recordings;
 use strut_tasks::threads::with_threads;
 use strut_tasks::{Outcome, TaskError};
 
-/// A model of poses by one to three style variables.
+/// A model of poses as a function of one to three style variables.
 #[pyclass(frozen, module = "strut")]
 pub(crate) struct KeyStyleModel {
     model: Arc<somn::KeyStyleModel>,
@@ -40,7 +40,7 @@ impl KeyStyleModel {
         Ok(Self { model: Arc::new(model), bytes, refused: Vec::new() })
     }
 
-    /// A style from numbers, one an axis.
+    /// Reads a style from numbers, one per axis.
     fn style(&self, py: Python<'_>, numbers: &[f64]) -> PyResult<Style> {
         let axes = self.model.axis_count();
         if numbers.len() != axes || numbers.iter().any(|number| !number.is_finite()) {
@@ -67,8 +67,8 @@ impl KeyStyleModel {
         watched(py, None, |_| Self::read(&path.display().to_string(), files::read(&path, most)?))
     }
 
-    /// Learns a model from BVH files, folders and archives, as `strut train-key-style` does. `axes` are one to three measures, as
-    /// there: a text with commas between, or a list.
+    /// Trains a model on BVH files, folders and archives, as `strut train-key-style` does. `axes` are one to three
+    /// measures, as in that command: a text with commas, or a list.
     #[staticmethod]
     #[pyo3(signature = (source, axes, *, seed=0, components=None, method="som", threads=0, progress=None))]
     #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
@@ -132,7 +132,8 @@ impl KeyStyleModel {
         reasons(py, &self.refused)
     }
 
-    /// The pose of a style, a number for each axis in its unit, as 87 numbers in the layout of `Motion.poses`.
+    /// Returns the pose of a style, given as one number per axis in its unit. It has 87 numbers in the layout of
+    /// `Motion.poses`.
     fn pose<'py>(
         &self,
         py: Python<'py>,
@@ -144,7 +145,8 @@ impl KeyStyleModel {
         Ok(column(py, floats.to_vec()))
     }
 
-    /// A motion through keys, as `strut key-style` makes it: pairs of a time in seconds and a style, a number for each axis.
+    /// Makes a motion through keys, as `strut key-style` does. Keys are pairs of a time in seconds and a style, one
+    /// number per axis.
     #[pyo3(signature = (keys, *, interpolation="catmull-rom", mode="smooth"))]
     fn motion(
         &self,
@@ -185,7 +187,7 @@ impl KeyStyleModel {
         format!("<strut.KeyStyleModel: axes {}>", self.axes().join(", "))
     }
 
-    /// The file's bytes.
+    /// The bytes of the file.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
         Ok((slf.get_type().getattr("open")?, (slf.get().to_bytes(slf.py()),)))
     }

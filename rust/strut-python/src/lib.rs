@@ -1,7 +1,7 @@
-//! The Python package `strut-motion`: numpy arrays and Python objects around `strut-tasks`; no algorithm.
+//! The Python package `strut-motion`: numpy arrays and Python objects for `strut-tasks`; no algorithms.
 //!
-//! Work is done with the interpreter released, on threads that end with the call. Arrays that come out are moved to numpy without
-//! a copy; those that come in are copied first, as other threads may write to them.
+//! Work is done with the interpreter lock released, on threads that end with the call. Returned arrays are moved to
+//! numpy without a copy. Arguments are copied first, as other threads may write to them.
 #![forbid(unsafe_op_in_unsafe_fn)]
 
 mod arrays;

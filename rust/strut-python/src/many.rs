@@ -1,4 +1,4 @@
-//! Many motions in one style.
+//! Styling of many motions.
 
 use crate::call::watched;
 use crate::clip::{Motion, Named};
@@ -16,16 +16,17 @@ use strut_tasks::Outcome;
 use strut_tasks::stylize::{Spread, Styled, Styling};
 use strut_tasks::threads::with_threads;
 
-/// Motions that are styled at once for each thread: few are in memory, and threads rarely wait for the last.
+/// Number of motions per thread that are styled together: few enough for the memory, and enough to keep threads busy.
 const MOTIONS_A_THREAD: usize = 8;
 
-/// An iterator over styled motions, in the order of the motions; what went wrong with one is in its place.
+/// An iterator over styled motions, in the order of the motions. A motion that cannot be styled is replaced by its
+/// error.
 #[pyclass(module = "strut")]
 pub(crate) struct StyledMotions {
     motions: Py<PyIterator>,
     styling: Arc<Styling>,
     threads: usize,
-    /// Styled already, or why not.
+    /// Finished motions, or their errors.
     ready: VecDeque<Outcome<Styled>>,
 }
 

@@ -52,7 +52,8 @@ pub(crate) fn pose_error(
     Ok(py.detach(|| metrics::pose_error(&points_of(&first), &points_of(&second))))
 }
 
-/// Mean horizontal speed of planted feet, metres per second. Without `planted`, n × 2 of 0 and 1, they are found.
+/// Mean horizontal speed of planted feet, metres per second. Without `planted`, n × 2 of 0 and 1, contacts are
+/// detected.
 #[pyfunction]
 #[pyo3(signature = (db, poses, planted=None))]
 pub(crate) fn foot_skate(

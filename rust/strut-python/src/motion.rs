@@ -23,10 +23,10 @@ use strut_formats::joints::{JointAssignment, Reading};
 use strut_tasks::stylize::input_of;
 use strut_tasks::{Outcome, TaskError, files};
 
-/// Frames per second that files can hold.
+/// Range of frame rates of files, frames per second.
 const RATES_HZ: std::ops::RangeInclusive<f64> = 0.1..=10_000.0;
 
-/// The motion of arrays, with +Y up.
+/// A motion from arrays, with +Y up.
 struct Arrays {
     names: Vec<String>,
     parents: Vec<i64>,
@@ -38,7 +38,7 @@ struct Arrays {
 }
 
 impl Arrays {
-    /// The bytes of a file that holds it.
+    /// Returns the bytes of a BVH file with the motion.
     fn file(&self) -> Outcome<Vec<u8>> {
         let joints = self.names.len();
         let vector = |v: &[f32; 3]| Vec3::from_array(*v);
@@ -78,18 +78,18 @@ impl Arrays {
     }
 }
 
-/// What pickle calls, and with what.
+/// Function that pickle calls, with its arguments.
 type Reduced<'py> = (Bound<'py, PyAny>, Reopened<'py>);
 
-/// A motion's bytes and name, then what was said of it: roles, up axis, floor, sides and unit.
+/// A motion's bytes and name, then the reading options: roles, up axis, floor, sides and unit.
 type Reopened<'py> =
     (Bound<'py, PyBytes>, String, Option<Bound<'py, PyDict>>, Option<&'static str>, Option<f32>, bool, Option<f32>);
 
 #[pymethods]
 impl Motion {
-    /// Opens a BVH file by its path, or from its bytes. `roles` has names of joints, or None, for roles that are not as detected.
-    /// `up` is the file's up axis: x, -x, y, -y, z or -z. `floor` is the height of the ground along it, metres. `swap_sides` has left
-    /// and right the other way round than they are read. What is not given is read from the body.
+    /// Opens a BVH file by its path, or from its bytes. `roles` has names of joints, or None, for roles that are
+    /// detected wrongly. `up` is the file's up axis: x, -x, y, -y, z or -z. `floor` is the height of the ground along
+    /// it, metres. `swap_sides` swaps left and right. Options that are not given are detected.
     #[staticmethod]
     #[pyo3(signature = (source, *, roles=None, up=None, floor=None, swap_sides=false))]
     fn open(
@@ -111,10 +111,10 @@ impl Motion {
         Ok(Self { named: Arc::new(named?) })
     }
 
-    /// A motion of a skeleton. Each joint has a name, the index of its parent (-1 for the first, the root) and an offset in the
-    /// parent's frame, j × 3. Each joint has in each frame a translation in the parent's frame, n × j × 3, and a rotation relative to
-    /// the parent, n × j × 4, x y z w. Arrays are C-contiguous float32. `up` is the axis that points up, "y" or "z"; what is made of
-    /// the motion has +Y up. The unit of length is detected unless it is given.
+    /// Makes a motion of a skeleton. Each joint has a name, the index of its parent (-1 for the first, the root) and an
+    /// offset in the parent's frame, j × 3. Each joint has in each frame a translation in the parent's frame, n × j ×
+    /// 3, and a rotation relative to the parent, n × j × 4, x y z w. Arrays are C-contiguous float32. `up` is the up
+    /// axis, "y" or "z"; the resulting motion has +Y up. The unit of length is detected unless it is given.
     #[staticmethod]
     #[pyo3(signature = (names, parents, offsets, translations, rotations_xyzw, rate_hz, *, up="y", metres_per_unit=None, roles=None))]
     #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
@@ -156,7 +156,7 @@ impl Motion {
         Ok(Self { named: Arc::new(named) })
     }
 
-    /// What `open` and `from_arrays` made, again.
+    /// Restores the result of `open` or `from_arrays`.
     #[staticmethod]
     #[allow(clippy::too_many_arguments)] // Pickle has no keywords.
     fn _reopen(
@@ -176,26 +176,26 @@ impl Motion {
         Ok(Self { named: Arc::new(named) })
     }
 
-    /// The motion on a database's body and at its rate, as float32 of 87 columns. They are root x y z in metres, then x y z w of
-    /// the rotation of each of the 21 joints relative to its parent.
+    /// Returns the motion on a database's body and at its rate, as float32 with 87 columns: root x y z in metres, then
+    /// x y z w of the rotation of each of the 21 joints relative to its parent.
     fn poses<'py>(&self, py: Python<'py>, db: &Database) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let input = self.input(py, db)?;
         array_of(py, &input.poses)
     }
 
-    /// Whether the left and the right foot is planted in each frame of `poses`, as 0 and 1.
+    /// Returns whether the left and the right foot is planted in each frame of `poses`, as 0 and 1.
     fn contacts<'py>(&self, py: Python<'py>, db: &Database) -> PyResult<Bound<'py, PyArray2<u8>>> {
         let input = self.input(py, db)?;
         flags(py, contact::label(&input).into_iter())
     }
 
-    /// The path it was opened from, or "the motion".
+    /// The path of its file, or "the motion".
     #[getter]
     fn name(&self) -> &str {
         &self.named.name
     }
 
-    /// Frames of the file.
+    /// Number of frames of the file.
     #[getter]
     fn frames(&self) -> usize {
         self.named.clip.file.frames
@@ -213,7 +213,7 @@ impl Motion {
         self.named.clip.motion.duration_secs()
     }
 
-    /// The name of the joint that has each role of a humanoid.
+    /// The joint of each role of the humanoid, by name.
     #[getter]
     fn roles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let roles = PyDict::new(py);
@@ -226,7 +226,7 @@ impl Motion {
         Ok(roles)
     }
 
-    /// What was matched and assumed when the skeleton was read as a humanoid, in sentences.
+    /// Notes on the joint mapping, in sentences.
     #[getter]
     fn note(&self) -> String {
         self.named.clip.binding.notes.join(" ")
@@ -236,13 +236,13 @@ impl Motion {
         format!("<strut.Motion {}: {} frames, {:.2} s>", self.name(), self.frames(), self.duration_secs())
     }
 
-    /// What may be wrong in how it was read, as dicts of a code and a text; empty for a clean clip.
+    /// Warnings about the reading, as dicts of a code and a text; empty for a clean clip.
     #[getter]
     fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         clip::notes(py, &self.named.clip.notes)
     }
 
-    /// The file's bytes, with the name and what was said of it.
+    /// The bytes of the file, with the name and the reading options.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let (py, named) = (slf.py(), &slf.get().named);
         let Named { name, bytes, reading: Reading { joints, read_as }, .. } = &**named;

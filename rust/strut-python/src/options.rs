@@ -1,4 +1,4 @@
-//! Styles and options from Python's values.
+//! Conversion of Python values to styles and options.
 
 use crate::error::{bad_input, exception};
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
@@ -9,10 +9,10 @@ use strut_tasks::stylize::StyleSettings;
 use strut_tasks::suggestion::unknown;
 use strut_tasks::weights::{PartWeights, StyleWeights};
 
-/// The option of the command that has a parameter of its own here.
+/// The option of the command that is a separate parameter here.
 const OTHERWISE: &str = "part";
 
-/// Weights from a text as the command takes it, or from a dict of numbers by name.
+/// Reads weights from a text as in the command, or from a dict of numbers by name.
 pub(crate) fn styles(value: &Bound<'_, PyAny>) -> PyResult<StyleWeights> {
     let py = value.py();
     if let Ok(text) = value.extract::<String>() {
@@ -26,7 +26,7 @@ pub(crate) fn styles(value: &Bound<'_, PyAny>) -> PyResult<StyleWeights> {
     StyleWeights::new(pairs.collect::<PyResult<Vec<_>>>()?).map_err(|reason| bad_input(py, reason))
 }
 
-/// Settings from the arguments of a function.
+/// Creates settings from the arguments of a function.
 pub(crate) fn settings(
     styles_value: &Bound<'_, PyAny>,
     parts: Option<&Bound<'_, PyDict>>,
@@ -38,7 +38,7 @@ pub(crate) fn settings(
     Ok(settings)
 }
 
-/// Gives parts of the body styles of their own.
+/// Sets separate styles for parts of the body.
 pub(crate) fn set_parts(settings: &mut StyleSettings, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
     let Some(parts) = parts else { return Ok(()) };
     settings.parts.clear();
@@ -52,11 +52,11 @@ pub(crate) fn set_parts(settings: &mut StyleSettings, parts: Option<&Bound<'_, P
     Ok(())
 }
 
-/// Sets the command's long options, with `_` for `-`; switches are `True` and `False`, and `None` leaves an option.
+/// Sets the command's long options, with `_` for `-`. Switches are `True` and `False`; `None` keeps an option.
 pub(crate) fn set_options(settings: &mut StyleSettings, options: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
     for (name, value) in options.into_iter().flatten() {
         let name: String = name.extract()?;
-        // Python's way round its own words: `lambda_`.
+        // Python's convention for its reserved words: `lambda_`.
         let option = name.trim_end_matches('_').replace('_', "-");
         if !StyleSettings::NAMES.contains(&option.as_str()) || option == OTHERWISE {
             return Err(PyTypeError::new_err(format!("there is no option '{name}'")));
@@ -69,7 +69,7 @@ pub(crate) fn set_options(settings: &mut StyleSettings, options: Option<&Bound<'
     Ok(())
 }
 
-/// A value as the command takes it.
+/// Returns a value as text in the command's form.
 pub(crate) fn text_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
     Ok(match value.cast::<PyBool>() {
         Ok(switch) => (if switch.is_true() { "on" } else { "off" }).to_owned(),
@@ -77,7 +77,7 @@ pub(crate) fn text_of(value: &Bound<'_, PyAny>) -> PyResult<String> {
     })
 }
 
-/// A number, or several, that Python may have larger than they fit.
+/// Reads one or several numbers, which Python may have out of the type's range.
 pub(crate) fn number<'py, T: for<'a> FromPyObject<'a, 'py, Error = PyErr>>(value: &Bound<'py, PyAny>) -> PyResult<T> {
     let py = value.py();
     value.extract().map_err(|error: PyErr| {

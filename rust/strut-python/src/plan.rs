@@ -17,18 +17,18 @@ use strut_tasks::threads::with_threads;
 use strut_tasks::weights::StyleWeights;
 use strut_tasks::{Outcome, TaskError};
 
-/// A batch whose jobs are done by workers, each with a copy of it, and recorded by the process that plans it.
+/// A batch whose jobs are done by workers, each with a copy of it. The process that plans it records them.
 ///
-/// `variants` are styles as `strut stylize-batch --style` takes them, a dict of styles by the names of the variants, or the path of
-/// a table of variants. The files and the manifest are those of `strut stylize-batch`, byte for byte.
+/// `variants` are styles as in `strut stylize-batch --style`, a dict of styles by the names of the variants, or the
+/// path of a table of variants. The files and the manifest are those of `strut stylize-batch`, byte for byte.
 #[pyclass(frozen, module = "strut.batch")]
 pub(crate) struct Plan {
     plan: batch::Plan,
-    /// What it was made with.
+    /// Arguments of the constructor.
     arguments: (Py<PyTuple>, Py<PyDict>),
 }
 
-/// What pickle calls, and with what.
+/// Function that pickle calls, with its arguments.
 type Reduced<'py> = (Bound<'py, PyAny>, (Bound<'py, PyTuple>, Bound<'py, PyDict>, String));
 
 #[pymethods]
@@ -84,7 +84,7 @@ impl Plan {
         Ok(Self { plan, arguments: (positional.unbind(), keywords.unbind()) })
     }
 
-    /// The jobs that are not done yet. From then on no other process may record.
+    /// Returns the pending jobs. From then on no other process may record.
     #[pyo3(signature = (*, progress=None))]
     fn pending<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let pending =
@@ -92,26 +92,26 @@ impl Plan {
         pending.iter().map(|job| job_dict(py, job)).collect()
     }
 
-    /// Does a job of `pending`, in any process and on any thread, and says how it ended.
+    /// Does a job of `pending`, in any process and on any thread, and returns a row about its result.
     fn perform<'py>(&self, py: Python<'py>, job: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
         let job = PlannedJob { job: field(job, "job")?, input: field(job, "input")?, variant: field(job, "variant")? };
         let record = watched(py, None, |on_progress| self.plan.perform(&job, on_progress))?;
         record_dict(py, &record)
     }
 
-    /// Writes how jobs ended into the manifest: rows that `perform` gave.
+    /// Writes the results of jobs to the manifest: rows that `perform` returned.
     fn record(&self, py: Python<'_>, rows: &Bound<'_, PyAny>) -> PyResult<()> {
         let records: Vec<Record> = rows.try_iter()?.map(|row| record_of(&row?)).collect::<PyResult<_>>()?;
         watched(py, None, |_| self.plan.record(records))
     }
 
-    /// SHA-256 of all that outputs depend on apart from the inputs.
+    /// SHA-256 of everything that outputs depend on apart from the inputs.
     #[getter]
     fn sha256(&self) -> String {
         self.plan.sha256()
     }
 
-    /// What it was made with, and its SHA-256: a copy that would write other outputs is refused.
+    /// The arguments of the constructor, and the SHA-256: a copy that would write other outputs is refused.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let py = slf.py();
         let reopen = py.import("strut._pickle")?.getattr("open_plan")?;
@@ -120,7 +120,7 @@ impl Plan {
     }
 }
 
-/// The variants from styles as they are typed, from a dict, or from a table.
+/// Creates the variants from styles as text, from a dict, or from a table.
 fn variants(value: &Bound<'_, PyAny>, settings: &impl Fn(StyleWeights) -> StyleSettings) -> PyResult<Vec<Variant>> {
     let py = value.py();
     let fail = |error: TaskError| exception(py, &error);
@@ -150,7 +150,7 @@ fn retry_of(py: Python<'_>, text: &str) -> PyResult<Retry> {
     }
 }
 
-/// A value of a row by its name.
+/// Reads a value of a row by its name.
 fn field<'py, T: for<'a> FromPyObject<'a, 'py, Error = PyErr>>(row: &Bound<'py, PyAny>, name: &str) -> PyResult<T> {
     let wrong = |error: &PyErr| PyTypeError::new_err(format!("the row's '{name}': {error}"));
     row.get_item(name).and_then(|value| value.extract()).map_err(|error| wrong(&error))

@@ -1,4 +1,4 @@
-//! Styled clips, and motions that models made.
+//! Styled clips, and motions of models.
 
 use crate::arrays::{array_of, column, flags};
 use crate::call::watched;
@@ -22,13 +22,13 @@ use strut_tasks::{Code, OnProgress, Outcome, TaskError};
 
 /// The frames of a motion.
 enum Frames {
-    /// At the times of a style.
+    /// At the output times of a style.
     Styled(transfer::StyledMotion),
-    /// At an even rate, with the feet that are on the ground.
+    /// At a constant rate, with foot contacts.
     Even(HumanoidMotion, Vec<[bool; 2]>),
 }
 
-/// A motion in another style, or one that a model made.
+/// A motion in another style, or one that a model synthesised.
 #[pyclass(frozen, module = "strut")]
 pub(crate) struct StyledMotion {
     frames: Frames,
@@ -36,12 +36,12 @@ pub(crate) struct StyledMotion {
     class_weights: Vec<(String, f64)>,
     notes: Vec<Note>,
     rate_hz: f32,
-    /// Lines of JSON.
+    /// JSON lines.
     trace: Option<Vec<u8>>,
 }
 
 impl StyledMotion {
-    /// What a styling made of a clip.
+    /// Creates the result of styling a clip.
     pub(crate) fn new(styled: Styled, styling: &Styling, trace: Option<Vec<u8>>) -> Self {
         let Styled { motion, file, summary, notes } = styled;
         let class_weights = styling.classes().iter().cloned().zip(summary.mean_weights()).collect();
@@ -49,10 +49,10 @@ impl StyledMotion {
         Self { frames: Frames::Styled(motion), file, class_weights, notes, rate_hz, trace }
     }
 
-    /// What a model made.
+    /// Creates the result of a model.
     ///
     /// # Errors
-    /// None that a model can cause.
+    /// None in practice.
     pub(crate) fn made(motion: HumanoidMotion, planted: Vec<[bool; 2]>) -> Outcome<Self> {
         let file = Bvh::from_humanoid(&motion).map_err(TaskError::new)?;
         let rate_hz = motion.rate_hz;
@@ -79,7 +79,7 @@ impl StyledMotion {
         }
     }
 
-    /// When each pose is due, seconds.
+    /// Output time of each pose, seconds.
     #[getter]
     fn time_out<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let times = match &self.frames {
@@ -100,7 +100,7 @@ impl StyledMotion {
         }
     }
 
-    /// What the input was read as: the mean weight of each class, "action/style"; empty without an input.
+    /// Recognised classes of the input: the mean weight of each class, "action/style"; empty without an input.
     #[getter]
     fn class_weights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let weights = PyDict::new(py);
@@ -108,7 +108,7 @@ impl StyledMotion {
         Ok(weights)
     }
 
-    /// What may be wrong, as dicts of a code and a text; empty for a clean clip.
+    /// Warnings, as dicts of a code and a text; empty for a clean clip.
     #[getter]
     fn notes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         notes(py, &self.notes)
@@ -123,7 +123,7 @@ impl StyledMotion {
         }
     }
 
-    /// Unusable frames of the input that were replaced.
+    /// Number of unusable input frames that were replaced.
     #[getter]
     fn repaired(&self) -> u32 {
         match &self.frames {
@@ -132,7 +132,7 @@ impl StyledMotion {
         }
     }
 
-    /// How each frame was computed, as `strut stylize --trace` has it; None unless it was asked for.
+    /// How each frame was computed, as in `strut stylize --trace`; None unless requested.
     #[getter]
     fn trace<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyList>>> {
         let Some(lines) = &self.trace else { return Ok(None) };
@@ -142,7 +142,7 @@ impl StyledMotion {
         PyList::new(py, parsed).map(Some)
     }
 
-    /// The text of a BVH file with the input's skeleton, names, units, channel order and frame rate.
+    /// Returns the text of a BVH file with the input's skeleton, names, units, channel order and frame rate.
     fn to_bvh(&self) -> String {
         bvh::write_text(&self.file)
     }
@@ -156,7 +156,8 @@ impl StyledMotion {
         })
     }
 
-    /// Poses at an even rate, the database's unless given, and for each the fractional frame of the input it comes from.
+    /// Returns poses at a constant rate, by default the database's, and for each pose the fractional frame of the
+    /// input.
     #[pyo3(signature = (rate_hz=None))]
     fn to_arrays<'py>(
         &self,
@@ -189,10 +190,10 @@ impl StyledMotion {
     }
 }
 
-/// Gives a motion another style. `progress(what, done, total)` is called about twenty times a second.
+/// Changes the style of a motion. `progress(what, done, total)` is called about twenty times a second.
 ///
-/// With a `track`, pairs of a time in the input in seconds and styles, the styles pass from `styles` at the beginning through those
-/// of the track. With `trace`, the result says how each frame was computed.
+/// A `track` is a list of pairs: a time in the input, seconds, and styles. The styles change from `styles` at the start
+/// through those of the track. With `trace`, the result contains how each frame was computed.
 #[pyfunction]
 #[pyo3(signature = (motion, db, styles, *, parts=None, track=None, trace=false, threads=0, progress=None, **options))]
 #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
@@ -226,7 +227,7 @@ pub(crate) fn stylize(
     })
 }
 
-/// The keys of a track that begins with styles.
+/// Returns the keys of a track that starts with styles.
 fn keys_of(track: &Bound<'_, PyAny>, begin: &Bound<'_, PyAny>) -> PyResult<Vec<StyleKey>> {
     let wrong = || PyTypeError::new_err("a track is a sequence of pairs of a time in seconds and styles");
     let mut keys = Vec::new();

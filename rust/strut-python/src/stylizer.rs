@@ -10,7 +10,7 @@ use std::path::Path;
 use strut_core::transfer::{self, BodyPart};
 use strut_tasks::stylize::StyleSettings;
 
-/// Styles poses as they come.
+/// Styles poses as they arrive.
 #[pyclass(module = "strut")]
 pub(crate) struct Stylizer {
     engine: transfer::Stylizer,
@@ -20,14 +20,14 @@ pub(crate) struct Stylizer {
 }
 
 impl Stylizer {
-    /// Takes other settings over; the former stay if they do not fit the database.
+    /// Applies other settings. The former ones are kept if they do not match the database.
     fn apply(&mut self, py: Python<'_>, settings: StyleSettings) -> PyResult<()> {
         if settings.search != self.settings.search {
             return Err(bad_input(py, "the search of a stylizer cannot be changed; another stylizer was expected"));
         }
         let new = settings.stylizer(self.engine.model(), Path::new(&self.name));
         let new = new.map_err(|error| exception(py, &error))?;
-        // The stream goes on: what it remembers stays, and what was checked is set.
+        // The stream continues: its state is kept, and the checked settings are applied.
         self.engine.set_options(*new.options()).map_err(|error| bad_input(py, error))?;
         let model = std::sync::Arc::clone(self.engine.model());
         let weights = settings.styles.of(model.catalogue()).map_err(|reason| bad_input(py, reason))?;
@@ -60,7 +60,7 @@ impl Stylizer {
         Ok(Self { engine: engine.map_err(|error| exception(py, &error))?, settings, name })
     }
 
-    /// Other styles from the next pose on; parts follow the whole body unless they are given.
+    /// Sets the styles from the next pose on. Parts without separate styles follow the whole body.
     #[pyo3(signature = (styles, parts=None))]
     fn set_styles(
         &mut self,
@@ -73,7 +73,7 @@ impl Stylizer {
         self.apply(py, settings)
     }
 
-    /// Other options from the next pose on.
+    /// Sets options from the next pose on.
     #[pyo3(signature = (**options))]
     fn configure(&mut self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         let mut settings = self.settings.clone();
@@ -81,8 +81,7 @@ impl Stylizer {
         self.apply(py, settings)
     }
 
-    /// Styles the next poses, each one frame of the database's rate after the one before, on its body, in the layout of
-    /// `Motion.poses`.
+    /// Styles the next poses, one frame at the database's rate apart, on its body, in the layout of `Motion.poses`.
     fn push<'py>(&mut self, py: Python<'py>, poses: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let poses = poses_of(poses)?;
         let engine = &mut self.engine;
@@ -94,7 +93,7 @@ impl Stylizer {
         styled.call1((array_of(py, &out)?, column::<f64>(py, times), planted))
     }
 
-    /// Begins anew, as after a seek: the output starts where the next pose is.
+    /// Restarts, for example after a seek: the output starts at the place of the next pose.
     fn reset(&mut self) {
         self.engine.reset(None);
     }

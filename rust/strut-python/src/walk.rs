@@ -1,4 +1,4 @@
-//! Walks that a model of walk styles makes.
+//! Synthesis of walks with a walk model.
 
 use crate::arrays::{array_of, column, flags};
 use crate::call::watched;
@@ -22,10 +22,10 @@ use strut_tasks::walks::train_walks;
 use strut_tasks::weights::StyleWeights;
 use strut_tasks::{Outcome, TaskError};
 
-/// Most frames of one call of a walker: ten minutes.
+/// Greatest number of frames of one call of a walker: ten minutes.
 const MAX_FRAMES: usize = 30 * 600;
 
-/// A model of walk styles.
+/// A walk model.
 #[pyclass(frozen, module = "strut")]
 pub(crate) struct WalkModel {
     model: hsmm::WalkModel,
@@ -109,8 +109,8 @@ impl WalkModel {
         reasons(py, &self.refused)
     }
 
-    /// Walks in a style or a mixture, as `strut walk` does. A transition is a triple: styles, the step at which the change to them
-    /// begins, and the steps in between.
+    /// Synthesises a walk in a style or a mixture, as `strut walk` does. A transition is a triple: the styles after it,
+    /// the step at which it begins, and the number of steps that it takes.
     #[pyo3(signature = (styles, *, steps=12, transitions=None, cadence=None, stride=1.0, stop=false, turn=0.0, limits=true, progress=None))]
     #[allow(clippy::too_many_arguments)] // They are the keywords of the function.
     fn walk(
@@ -134,7 +134,7 @@ impl WalkModel {
         })
     }
 
-    /// A walker in the average of all styles, from the origin along +Z.
+    /// Returns a walker in the average of all styles, from the origin along +Z.
     fn walker(&self) -> Walker {
         Walker { engine: hsmm::Walker::new(Arc::clone(&self.runtime)), styles: self.model.styles.clone(), frames: 0 }
     }
@@ -143,7 +143,7 @@ impl WalkModel {
         format!("<strut.WalkModel: styles {}>", self.model.styles.join(", "))
     }
 
-    /// The file's bytes.
+    /// The bytes of the file.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyBytes>,))> {
         Ok((slf.get_type().getattr("open")?, (slf.get().to_bytes(slf.py()),)))
     }
@@ -158,26 +158,26 @@ fn transitions_of(value: &Bound<'_, PyAny>) -> PyResult<Vec<Transition>> {
     value.try_iter()?.map(of).collect()
 }
 
-/// A walk without an end, frame by frame at 30 frames per second.
+/// An endless walk, frame by frame at 30 frames per second.
 #[pyclass(module = "strut")]
 pub(crate) struct Walker {
     engine: hsmm::Walker,
     styles: Vec<String>,
-    /// Since the last beginning.
+    /// Number of frames since the last start.
     frames: usize,
 }
 
 #[pymethods]
 impl Walker {
-    /// Other styles from the next frame on; what weights lack to a sum of 1 is the average of all.
+    /// Sets the styles from the next frame on. What the weights lack to a sum of 1 is the average of all styles.
     fn set_styles(&mut self, py: Python<'_>, #[pyo3(from_py_with = styles)] styles: StyleWeights) -> PyResult<()> {
         let weights = styles.of_walks(&self.styles).map_err(|reason| bad_input(py, reason))?;
         self.engine.set_styles(&weights).map_err(|reason| bad_input(py, reason))
     }
 
-    /// Another gait from the next frame on. `cadence` is in steps a minute, None for the style's own. `stride` is the length of steps
-    /// as a share of the style's, `turn` the degrees that each step turns to the left. `limits` keeps joints within the range of the
-    /// recorded walks. `walking` says whether it walks or stands.
+    /// Sets the gait from the next frame on. `cadence` is in steps per minute, None for the style's own. `stride` is
+    /// the step length relative to the style's, `turn` the turn per step, degrees to the left. `limits` keeps joints
+    /// within the range of the recorded walks. `walking` sets whether it walks or stands.
     #[pyo3(signature = (*, cadence=None, stride=1.0, turn=0.0, limits=true, walking=true))]
     fn configure(
         &mut self,
@@ -194,7 +194,7 @@ impl Walker {
         Ok(())
     }
 
-    /// The next frames.
+    /// Returns the next frames.
     #[pyo3(signature = (frames=1))]
     fn advance<'py>(
         &mut self,
@@ -213,13 +213,13 @@ impl Walker {
         styled.call1((array_of(py, &poses)?, column::<f64>(py, times), flags(py, planted.into_iter())?))
     }
 
-    /// Number of the step of the last frame.
+    /// Number of the last frame's step.
     #[getter]
     fn step(&self) -> u64 {
         self.engine.step().0
     }
 
-    /// Begins anew at the origin along +Z; styles and gait stay.
+    /// Restarts at the origin along +Z; styles and gait are kept.
     fn reset(&mut self) {
         self.engine.reset(Vec3::ZERO, 0.0);
         self.frames = 0;

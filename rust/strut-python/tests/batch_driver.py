@@ -1,4 +1,4 @@
-"""A batch on two processes: batch_driver.py CLIPS OUT DB writes a line for each record."""
+"""Runs a batch on two processes: batch_driver.py CLIPS OUT DB prints a line for each record."""
 
 import multiprocessing
 import sys
@@ -16,7 +16,7 @@ def plan_of(clips: Path, out: Path, db: Path) -> strut.batch.Plan:
 
 
 def drive(plan: strut.batch.Plan, on_record=lambda pool: None) -> bool:
-    """Does what is pending; False if a worker was killed."""
+    """Does the pending jobs. Returns False if a worker was killed."""
     with ProcessPoolExecutor(2, multiprocessing.get_context("spawn"), start, (plan,)) as pool:
         jobs = [pool.submit(perform, job) for job in plan.pending()]
         try:
@@ -29,7 +29,7 @@ def drive(plan: strut.batch.Plan, on_record=lambda pool: None) -> bool:
 
 
 def start(plan: strut.batch.Plan) -> None:
-    """A worker's plan."""
+    """Sets a worker's plan."""
     global _plan
     _plan = plan
 

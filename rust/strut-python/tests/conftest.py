@@ -15,7 +15,7 @@ def command(*args: object) -> None:
 
 @pytest.fixture(scope="session")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with `demo.strutdb` and its clips in `clips/`."""
+    """Creates a folder with `demo.strutdb` and its clips in `clips/`."""
     folder = tmp_path_factory.mktemp("files")
     command("demo-db", "--page", "-o", folder / "demo.strutdb", "--bvh", folder / "clips")
     return folder
@@ -34,11 +34,11 @@ def jump(files: Path) -> strut.Motion:
 
 @pytest.fixture(scope="session")
 def walks(files: Path) -> strut.WalkModel:
-    """A model of walks of several styles."""
+    """A walk model of several styles."""
     return strut.WalkModel.train(sorted((files / "clips").glob("walk_*_001.bvh")))
 
 
 @pytest.fixture(scope="session")
 def keys(files: Path) -> strut.KeyStyleModel:
-    """A model of two style variables."""
+    """A key-style model of two style variables."""
     return strut.KeyStyleModel.train(sorted((files / "clips").glob("jump_*.bvh"))[:2], "hips_height,speed", components=4)

@@ -1,4 +1,4 @@
-"""Whatever functions are given, they answer, or raise StrutError, TypeError or OSError."""
+"""For any arguments, functions return, or raise StrutError, TypeError or OSError."""
 
 import contextlib
 

@@ -1,4 +1,4 @@
-"""Batches on several processes are those of the command, whoever is killed in between."""
+"""Batches on several processes equal those of the command, even if processes are killed."""
 
 import json
 import os
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals")
 
 @pytest.fixture(scope="module")
 def clips(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder of short clips with one that is none."""
+    """Creates a folder of short clips, one of which is invalid."""
     folder = tmp_path_factory.mktemp("batch") / "clips"
     (folder / "deep").mkdir(parents=True)
     for i, clip in enumerate(sorted((files / "clips").glob("jump_*.bvh"))[:6]):
@@ -29,7 +29,7 @@ def clips(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def undisturbed(files: Path, clips: Path) -> Path:
-    """What the command makes of them."""
+    """Runs the command on the clips, without interruption."""
     table = clips.parent / "variants.csv"
     table.write_text('variant,style\nold,old\nmixed,"proud=0.4,old=-0.2"\n')
     out = clips.parent / "command"
@@ -38,13 +38,13 @@ def undisturbed(files: Path, clips: Path) -> Path:
 
 
 def outputs(folder: Path) -> dict[Path, bytes]:
-    """All files apart from the manifest with its lock."""
+    """Returns all files except the manifest and its lock."""
     paths = [path for path in folder.rglob("*") if path.is_file() and not path.name.lstrip(".").startswith("manifest")]
     return {path.relative_to(folder): path.read_bytes() for path in paths}
 
 
 def records(folder: Path) -> dict[str, dict]:
-    """The record that counts of each job, without its time."""
+    """Returns the latest record of each job, without its time."""
     lines = [json.loads(line) for line in (folder / "manifest.jsonl").read_text().splitlines()]
     return {line["job"]: {name: value for name, value in line.items() if name != "time_ms"} for line in lines}
 
@@ -64,7 +64,7 @@ def test_a_plan_is_the_commands_batch(files: Path, clips: Path, undisturbed: Pat
         plan_of(clips, out, files / "demo.strutdb").pending()
     del plan
 
-    # The command goes on where a plan was stopped, and the other way round.
+    # The command continues where a plan was stopped, and vice versa.
     first, *_ = outputs(out)
     (out / first).unlink()
     table = clips.parent / "variants.csv"

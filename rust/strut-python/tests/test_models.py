@@ -1,4 +1,4 @@
-"""Models of walks and of poses, and evaluations, are those of the command, byte for byte."""
+"""Walk models, key-style models and evaluations equal those of the command, byte for byte."""
 
 import json
 import pickle

@@ -1,4 +1,4 @@
-"""Motions of arrays, skeletons that are corrected, styles over time, what a file holds."""
+"""Motions of arrays, corrected skeletons, styles over time, contents of files."""
 
 import json
 import pickle
@@ -11,7 +11,7 @@ from conftest import command
 
 
 def arrays_of(path: Path) -> dict:
-    """The skeleton and the motion of a BVH file with ZXY rotations on all joints and positions on the root."""
+    """Returns the skeleton and the motion of a BVH file with ZXY rotations on all joints and positions on the root."""
     head, motion = path.read_text().split("MOTION")
     names, parents, offsets, stack = [], [], [], []
     for line in map(str.split, head.splitlines()):
@@ -66,7 +66,7 @@ def test_a_motion_of_arrays_is_that_of_its_file(db: strut.Database, jump: strut.
     again = pickle.loads(pickle.dumps(motion))
     assert strut.stylize(again, db, "old").to_bvh() == strut.stylize(motion, db, "old").to_bvh()
 
-    # Joints in another order, as long as parents come first.
+    # Any order of joints is allowed if parents come first.
     last = len(arrays["names"]) - 1
     order = sorted(range(last + 1), key=lambda j: depth(arrays["parents"], j))
     shuffled = arrays | {
@@ -92,7 +92,7 @@ def test_the_axis_up_and_the_unit_may_be_given(db: strut.Database, arrays: dict)
     rotations[:, 0] = product(np.broadcast_to(quarter, rotations[:, 0].shape), rotations[:, 0])
     lying = arrays | {"translations": translations, "rotations_xyzw": rotations}
     np.testing.assert_allclose(strut.Motion.from_arrays(**lying, up="z").poses(db), upright.poses(db), atol=2e-4)
-    # The file is in centimetres; a giant of ten times the size is nobody's guess.
+    # The file is in centimetres; the unit of a giant of ten times the size cannot be detected.
     same = strut.Motion.from_arrays(**arrays, metres_per_unit=0.01)
     np.testing.assert_allclose(same.poses(db), upright.poses(db), atol=1e-5)
     giant = strut.Motion.from_arrays(**arrays, metres_per_unit=0.1)
@@ -159,7 +159,7 @@ def test_styles_change_over_time(db: strut.Database, jump: strut.Motion):
     constant = strut.stylize(jump, db, "old", track=[(0, "old"), (1.0, {"old": 1})])
     assert constant.to_bvh() == old.to_bvh() == strut.stylize(jump, db, "old", track=[]).to_bvh()
     turning = strut.stylize(jump, db, "old", track=[(0.5, "old"), (0.6, "proud")])
-    # Above the legs, whose feet are planted with a view of what comes after.
+    # Above the legs, whose footplant uses later frames.
     above = slice(3, 3 + 4 * 13)
     np.testing.assert_array_equal(turning.poses[:20, above], old.poses[:20, above])
     assert (turning.poses[-1] != old.poses[-1]).any() and (turning.poses[-1] != proud.poses[-1]).any()

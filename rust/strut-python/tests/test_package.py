@@ -1,4 +1,4 @@
-"""What the objects of the package are and do."""
+"""Properties and behaviour of the package's objects."""
 
 import multiprocessing
 import pickle
@@ -141,7 +141,7 @@ def test_other_threads_run_meanwhile(db: strut.Database, files: Path):
         counted += 1
         time.sleep(0.001)
     worker.join()
-    # With the interpreter held there would be hardly one turn.
+    # If the interpreter lock were held, there would be hardly one iteration.
     assert counted >= 5, counted
 
 

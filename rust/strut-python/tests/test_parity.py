@@ -1,4 +1,4 @@
-"""What the package writes is what the command writes, byte for byte."""
+"""The package's output equals the command's, byte for byte."""
 
 import inspect
 import os
@@ -47,13 +47,13 @@ def test_the_built_in_database(tmp_path: Path):
 
 
 def options_of(*command: str) -> set[str]:
-    """Long options of a command, and -k."""
+    """Returns the long options of a command, and -k."""
     shown = subprocess.run([os.environ["STRUT_COMMAND"], *command, "-h"], check=True, capture_output=True, text=True).stdout
     return set(re.findall(r"^ +(?:-\w, )?--([a-z-]+)", shown, re.MULTILINE)) | set(re.findall(r"^ +-(k) ", shown, re.MULTILINE))
 
 
 def keywords_of(function: object) -> set[str]:
-    """Names of a function's arguments, and of the options it takes as keywords, as the command has them."""
+    """Returns the names of a function's arguments, and of its keyword options, in the command's form."""
     of = inspect.signature(function).parameters
     return {name.strip("_").replace("_", "-") for name in of if name not in ("self", "options")}
 
@@ -63,10 +63,10 @@ def names_of(options: type) -> set[str]:
 
 
 READING = {"joints", "up", "floor", "swap-sides"}
-"""How a file is read is said of a motion."""
+"""Reading options, which are arguments of a motion."""
 
 FILES = {"help", "json", "output"}
-"""What a file is written to is an argument of `save`."""
+"""Output files, which are arguments of `save`."""
 
 
 @pytest.mark.parametrize(

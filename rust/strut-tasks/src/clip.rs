@@ -1,4 +1,4 @@
-//! Clips and databases in files.
+//! Reading of clips and databases from files.
 
 use crate::error::{Outcome, TaskError};
 use crate::files;
@@ -13,7 +13,7 @@ use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_formats::strutdb::{self, Contents};
 
-/// The clip in a BVH file.
+/// Reads the clip in a BVH file.
 ///
 /// # Errors
 /// If it cannot be read.
@@ -21,7 +21,7 @@ pub fn read_clip(path: &Path) -> Outcome<Clip> {
     Clip::parse(&files::read(path, bvh::MAX_BYTES)?).map_err(|reason| TaskError::in_file(path, reason))
 }
 
-/// The database in a file.
+/// Reads the database in a file.
 ///
 /// # Errors
 /// If it cannot be read.
@@ -29,7 +29,7 @@ pub fn read_database(path: &Path) -> Outcome<Database> {
     Ok(read_contents(path)?.database)
 }
 
-/// The database in a file with the plan of its search index.
+/// Reads the database in a file with the plan of its search index.
 ///
 /// # Errors
 /// If it cannot be read.
@@ -41,12 +41,12 @@ pub fn read_contents(path: &Path) -> Outcome<Contents> {
 pub struct Opened {
     /// The database with its search index.
     pub model: Model,
-    /// How long the index took where the file has none of this version.
+    /// Time that it took to build the index, if the file has no index of this version.
     pub indexed_in: Option<Duration>,
 }
 
 impl Opened {
-    /// The contents of a file, to be searched so.
+    /// Opens the contents of a file with this search.
     pub fn new(contents: Contents, search: Search) -> Self {
         let Contents { database, plan } = contents;
         let planned = plan.and_then(|plan| Index::from_plan(&database, plan).ok());

@@ -17,7 +17,7 @@ use strut_formats::joints::Reading;
 /// Greatest size of a table, bytes.
 const MAX_TABLE_BYTES: usize = 64 << 20;
 
-/// A file that did not enter the database.
+/// A file that is not used in the database.
 #[derive(Debug, Serialize)]
 pub struct RefusedFile {
     /// Its path.
@@ -28,13 +28,13 @@ pub struct RefusedFile {
 
 /// Clips that were read.
 pub struct ReadClips {
-    /// The clips, on one body.
+    /// The clips, retargeted to one body.
     pub clips: Vec<SourceClip>,
-    /// What may be wrong with files, by their paths; clean ones are left out.
+    /// Warnings about files, by path. Files without warnings are omitted.
     pub notes: BTreeMap<String, Vec<Note>>,
 }
 
-/// Refused clips with the reason, one line each.
+/// Returns the refused clips with the reasons, one line each.
 pub fn warnings(refused: &[RefusedFile]) -> String {
     refused.iter().fold(String::new(), |mut out, r| {
         // Writing to a string cannot fail.
@@ -43,8 +43,8 @@ pub fn warnings(refused: &[RefusedFile]) -> String {
     })
 }
 
-/// The sources that have labels, from a table, a pattern, or the default pattern if there is neither; a take
-/// that the labels leave out is counted within its class.
+/// Returns the labelled sources. Labels come from a table, a pattern, or otherwise the default pattern. Takes without a
+/// number are counted within their class.
 ///
 /// # Errors
 /// If no source has labels, or the table is faulty.
@@ -79,18 +79,18 @@ pub fn label<'a>(
     Ok(labelled)
 }
 
-/// The clip in a source, or why there is none; a reason does not name the file.
+/// Reads the clip of a source. The error does not name the file.
 pub(crate) fn parse(source: &Source) -> Result<Clip, String> {
     read(source, &Reading::default())
 }
 
-/// The same of a source of which a person says how it is read.
+/// Reads the clip of a source with explicit reading options.
 fn read(source: &Source, reading: &Reading) -> Result<Clip, String> {
     let bytes = source.bytes().map_err(|e| e.reason_in(&source.path))?;
     Clip::read(&bytes, reading).map_err(|e| e.to_string())
 }
 
-/// Reads all clips as a person says, and retargets them to the body of the first clip in the neutral style.
+/// Reads all clips with their reading options, and retargets them to the body of the first clip in the neutral style.
 ///
 /// # Errors
 /// If no clip can be read, or the caller cancels.

@@ -1,6 +1,6 @@
-//! Numbers of things in messages.
+//! Counts of things in messages.
 
-/// A number of things whose name gets an s where there is not one of them: `1 clip`, `2 clips`.
+/// Returns a number and a noun, with a plural s unless the number is 1: `1 clip`, `2 clips`.
 pub fn counted(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }

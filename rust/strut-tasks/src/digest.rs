@@ -3,12 +3,12 @@
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
-/// The digest.
+/// Returns the digest.
 pub fn sha256(bytes: &[u8]) -> [u8; 32] {
     Sha256::digest(bytes).into()
 }
 
-/// The digest as hexadecimal digits.
+/// Returns the digest as hexadecimal digits.
 pub fn sha256_hex(bytes: &[u8]) -> String {
     sha256(bytes).iter().fold(String::with_capacity(64), |mut text, byte| {
         // Writing to a string cannot fail.

@@ -1,4 +1,4 @@
-//! Errors of tasks: what happened, in a sentence, and of which kind it is.
+//! Errors of tasks: a message and a code.
 
 use std::fmt::{self, Display};
 use std::io::{self, ErrorKind};
@@ -9,20 +9,20 @@ use std::path::Path;
 pub enum Code {
     /// A file's content is not what was expected.
     BadFile,
-    /// What was asked for does not go with the files: a style that a database lacks, for example.
+    /// The request does not match the files, for example a style that the database lacks.
     BadInput,
-    /// An argument that no file could make right.
+    /// An argument is invalid regardless of the files.
     Usage,
     /// The system could not read or write.
     Io(ErrorKind),
     /// The caller asked to stop.
     Cancelled,
-    /// A fault of the program.
+    /// A bug in the program.
     Fault,
 }
 
 impl Code {
-    /// Its name in manifests and in Python.
+    /// Returns the name in manifests and in Python.
     pub fn name(self) -> &'static str {
         match self {
             Self::BadFile => "bad-file",
@@ -37,11 +37,11 @@ impl Code {
 /// Why a task ended early.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TaskError {
-    /// Kind of the error.
+    /// Code of the error.
     pub code: Code,
-    /// One sentence on one line, which names the file, without a full stop.
+    /// One sentence on one line that names the file, without a full stop.
     pub message: String,
-    /// What to do about it.
+    /// How to solve the problem.
     pub hint: Option<String>,
 }
 
@@ -49,45 +49,45 @@ pub struct TaskError {
 pub type Outcome<T = ()> = Result<T, TaskError>;
 
 impl TaskError {
-    /// An error of a kind.
+    /// Creates an error with this code.
     pub fn of(code: Code, reason: impl Display) -> Self {
-        // Names from files may hold anything; a message is one line.
+        // Names from files may contain control characters; a message is one line.
         let one_line = |text: String| text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
         Self { code, message: one_line(reason.to_string()), hint: None }
     }
 
-    /// An error that concerns no file in particular.
+    /// Creates an error that concerns no particular file.
     pub fn new(reason: impl Display) -> Self {
         Self::of(Code::BadInput, reason)
     }
 
-    /// An error of a file.
+    /// Creates an error about a file.
     pub fn in_file(path: &Path, reason: impl Display) -> Self {
         Self::of(Code::BadFile, format_args!("{}: {reason}", path.display()))
     }
 
-    /// What the system says of a file.
+    /// Creates an error from an I/O error of a file.
     pub fn io(path: &Path, error: &io::Error) -> Self {
         Self::of(Code::Io(error.kind()), format_args!("{}: {}", path.display(), reason(error)))
     }
 
-    /// Arguments that no file could make right.
+    /// Creates an error about an invalid argument.
     pub fn usage(reason: impl Display) -> Self {
         Self::of(Code::Usage, reason)
     }
 
-    /// The caller asked to stop.
+    /// Creates the error of a cancelled task.
     pub fn cancelled() -> Self {
         Self::of(Code::Cancelled, "it was cancelled")
     }
 
-    /// The sentence without the name of the file.
+    /// Returns the message without the name of the file.
     pub fn reason_in(&self, path: &str) -> String {
         let message = self.message.strip_prefix(path).and_then(|rest| rest.strip_prefix(": "));
         Self { message: message.unwrap_or(&self.message).to_owned(), ..self.clone() }.to_string()
     }
 
-    /// With what to do about it.
+    /// Adds a hint.
     pub fn with_hint(self, hint: impl Display) -> Self {
         Self { hint: Some(hint.to_string()), ..self }
     }
@@ -105,7 +105,7 @@ impl Display for TaskError {
 
 impl std::error::Error for TaskError {}
 
-/// What an I/O error means, without the system's error number where a plain word exists.
+/// Describes an I/O error, without the system's error number where a plain description exists.
 fn reason(error: &io::Error) -> String {
     match error.kind() {
         ErrorKind::NotFound => "there is no such file or folder".into(),

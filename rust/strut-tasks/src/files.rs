@@ -1,4 +1,4 @@
-//! Reading whole files within limits, and writing several together or none.
+//! Reading of whole files within limits, and writing of several files together.
 
 use crate::error::{Outcome, TaskError};
 use serde::Serialize;
@@ -6,10 +6,10 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// The whole file, if it has at most `most` bytes.
+/// Reads a whole file of at most `most` bytes.
 ///
 /// # Errors
-/// If it cannot be read, is a folder or has more bytes.
+/// If it cannot be read, is a folder or is larger.
 pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
     let fail = |e: io::Error| TaskError::io(path, &e);
     let file = File::open(path).map_err(fail)?;
@@ -29,9 +29,9 @@ pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
     if bytes.len() > most { too_large() } else { Ok(bytes) }
 }
 
-/// Output files of which each appears complete or not at all, and none before all are written: each is written beside its
-/// target under a temporary name; [`Outputs::commit`] renames them. Where one cannot be renamed, those before it are taken back.
-/// A process that is killed between two renames leaves the first ones.
+/// Output files that appear complete or not at all, and only when all are written. Each is written to a temporary file
+/// next to its target; [`Outputs::commit`] renames them. If one cannot be renamed, the earlier renames are undone. A
+/// process that is killed between two renames leaves the files renamed so far.
 #[derive(Debug, Default)]
 pub struct Outputs {
     staged: Vec<Staged>,
@@ -44,7 +44,7 @@ struct Staged {
 }
 
 impl Outputs {
-    /// Checks beforehand that these files can be written.
+    /// Checks that these files can be written.
     ///
     /// # Errors
     /// If a folder does not exist or two names are the same.
@@ -68,11 +68,11 @@ impl Outputs {
     /// Writes the bytes under a temporary name.
     ///
     /// # Errors
-    /// What the system says.
+    /// On an I/O error.
     pub fn stage(&mut self, target: &Path, bytes: &[u8]) -> Outcome {
         let fail = |e: io::Error| TaskError::io(target, &e);
         if is_special(target) {
-            // A pipe or device, /dev/stdout for example: nothing to rename.
+            // A pipe or device, for example /dev/stdout: it is not renamed.
             return OpenOptions::new().write(true).open(target).and_then(|mut f| f.write_all(bytes)).map_err(fail);
         }
         let name = target.file_name().unwrap_or_default().to_string_lossy();
@@ -82,10 +82,10 @@ impl Outputs {
         write_through(file, bytes).map_err(fail)
     }
 
-    /// Writes a report as JSON under a temporary name, if there is a target.
+    /// Writes a report as JSON to a temporary file, if there is a target.
     ///
     /// # Errors
-    /// What the system says.
+    /// On an I/O error.
     pub fn stage_json(&mut self, target: Option<&Path>, report: &impl Serialize) -> Outcome {
         match target {
             Some(target) => self.stage(target, &serde_json::to_vec_pretty(report).map_err(TaskError::new)?),
@@ -93,10 +93,10 @@ impl Outputs {
         }
     }
 
-    /// Gives all files their names, one after the other.
+    /// Renames all files, one after the other.
     ///
     /// # Errors
-    /// What the system says; then all names are what they were, as far as the system lets them be.
+    /// On an I/O error. All earlier names are then restored, as far as the system allows.
     pub fn commit(mut self) -> Outcome {
         let keeps = self.staged.len() > 1;
         let mut named: Vec<Named> = Vec::new();
@@ -111,7 +111,7 @@ impl Outputs {
             }
         }
         for former in named.iter().filter_map(|named| named.former.as_deref()) {
-            // All files have their names. What is left over is a hidden file.
+            // All files have their names. A file that remains is hidden.
             let _ = fs::remove_file(former);
         }
         Ok(())
@@ -119,12 +119,12 @@ impl Outputs {
 }
 
 impl Staged {
-    /// Gives the file its name. Where the file that had it is to be kept, returns the name that it is kept under.
+    /// Renames the file. If `keeps`, returns the backup name of the file that was replaced.
     fn give_name(&self, keeps: bool) -> io::Result<Option<PathBuf>> {
         let Self { temporary, target } = self;
         let former = (keeps && target.symlink_metadata().is_ok()).then(|| temporary.with_extension("old"));
         if let Some(former) = &former {
-            // A second name costs nothing, but not every file system has them.
+            // A hard link is cheap, but not every file system has them.
             fs::hard_link(target, former).or_else(|_| fs::copy(target, former).map(|_| ()))?;
         }
         fs::rename(temporary, target).inspect_err(|_| {
@@ -136,16 +136,16 @@ impl Staged {
     }
 }
 
-/// A file that has its name.
+/// A renamed file.
 #[derive(Debug)]
 struct Named {
     target: PathBuf,
-    /// The name that the file which had it before is kept under.
+    /// Backup name of the file that was replaced.
     former: Option<PathBuf>,
 }
 
 impl Named {
-    /// The name is what it was. The failure that this follows is the one to report.
+    /// Restores the previous name. The earlier failure is the one to report.
     fn take_back(self) {
         let _ = match &self.former {
             Some(former) => fs::rename(former, &self.target),
@@ -172,7 +172,7 @@ fn folder_of(target: &Path) -> &Path {
     target.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Whether the path exists and is neither a file nor a folder.
+/// Returns whether the path exists and is neither a file nor a folder.
 fn is_special(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
@@ -204,7 +204,7 @@ mod tests {
         for target in [&old, &new, &blocked] {
             outputs.stage(target, b"new").unwrap();
         }
-        // Since the check a folder has got the name.
+        // A folder was created at this path after the check.
         fs::create_dir_all(blocked.join("full")).unwrap();
         let refused = outputs.commit().unwrap_err().to_string();
         assert!(refused.contains("c.json"), "{refused}");

@@ -1,4 +1,4 @@
-//! The BVH files of a task: files, folders with all below, zip archives.
+//! Collection of the BVH files of a task from files, folders (recursively) and zip archives.
 
 use crate::error::{Outcome, TaskError};
 use crate::files;
@@ -10,21 +10,21 @@ use strut_formats::{bvh, corpus};
 
 /// Greatest depth of nested folders.
 const MAX_DEPTH: usize = 16;
-/// Greatest size of an archive, and of its unpacked files, bytes: that of a database.
+/// Greatest size of an archive, and of its unpacked files, bytes: the same limit as for a database.
 const MAX_ARCHIVE_BYTES: usize = 1 << 30;
 /// Greatest size of a licence file, bytes.
 const MAX_LICENCE_BYTES: usize = 1 << 20;
 
-/// A file to read.
+/// An input file.
 pub struct Source {
-    /// Path with `/`; for a file in an archive the archive's path, then the path in it.
+    /// Path with `/`. For a file in an archive it is the archive's path, then the path within.
     pub path: String,
-    /// Path with `/` below the folder or in the archive that was given as an input; of a file its name.
+    /// Path with `/`, relative to the input folder or archive; for a single file its name.
     pub below: String,
     content: Content,
 }
 
-/// What is found by paths: the path below the input, and the content.
+/// Files by path: the path below the input, and the content.
 type Found = BTreeMap<String, (String, Content)>;
 
 enum Content {
@@ -33,24 +33,24 @@ enum Content {
 }
 
 impl Source {
-    /// A file of any name.
+    /// Creates a source of a file with any name.
     pub fn file(path: &Path) -> Self {
         let below = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         Self { path: shown(path), below, content: Content::OnDisk(path.to_owned()) }
     }
 
-    /// The last part of its path.
+    /// Returns the last part of the path.
     pub fn file_name(&self) -> &str {
         self.path.rsplit('/').next().unwrap_or_default()
     }
 
-    /// Whether this is the file at a path, by whatever name.
+    /// Returns whether this is the file at a path, even if the path is written differently.
     pub fn is_at(&self, path: &Path) -> bool {
         let Content::OnDisk(own) = &self.content else { return false };
         matches!((own.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b)
     }
 
-    /// The file's bytes.
+    /// Reads the file.
     ///
     /// # Errors
     /// If it cannot be read or is too large.
@@ -61,7 +61,7 @@ impl Source {
         }
     }
 
-    /// Title of the licence file beside the file; empty if there is none.
+    /// Returns the title of the licence file next to the file, or an empty string.
     pub fn licence(&self) -> String {
         let path = match &self.content {
             Content::OnDisk(path) => path,
@@ -75,20 +75,20 @@ impl Source {
     }
 }
 
-/// Whether an input is a folder or an archive and not a file to read.
+/// Returns whether an input is a folder or an archive.
 pub fn holds_several(input: &Path) -> bool {
     input.is_dir() || has_extension(input, "zip")
 }
 
-/// The archive that holds the file of this [path](Source::path); `None` if that is a file of its own.
+/// Returns the archive that contains the file of this [path](Source::path), or `None` if the file is not in an archive.
 pub fn archive_of(path: &Path) -> Option<&Path> {
     path.ancestors().skip(1).find(|folder| has_extension(folder, "zip") && folder.is_file())
 }
 
-/// All BVH files of the inputs, sorted by path, each once.
+/// Returns all BVH files of the inputs, sorted by path, each once.
 ///
 /// # Errors
-/// If an input cannot be read or holds no such file.
+/// If an input cannot be read or contains no BVH file.
 pub fn gather(inputs: &[PathBuf]) -> Outcome<Vec<Source>> {
     let mut found = Found::new();
     for input in inputs {
@@ -141,12 +141,12 @@ fn unpack(archive: &Path, found: &mut Found) -> Outcome {
     for index in 0..zip.len() {
         let file = zip.by_index(index).map_err(|e| fail(&e))?;
         let name = file.name().map_err(|e| fail(&e))?.replace('\\', "/");
-        // macOS puts a second, unreadable file beside each.
+        // macOS adds a second, unreadable file for each file.
         let hidden = name.split('/').any(|part| part.starts_with('.') || part == "__MACOSX");
         if hidden || !file.is_file() || !has_extension(Path::new(&name), "bvh") {
             continue;
         }
-        // The size in the archive's directory may be wrong; the unpacked bytes are counted.
+        // The size in the archive's directory may be wrong, so the unpacked bytes are counted.
         let most = left.min(bvh::MAX_BYTES);
         let mut content = Vec::new();
         file.take(most as u64 + 1).read_to_end(&mut content).map_err(|e| fail(&e))?;
@@ -161,7 +161,7 @@ fn unpack(archive: &Path, found: &mut Found) -> Outcome {
     Ok(())
 }
 
-/// Titles of the licences in an archive by their folders; unreadable ones are ignored.
+/// Returns the titles of the licences in an archive by folder. Unreadable ones are ignored.
 fn licences_in(zip: &mut zip::ZipArchive<Cursor<Vec<u8>>>) -> BTreeMap<String, String> {
     let mut titles = BTreeMap::new();
     for licence in corpus::LICENCE_NAMES {
@@ -183,7 +183,7 @@ fn licences_in(zip: &mut zip::ZipArchive<Cursor<Vec<u8>>>) -> BTreeMap<String, S
     titles
 }
 
-/// The folder of a path in an archive, with its slash.
+/// Returns the folder of a path in an archive, with its slash.
 fn folder_of(name: &str) -> &str {
     &name[..name.rfind('/').map_or(0, |at| at + 1)]
 }

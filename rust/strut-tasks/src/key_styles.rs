@@ -1,4 +1,4 @@
-//! Models of poses by a few style variables.
+//! Key-style models: poses as a function of a few style variables.
 
 use crate::error::{Outcome, TaskError};
 use crate::progress::{OnProgress, Progress};
@@ -12,10 +12,10 @@ use strut_formats::quotation;
 /// Greatest number of characters of a list in a message.
 const SHOWN: usize = 200;
 
-/// The measures of a list, `hips_height,hand_l.y - shoulder_l.y` for example.
+/// Parses a list of style variables, for example `hips_height,hand_l.y - shoulder_l.y`.
 ///
 /// # Errors
-/// A sentence about the place where the list is wrong.
+/// A message about the position of the error.
 pub fn parse_axes(text: &str) -> Outcome<Vec<Measure>> {
     Measure::parse_list(text).map_err(|error| {
         let mut sentence = error.to_string();
@@ -31,7 +31,7 @@ pub fn parse_axes(text: &str) -> Outcome<Vec<Measure>> {
 /// Trains a model.
 ///
 /// # Errors
-/// If the recordings do not suffice, or the caller cancels.
+/// If the recordings are not sufficient, or the caller cancels.
 pub fn train_key_styles(
     recordings: &[Recording],
     axes: &[Measure],

@@ -1,6 +1,7 @@
-//! What `strut` does with files and threads, without arguments and printing: the command and the Python package call it.
+//! Tasks of `strut` with files and threads, without arguments and printing. The command and the Python package call
+//! them.
 //!
-//! Errors are [`TaskError`]s, progress goes to a callback that may cancel, and what comes out never depends on the threads.
+//! Errors are [`TaskError`]s. Progress is reported to a callback that may cancel. Results never depend on the threads.
 #![forbid(unsafe_code)]
 
 pub mod batch;

@@ -6,14 +6,14 @@ use strut_core::note::Note;
 /// A note as JSON.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoteReport {
-    /// What it is about; `docs/reading.md` lists the codes.
+    /// Code of the note; `docs/reading.md` lists the codes.
     pub code: String,
-    /// The sentence.
+    /// Message of the note.
     pub text: String,
 }
 
 impl NoteReport {
-    /// Notes in their order.
+    /// Converts notes in their order.
     pub fn of<'a>(notes: impl IntoIterator<Item = &'a Note>) -> Vec<Self> {
         let report = |note: &Note| Self { code: note.code.name().to_owned(), text: note.text.clone().into_owned() };
         notes.into_iter().map(report).collect()

@@ -1,30 +1,30 @@
-//! How far a task has come, told to a caller who may cancel it.
+//! Progress of a task, reported to a callback that may cancel it.
 
 use crate::error::{Outcome, TaskError};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How far a task has come.
+/// Progress of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// What is being done.
+    /// Name of the current work.
     pub what: &'static str,
-    /// Steps that are done.
+    /// Number of finished steps.
     pub done: usize,
-    /// All steps.
+    /// Number of all steps.
     pub total: usize,
 }
 
-/// Called from any thread with the progress of a task; on [`ControlFlow::Break`] the task ends with
+/// Callback with the progress of a task, called from any thread. On [`ControlFlow::Break`] the task ends with
 /// [`crate::error::Code::Cancelled`].
 pub type OnProgress<'a> = dyn Fn(Progress) -> ControlFlow<()> + Sync + 'a;
 
-/// For callers who neither watch nor cancel.
+/// Callback that neither shows the progress nor cancels.
 pub fn unwatched(_: Progress) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Counts the steps of a task that are done on any thread.
+/// Counts the steps of a task. Steps may be done on any thread.
 pub(crate) struct Counter<'a> {
     what: &'static str,
     total: usize,
@@ -33,17 +33,17 @@ pub(crate) struct Counter<'a> {
 }
 
 impl<'a> Counter<'a> {
-    /// None of `total` steps is done.
+    /// Creates a counter at 0 of `total` steps.
     pub(crate) fn new(what: &'static str, total: usize, on_progress: &'a OnProgress<'a>) -> Self {
         Self { what, total, done: AtomicUsize::new(0), on_progress }
     }
 
-    /// One step more is done.
+    /// Counts one step.
     pub(crate) fn step(&self) -> Outcome {
         self.tell(self.done.fetch_add(1, Ordering::Relaxed) + 1)
     }
 
-    /// Asks whether to go on, in the middle of a step.
+    /// Asks whether to continue, in the middle of a step.
     pub(crate) fn check(&self) -> Outcome {
         self.tell(self.done.load(Ordering::Relaxed))
     }

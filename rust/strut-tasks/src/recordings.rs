@@ -1,4 +1,4 @@
-//! The clips that a key-style model learns from.
+//! The clips for the training of a key-style model.
 
 use crate::corpus::{RefusedFile, parse};
 use crate::error::{Outcome, TaskError};
@@ -11,11 +11,11 @@ use strut_core::retarget::to_humanoid;
 use strut_core::somn::Recording;
 use strut_formats::corpus::stem;
 
-/// All clips of the inputs on the body of the first readable one, in the order of their paths; unusable files are added to
-/// `refused`.
+/// Reads all clips of the inputs onto the body of the first readable one, in the order of their paths. Unusable files
+/// are added to `refused`.
 ///
 /// # Errors
-/// If no file can be used, with the reason for the first, or the caller cancels.
+/// If no file can be used, with the reason for the first one; or the caller cancels.
 pub fn read_recordings(
     inputs: &[PathBuf],
     refused: &mut Vec<RefusedFile>,

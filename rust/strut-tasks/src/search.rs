@@ -6,23 +6,23 @@ use std::num::NonZero;
 use std::str::FromStr;
 use strut_core::search::Index;
 
-/// Candidates of a kd-tree where no number is given.
+/// Default number of candidates of a kd-tree.
 const CANDIDATES: NonZero<usize> = NonZero::new(160).unwrap();
 
-/// Exact search, or search among this many candidates of each class's kd-tree.
+/// Exact search, or search among a number of candidates of each class's kd-tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Search {
-    /// All windows that bounds do not exclude.
+    /// All windows that the bounds do not exclude are compared.
     Exact,
-    /// The nearest of some candidates.
+    /// The nearest candidates of a kd-tree are compared.
     KdTree {
-        /// Windows that are compared in each class.
+        /// Number of compared windows in each class.
         candidates: NonZero<usize>,
     },
 }
 
 impl Search {
-    /// The index with this search.
+    /// Returns the index with this search.
     pub fn of(self, index: Index) -> Index {
         match self {
             Self::Exact => index,

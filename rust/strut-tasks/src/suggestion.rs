@@ -1,4 +1,4 @@
-//! "Did you mean …?"
+//! Suggestions for misspelt names: "Did you mean …?"
 
 use strut_formats::quotation;
 
@@ -6,10 +6,10 @@ use strut_formats::quotation;
 const MAX_SHOWN: usize = 40;
 /// Greatest number of names in a message.
 const MAX_LISTED: usize = 12;
-/// Likeness (1: equal) from which a name is suggested: "eldery" and "elderly" have 0.86.
+/// Similarity (1: equal) from which a name is suggested: "eldery" and "elderly" have 0.86.
 const MIN_LIKENESS: f64 = 0.6;
 
-/// The message for an unknown name.
+/// Returns the message for an unknown name.
 pub fn unknown(what: &str, name: &str, known: &[impl AsRef<str>]) -> String {
     let name = &quotation(name, MAX_SHOWN);
     let likeness = |k: &str| strsim::normalized_damerau_levenshtein(&name.to_lowercase(), &k.to_lowercase());

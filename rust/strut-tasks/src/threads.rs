@@ -4,7 +4,7 @@ use crate::error::{Code, Outcome, TaskError};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use strut_core::parallel::ParallelMap;
 
-/// Rayon's pool: one thread a processor, or `RAYON_NUM_THREADS`.
+/// Rayon's pool: one thread per processor, or `RAYON_NUM_THREADS`.
 pub struct ThreadPool;
 
 impl ParallelMap for ThreadPool {
@@ -13,10 +13,10 @@ impl ParallelMap for ThreadPool {
     }
 }
 
-/// Runs something on a pool of its own, which ends with it: of so many threads, or of one a processor for 0.
+/// Runs a closure on its own pool, which ends with it. The pool has `threads` threads, or one per processor for 0.
 ///
 /// # Errors
-/// If the system gives no threads.
+/// If the system cannot create the threads.
 pub fn with_threads<T: Send>(threads: usize, run: impl FnOnce() -> T + Send) -> Outcome<T> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     Ok(pool.map_err(|error| TaskError::of(Code::Fault, error))?.install(run))

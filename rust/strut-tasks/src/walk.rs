@@ -1,4 +1,4 @@
-//! Walks that a model of walk styles makes.
+//! Synthesis of walks with a walk model.
 
 use crate::error::{Outcome, TaskError};
 use crate::progress::{Counter, OnProgress};
@@ -9,20 +9,20 @@ use strut_core::hsmm::{MAX_TURN, RATE_HZ, RuntimeWalkModel, SIDES, STRIDE, WalkM
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::Vec3;
 
-/// Most steps of a walk: over three hours.
+/// Greatest number of steps of a walk, over three hours.
 pub const MAX_STEPS: u64 = 20_000;
 
-/// Steps of a walk that stops: two in which it does and one of standing.
+/// Steps that stopping takes: two steps to stop and one of standing.
 const STOPPING_STEPS: u64 = 3;
 
 /// A change of style: `NAME[=W]@STEP:LENGTH`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
-    /// The styles after it.
+    /// The styles after the change.
     pub styles: StyleWeights,
-    /// The step at which it begins; the first is 0.
+    /// The step at which the change begins, from 0.
     pub step: u64,
-    /// Steps in between.
+    /// Number of steps that the change takes.
     pub between: u32,
 }
 
@@ -42,13 +42,13 @@ impl FromStr for Transition {
 /// How to walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
-    /// Steps a minute; the style's own if `None`.
+    /// Steps per minute; the style's own cadence if `None`.
     pub cadence: Option<f32>,
-    /// Length of steps as a share of the style's.
+    /// Step length relative to the style's.
     pub stride: f32,
-    /// Turn of every step, degrees to the left.
+    /// Turn per step, degrees to the left.
     pub turn: f32,
-    /// Whether joints keep within the range of the recorded walks.
+    /// Whether joint rotations are limited to the range of the recorded walks.
     pub limits: bool,
 }
 
@@ -62,7 +62,7 @@ impl Gait {
     /// Checks the numbers.
     ///
     /// # Errors
-    /// A sentence about the first that is out of range.
+    /// A message about the first number that is out of range.
     pub fn check(&self) -> Outcome {
         let limit = MAX_TURN.to_degrees();
         if self.turn.is_nan() || self.turn.abs() > limit {
@@ -82,10 +82,10 @@ impl Gait {
         }
     }
 
-    /// Has a walker walk so.
+    /// Applies the settings to a walker.
     ///
     /// # Errors
-    /// As [`Gait::check`].
+    /// Those of [`Gait::check`].
     pub fn set(&self, walker: &mut Walker) -> Outcome {
         self.check()?;
         walker.set_cadence(self.cadence);
@@ -96,10 +96,10 @@ impl Gait {
     }
 }
 
-/// A walk to make.
+/// Parameters of a walk.
 #[derive(Clone, Debug)]
 pub struct WalkOrder {
-    /// The styles that it begins in.
+    /// The styles at the start.
     pub styles: StyleWeights,
     /// Number of steps, at most [`MAX_STEPS`].
     pub steps: u64,
@@ -107,23 +107,23 @@ pub struct WalkOrder {
     pub transitions: Vec<Transition>,
     /// How to walk.
     pub gait: Gait,
-    /// Whether it stops at the end, within two more steps, and stands.
+    /// Whether the walk stops at the end, within two more steps, and then stands.
     pub stop: bool,
 }
 
-/// A walk, with the feet that are on the ground in each frame.
+/// A walk, with the foot contacts of each frame.
 pub struct Walked {
-    /// On the model's body.
+    /// The motion on the model's body.
     pub motion: HumanoidMotion,
-    /// Left and right.
+    /// Contacts of the left and the right foot.
     pub planted: Vec<[bool; 2]>,
 }
 
 impl WalkOrder {
-    /// Walks.
+    /// Synthesises the walk.
     ///
     /// # Errors
-    /// If a number is out of range or the model lacks a style, or the caller cancels.
+    /// If a number is out of range, the model lacks a style, or the caller cancels.
     pub fn walk(
         &self,
         model: &WalkModel,
@@ -145,7 +145,7 @@ impl WalkOrder {
             walker.plan_transition(*step, *between, [&weights; SIDES]).map_err(TaskError::new)?;
         }
         self.gait.set(&mut walker)?;
-        // The walk does not begin with what was before these were set.
+        // Reset, so that the walk begins with these settings.
         walker.reset(Vec3::ZERO, 0.0);
         let last = self.steps + if self.stop { STOPPING_STEPS } else { 0 };
         let counter = Counter::new("walking", last as usize, on_progress);

@@ -1,4 +1,4 @@
-//! The labelled walks that a model is trained and measured on.
+//! The labelled walks for the training and the evaluation of a model.
 
 use crate::corpus::{self, RefusedFile};
 use crate::error::{Outcome, TaskError};
@@ -12,20 +12,20 @@ use strut_core::parallel::ParallelMap;
 use strut_formats::corpus::Pattern;
 use strut_formats::joints::Reading;
 
-/// A clip that holds steps.
+/// A clip with steps.
 pub struct Walk {
     /// Its style.
     pub style: String,
-    /// Number of the performance.
+    /// Number of the take.
     pub take: u32,
-    /// What models learn of it.
+    /// Features that models learn from.
     pub track: Track,
     /// Number of steps.
     pub steps: usize,
 }
 
-/// The body and the walks; unusable files are added to `refused`. Walks are the clips of the action `walk`, or if there is
-/// none, of the action with the most steps.
+/// Reads the body and the walks. Unusable files are added to `refused`. Walks are the clips of the action `walk`, or
+/// without it those of the action with the most steps.
 ///
 /// # Errors
 /// If there is no walk, or the caller cancels.
@@ -69,11 +69,11 @@ pub fn read_walks(
     }
 }
 
-/// A model of walk styles, and the walks it was trained on, by the names of its styles: where takes of a style differ much they
-/// are styles of their own. Unusable files are added to `refused`.
+/// Trains a walk model. Returns it with the walks it was trained on, under the names of its styles: where takes of a
+/// style differ much, they become separate styles. Unusable files are added to `refused`.
 ///
 /// # Errors
-/// As [`read_walks`], or if the walks give no model.
+/// Those of [`read_walks`], or if the walks are not sufficient for a model.
 pub fn train_walks(
     inputs: &[PathBuf],
     pattern: Option<&Pattern>,

@@ -37,10 +37,10 @@ fn unlike_a_weight(text: impl Display) -> String {
 }
 
 impl StyleWeights {
-    /// Weights by style name.
+    /// Creates weights by style name.
     ///
     /// # Errors
-    /// A sentence about a name that is empty or there twice, or a weight beyond [`MAX_WEIGHT`].
+    /// A message about a name that is empty or repeated, or a weight beyond [`MAX_WEIGHT`].
     pub fn new(weights: Vec<(String, f32)>) -> Result<Self, String> {
         for (i, (name, weight)) in weights.iter().enumerate() {
             if name.is_empty() {
@@ -56,23 +56,23 @@ impl StyleWeights {
         Ok(Self(weights))
     }
 
-    /// One weight a style of the database.
+    /// Returns one weight per style of the database.
     ///
     /// # Errors
-    /// A sentence about the first name that is not a style.
+    /// A message about the first unknown name.
     pub fn of(&self, db: &Catalogue) -> Result<Vec<f32>, String> {
         self.among(&db.styles, |name| db.styles.iter().position(|s| s == name).into_iter().collect())
     }
 
-    /// One weight a style of a walk model; that of a name with several landmarks is shared out among them.
+    /// Returns one weight per style of a walk model. The weight of a name with several landmarks is shared among them.
     ///
     /// # Errors
-    /// A sentence about the first name that is not a style.
+    /// A message about the first unknown name.
     pub fn of_walks(&self, styles: &[String]) -> Result<Vec<f32>, String> {
         self.among(styles, |name| styles_named(styles, name))
     }
 
-    /// One weight for each of these styles, of which some go by a name.
+    /// Returns one weight for each of these styles. A name may stand for several styles.
     fn among(&self, styles: &[String], named: impl Fn(&str) -> Vec<usize>) -> Result<Vec<f32>, String> {
         let mut weights = vec![0.0; styles.len()];
         for (name, weight) in &self.0 {

@@ -1,4 +1,4 @@
-//! A style from one clip.
+//! A new style from one clip.
 
 use crate::built::Built;
 use js_sys::Uint8Array;
@@ -9,11 +9,11 @@ use strut_formats::corpus::{Clip, Entry, Labels};
 use strut_wasm_common::{EngineError, read_database};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The database, a `.strutdb` or packed motions, with the BVH file as one more style. `action` is the one that a person says the
-/// file shows; without it the one that it fits best is taken.
+/// Returns the database, a `.strutdb` or packed motions, with the BVH file added as a style. `action` is the action
+/// that the user selected for the file; without it the most similar action is used.
 ///
 /// # Errors
-/// With why the file is no style of it, or if the database has no such action.
+/// If the file cannot be added as a style, with the reason, or if the database has no such action.
 #[wasm_bindgen(js_name = addStyle)]
 pub fn add_style(
     database: Uint8Array,

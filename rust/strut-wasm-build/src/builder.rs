@@ -1,4 +1,4 @@
-//! Handle of a build: clips go in one at a time, a database comes out.
+//! Handle of a database build.
 
 use crate::built::Built;
 use crate::clip::bind;
@@ -13,7 +13,7 @@ use strut_formats::corpus::{self, Clip, Entry, Labels};
 use strut_wasm_common::{EngineError, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A build that takes its clips one at a time: what a file has besides its motion is gone when [`Builder::add`] returns.
+/// A build to which clips are added one at a time. [`Builder::add`] keeps only the motion of a file.
 #[wasm_bindgen]
 pub struct Builder {
     entries: Vec<Entry>,
@@ -24,7 +24,8 @@ pub struct Builder {
 
 #[wasm_bindgen]
 impl Builder {
-    /// A build of these files; `takes` below 0 are counted. Without `neutral` the style is found by its name.
+    /// Creates a build of these files. Takes below 0 are numbered automatically. Without `neutral` the neutral style is
+    /// found by its name.
     ///
     /// # Errors
     /// If the lists differ in length.
@@ -51,7 +52,8 @@ impl Builder {
         Ok(Self { entries, neutral, body: None, clips: Vec::new() })
     }
 
-    /// Paths in the order in which the files must be added: the first that can be read gives the database its body.
+    /// Returns the paths in the order in which the files must be added. The first readable file determines the
+    /// database's body.
     pub fn order(&self) -> Vec<String> {
         let styles: Vec<&str> = self.entries.iter().map(|e| e.labels.style.as_str()).collect();
         let order = corpus::body_order(&styles, self.neutral.as_deref());
@@ -61,7 +63,7 @@ impl Builder {
     /// Adds a file. `roles` as for `Clip`.
     ///
     /// # Errors
-    /// With why it cannot be used; the others can still be built without it.
+    /// If the file cannot be used, with the reason. The database can still be built from the other files.
     pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), EngineError> {
         let at = self.entries.binary_search_by(|e| e.path.as_str().cmp(path));
         let unknown = |_| EngineError::bad_input(format!("'{path}' is not among the files of this build"));
@@ -73,12 +75,12 @@ impl Builder {
         Ok(())
     }
 
-    /// Begins to build the database of what was added.
+    /// Starts the build of the database from the added files.
     ///
     /// # Errors
-    /// If nothing can be built from it.
+    /// If nothing can be built from them.
     pub fn begin(mut self, rate_hz: f32) -> Result<Building, EngineError> {
-        // As the command reads them: by their paths.
+        // The same order as the command's: by path.
         self.clips.sort_by(|a, b| a.source.cmp(&b.source));
         corpus::name_apart(&mut self.clips);
         let options = BuildOptions { rate_hz, neutral: self.neutral, ..BuildOptions::default() };
@@ -86,7 +88,7 @@ impl Builder {
     }
 }
 
-/// A build that goes on in steps, between which messages are heard and the build may be left for a while.
+/// A build in steps. Between two steps messages are handled, and the build may be paused.
 #[wasm_bindgen]
 pub struct Building {
     build: Build<SourceClip>,
@@ -94,7 +96,7 @@ pub struct Building {
 
 #[wasm_bindgen]
 impl Building {
-    /// Goes on by a few clips; whether anything was left but to finish.
+    /// Processes a few clips. Returns whether steps remain before [`Building::finish`].
     ///
     /// # Errors
     /// If nothing can be built.
@@ -106,7 +108,7 @@ impl Building {
         Ok(come.is_some())
     }
 
-    /// The database, once nothing is left.
+    /// Returns the database, after the last step.
     ///
     /// # Errors
     /// If nothing could be built.
@@ -120,18 +122,18 @@ impl Building {
     }
 }
 
-/// Path of the clip of a name.
+/// Returns the path of the clip with this name.
 fn path(name: &String, sources: &HashMap<String, String>) -> String {
     sources.get(name).unwrap_or(name).clone()
 }
 
-/// Path of and reason for every clip that the build left out.
+/// Returns path and reason of every clip that the build refused.
 fn refused(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<String> {
     let entry = |clip: &build::ClipReport| Some([path(&clip.name, sources), sentence(clip.refused.as_ref()?)]);
     report.refused().filter_map(entry).flatten().collect()
 }
 
-/// The styles of two manners, with paths for the names of clips.
+/// Returns the bimodal styles, with paths in place of the names of clips.
 fn two_manners(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<TwoManners> {
     let mut found = report.two_manners.clone();
     found.iter_mut().flat_map(|f| f.clips.iter_mut().flatten()).for_each(|name| *name = path(name, sources));

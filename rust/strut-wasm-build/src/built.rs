@@ -1,4 +1,4 @@
-//! Handle of a database that was built.
+//! Handle of a built database.
 
 use strut_core::database::build::Doubt;
 use strut_core::database::{Database, TwoManners};
@@ -7,7 +7,7 @@ use strut_formats::strutdb;
 use strut_wasm_common::sentence;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A database that was built.
+/// A built database.
 #[wasm_bindgen]
 pub struct Built {
     database: Database,
@@ -18,13 +18,13 @@ pub struct Built {
 }
 
 impl Built {
-    /// `two_manners` names clips by their paths.
+    /// Creates the handle. `two_manners` names clips by their paths.
     pub(crate) fn new(database: Database, refused: Vec<String>, two_manners: Vec<TwoManners>) -> Self {
         let file = strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
         Self { database, file, refused, two_manners, doubt: String::new() }
     }
 
-    /// With why the style of one clip may look wrong.
+    /// Adds the reason why the style of one clip may look wrong.
     pub(crate) fn with_doubt(self, doubt: Option<Doubt>) -> Self {
         Self { doubt: doubt.map_or_else(String::new, sentence), ..self }
     }
@@ -32,48 +32,48 @@ impl Built {
 
 #[wasm_bindgen]
 impl Built {
-    /// The `.strutdb` file, which is handed over: a second call gives none.
+    /// Returns the `.strutdb` file and releases it: a second call returns an empty array.
     #[wasm_bindgen(js_name = takeFile)]
     pub fn take_file(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.file)
     }
 
-    /// Number of clips.
+    /// Returns the number of clips.
     pub fn clips(&self) -> usize {
         self.database.clips.len()
     }
 
-    /// Number of frames.
+    /// Returns the number of frames.
     pub fn frames(&self) -> usize {
         self.database.frames()
     }
 
-    /// Names of the actions.
+    /// Returns the names of the actions.
     pub fn actions(&self) -> Vec<String> {
         self.database.actions.clone()
     }
 
-    /// Names of the styles.
+    /// Returns the names of the styles.
     pub fn styles(&self) -> Vec<String> {
         self.database.styles.clone()
     }
 
-    /// Name of the neutral style.
+    /// Returns the name of the neutral style.
     pub fn neutral(&self) -> String {
         self.database.styles[usize::from(self.database.neutral)].clone()
     }
 
-    /// Path of and reason for every clip that the build left out, in turn.
+    /// Returns path and reason of every refused clip, alternately.
     pub fn refused(&self) -> Vec<String> {
         self.refused.clone()
     }
 
-    /// Why the style of one clip may look wrong, a sentence; empty if nothing is known against it.
+    /// Returns why the style of one clip may look wrong, as a sentence; empty if there is no such warning.
     pub fn doubt(&self) -> String {
         self.doubt.clone()
     }
 
-    /// The clips of styles that are performed in two manners: action, style, manner (0 or 1) and path of each, in turn.
+    /// Returns the clips of bimodal styles: action, style, cluster (0 or 1) and path of each, in turn.
     #[wasm_bindgen(js_name = twoManners)]
     pub fn two_manners(&self) -> Vec<String> {
         let clips = |found: &TwoManners| {

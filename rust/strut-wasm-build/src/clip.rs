@@ -1,4 +1,4 @@
-//! Handle of a clip before a build: its labels, its roles and its preview.
+//! Handle of a clip before a build: its joints, its roles and its preview.
 
 use strut_core::humanoid::JOINTS;
 use strut_core::motion::Motion;
@@ -7,7 +7,7 @@ use strut_formats::bvh;
 use strut_wasm_common::{EngineError, floats_of, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A BVH file with its skeleton as humanoid, as far as that could be found.
+/// A BVH file with the joint mapping of its skeleton, as far as it could be found.
 #[wasm_bindgen]
 pub struct Clip {
     motion: Motion,
@@ -16,11 +16,11 @@ pub struct Clip {
 
 #[wasm_bindgen]
 impl Clip {
-    /// The clip in these bytes. `roles` has the joint of each of the 21 roles, −1 where there is none; without it they
-    /// are found.
+    /// Reads the clip in these bytes. `roles` has the joint of each of the 21 roles, −1 for none. Without it the roles
+    /// are detected.
     ///
     /// # Errors
-    /// With what is wrong with the file; a skeleton that is no humanoid is a [`Clip::fault`].
+    /// If the file is invalid. A skeleton that is not a humanoid is reported by [`Clip::fault`].
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], roles: Option<Vec<i32>>) -> Result<Self, EngineError> {
         let motion = bvh::parse(bytes).and_then(|file| file.to_motion()).map_err(EngineError::unusable_file)?;
@@ -28,62 +28,62 @@ impl Clip {
         Ok(Self { motion, binding })
     }
 
-    /// Number of frames.
+    /// Returns the number of frames.
     pub fn frames(&self) -> usize {
         self.motion.frames()
     }
 
-    /// Frames per second.
+    /// Returns the frame rate, frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f64 {
         1.0 / self.motion.frame_time_secs
     }
 
-    /// Names of the joints, parents first.
+    /// Returns the names of the joints, parents first.
     pub fn joints(&self) -> Vec<String> {
         self.motion.skeleton.joints().iter().map(|j| j.name.clone()).collect()
     }
 
-    /// Index of each joint's parent; −1 for the root.
+    /// Returns the index of each joint's parent; −1 for the root.
     pub fn parents(&self) -> Vec<i32> {
         self.motion.skeleton.joints().iter().map(|j| index(j.parent)).collect()
     }
 
-    /// The joint of each role, −1 where there is none.
+    /// Returns the joint of each role, −1 for none.
     pub fn roles(&self) -> Vec<i32> {
         let likely = || Binding::likely_roles(&self.motion);
         let roles = self.binding.as_ref().map_or_else(|_| likely(), |binding| binding.joint_of_role);
         roles.map(index).to_vec()
     }
 
-    /// How sure the roles are, 0 to 1.
+    /// Returns the confidence of the joint mapping, 0 to 1.
     pub fn confidence(&self) -> f32 {
         self.binding.as_ref().map_or(0.0, |binding| binding.confidence)
     }
 
-    /// Why the skeleton is no humanoid; empty if it is one.
+    /// Returns why the skeleton is not a humanoid; empty if it is one.
     pub fn fault(&self) -> String {
         self.binding.as_ref().err().map(ToString::to_string).unwrap_or_default()
     }
 
-    /// Notes on the match of the skeletons; empty if there are none.
+    /// Returns notes on the joint mapping; empty if there are none.
     pub fn note(&self) -> String {
         self.binding.as_ref().map(|binding| binding.notes.join(" ")).unwrap_or_default()
     }
 
-    /// Bone offsets of the clip's own body, 21 × xyz, metres.
+    /// Returns the bone offsets of the clip's own body, 21 × xyz, metres.
     ///
     /// # Errors
-    /// If the skeleton is no humanoid.
+    /// If the skeleton is not a humanoid.
     pub fn proportions(&self) -> Result<Vec<f32>, EngineError> {
         let binding = self.binding.as_ref().map_err(EngineError::unusable_file)?;
         Ok(offsets_of(&binding.proportions))
     }
 
-    /// Poses on the clip's own body, [`POSE_FLOATS`] numbers each.
+    /// Returns the poses on the clip's own body, [`POSE_FLOATS`] numbers each.
     ///
     /// # Errors
-    /// If the skeleton is no humanoid.
+    /// If the skeleton is not a humanoid.
     pub fn poses(&self) -> Result<Vec<f32>, EngineError> {
         let binding = self.binding.as_ref().map_err(EngineError::unusable_file)?;
         let motion = to_humanoid(&self.motion, binding, &binding.proportions);
@@ -91,7 +91,7 @@ impl Clip {
     }
 }
 
-/// The skeleton as humanoid, with the roles found or those given.
+/// Binds the skeleton with the given roles, or with detected ones.
 pub(crate) fn bind(motion: &Motion, roles: Option<&[i32]>) -> Result<Binding, BindError> {
     let Some(roles) = roles else { return Binding::detect(motion) };
     let mut joint_of_role = [None; JOINTS];

@@ -1,4 +1,4 @@
-//! Handles of a key-style model's training: clips go in, a `.strutkeys` file comes out.
+//! Handles of the training of a key-style model from clips.
 
 use crate::progress::Progress;
 use js_sys::Uint8Array;
@@ -13,7 +13,7 @@ use strut_formats::key_style_model;
 use strut_wasm_common::{EngineError, read_database};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Clips that models may be trained on: those of a database, or BVH files.
+/// Clips for the training of models: those of a database, or BVH files.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct KeyStyleClips {
@@ -23,25 +23,25 @@ pub struct KeyStyleClips {
 
 #[wasm_bindgen]
 impl KeyStyleClips {
-    /// None yet.
+    /// Creates an empty list.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Those of a `.strutdb` file or packed motions.
+    /// Creates the list of the clips of a `.strutdb` file or packed motions.
     ///
     /// # Errors
-    /// With what is wrong with the file.
+    /// If the file is invalid.
     #[wasm_bindgen(js_name = ofDatabase)]
     pub fn of_database(database: Uint8Array) -> Result<Self, EngineError> {
         Ok(Self { database: Some(read_database(database)?), files: Vec::new() })
     }
 
-    /// Adds a BVH file; the body is the first one's.
+    /// Adds a BVH file. All clips are on the body of the first.
     ///
     /// # Errors
-    /// With why it cannot be used.
+    /// If the file cannot be used, with the reason.
     #[wasm_bindgen(js_name = addFile)]
     pub fn add_file(&mut self, name: String, bytes: &[u8]) -> Result<(), EngineError> {
         let clip = Clip::parse(bytes).map_err(EngineError::unusable_file)?;
@@ -51,23 +51,23 @@ impl KeyStyleClips {
         Ok(())
     }
 
-    /// Names of the clips.
+    /// Returns the names of the clips.
     pub fn names(&self) -> Vec<String> {
         let of_database = self.database.iter().flat_map(|db| db.clips.iter().map(|clip| clip.name.clone()));
         of_database.chain(self.files.iter().map(|(name, _)| name.clone())).collect()
     }
 
-    /// Their actions; empty for files.
+    /// Returns the actions of the clips; empty for files.
     pub fn actions(&self) -> Vec<String> {
         self.labels(|db, clip| db.actions[usize::from(db.clips[clip].action)].clone())
     }
 
-    /// Their styles; empty for files.
+    /// Returns the styles of the clips; empty for files.
     pub fn styles(&self) -> Vec<String> {
         self.labels(|db, clip| db.styles[usize::from(db.clips[clip].style)].clone())
     }
 
-    /// Their durations, seconds.
+    /// Returns the durations of the clips, seconds.
     pub fn secs(&self) -> Vec<f32> {
         let of_database =
             self.database.iter().flat_map(|db| db.clips.iter().map(|clip| clip.frames as f32 / db.rate_hz));
@@ -75,10 +75,10 @@ impl KeyStyleClips {
         of_database.chain(of_files).collect()
     }
 
-    /// Begins to train on the clips of these numbers; `components` 0 are counted.
+    /// Starts training on the clips with these indices. With `components` 0 their number is chosen automatically.
     ///
     /// # Errors
-    /// With why nothing can be learned.
+    /// If no model can be trained, with the reason.
     pub fn train(
         &self,
         clips: &[u32],
@@ -118,7 +118,7 @@ impl KeyStyleClips {
     }
 }
 
-/// Training in passes, between which it may be given up.
+/// Training in passes, which may be cancelled between passes.
 #[wasm_bindgen]
 pub struct KeyStyleTraining {
     trainer: Trainer,
@@ -126,7 +126,7 @@ pub struct KeyStyleTraining {
 
 #[wasm_bindgen]
 impl KeyStyleTraining {
-    /// Goes on by a pass; whether anything was left but to finish.
+    /// Runs one pass. Returns whether passes remain before [`KeyStyleTraining::finish`].
     pub fn step(&mut self, listener: &Progress) -> bool {
         let Ok(come) = self.trainer.step(&Sequential);
         if let Some(p) = come {
@@ -135,14 +135,14 @@ impl KeyStyleTraining {
         come.is_some()
     }
 
-    /// The model, once nothing is left.
+    /// Returns the model, after the last pass.
     pub fn finish(self) -> TrainedKeyStyle {
         let Ok(model) = self.trainer.finish(&Sequential);
         TrainedKeyStyle { model }
     }
 }
 
-/// A model that was trained.
+/// A trained model.
 #[wasm_bindgen]
 pub struct TrainedKeyStyle {
     model: KeyStyleModel,
@@ -150,12 +150,13 @@ pub struct TrainedKeyStyle {
 
 #[wasm_bindgen]
 impl TrainedKeyStyle {
-    /// The `.strutkeys` file.
+    /// Returns the `.strutkeys` file.
     pub fn file(&self) -> Vec<u8> {
         key_style_model::write(&self.model, strut_formats::GENERATOR)
     }
 
-    /// Share of the poses' variance that the style variables do not explain, where that is too much; else 0.
+    /// Returns the share of the poses' variance that the style variables do not explain, if it is too large; otherwise
+    /// 0.
     #[wasm_bindgen(js_name = unexplainedShare)]
     pub fn unexplained_share(&self) -> f64 {
         let share = self.model.unexplained_share();

@@ -4,16 +4,17 @@ use strut_formats::corpus::{self, Labels, Pattern, Table};
 use strut_wasm_common::{EngineError, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The most likely pattern of these paths; none if their names have no two parts.
+/// Returns the most likely pattern of these paths, or `None` if their names do not have two parts.
 #[wasm_bindgen(js_name = guessPattern)]
 pub fn guess_pattern(paths: Vec<String>) -> Option<String> {
     corpus::guess_pattern(&paths).map(|pattern| pattern.to_string())
 }
 
-/// Four strings for each path: action, style, take, and why it has none of them; what does not apply is empty.
+/// Returns four strings for each path: action, style, take, and the reason why there are no labels. Strings that do not
+/// apply are empty.
 ///
 /// # Errors
-/// If the pattern is none, or with the line of the table that is wrong.
+/// If the pattern is invalid, or with the faulty line of the table.
 #[wasm_bindgen(js_name = labelsOf)]
 pub fn labels_of(
     paths: Vec<String>,
@@ -32,7 +33,7 @@ pub fn labels_of(
     Ok(labels.into_iter().flat_map(row).collect())
 }
 
-/// Title of a licence's text; empty if it has none.
+/// Returns the title of a licence's text; empty if it has none.
 #[wasm_bindgen(js_name = licenceTitle)]
 pub fn licence_title(text: &[u8]) -> String {
     corpus::licence_title(text)

@@ -1,7 +1,7 @@
-//! Database building, and the training of walk models and key-style models, for JavaScript; no algorithm. A package of its
-//! own: visitors load it when they bring their own clips or open the Walk view or the Key-style view.
+//! JavaScript interface of database building and of the training of walk models and key-style models; no algorithms. A
+//! separate package: it is loaded for the user's own clips, the Walk view and the Key-style view.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 mod add_style;
 mod builder;

@@ -1,4 +1,4 @@
-//! Handle of a walk model's training: a database goes in, a `.strutwalk` file comes out.
+//! Handle of the training of a walk model from a database.
 
 use crate::progress::Progress;
 use js_sys::Uint8Array;
@@ -13,13 +13,14 @@ use strut_formats::walk_model;
 use strut_wasm_common::{EngineError, read_database, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Training on the walks of a database, in steps, between which messages are heard and the training may be given up.
+/// Training on the walks of a database, in steps. Between two steps messages are handled, and the training may be
+/// cancelled.
 #[wasm_bindgen]
 pub struct WalkTraining {
     database: Database,
-    /// Clips that are still to be read, the next one last.
+    /// Indices of the clips that are not read yet, the next one last.
     unread: Vec<usize>,
-    /// Number of every clip that is a walk, the walk, and its steps.
+    /// Index of every clip that is a walk, the walk, and its number of steps.
     walks: Vec<(usize, Track, usize)>,
     trainer: Option<Trainer>,
     refused: Vec<String>,
@@ -27,10 +28,10 @@ pub struct WalkTraining {
 
 #[wasm_bindgen]
 impl WalkTraining {
-    /// On a `.strutdb` file or packed motions.
+    /// Creates a training on a `.strutdb` file or packed motions.
     ///
     /// # Errors
-    /// With what is wrong with the file.
+    /// If the file is invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(database: Uint8Array) -> Result<Self, EngineError> {
         let database = read_database(database)?;
@@ -38,10 +39,10 @@ impl WalkTraining {
         Ok(Self { database, unread, walks: Vec::new(), trainer: None, refused: Vec::new() })
     }
 
-    /// Goes on by a clip or a style; whether anything was left but to finish.
+    /// Processes one clip or one style. Returns whether steps remain before [`WalkTraining::finish`].
     ///
     /// # Errors
-    /// If nothing can be trained on.
+    /// If there is no usable walk.
     pub fn step(&mut self, listener: &Progress) -> Result<bool, EngineError> {
         if let Some(clip) = self.unread.pop() {
             match walk_of(&self.database.motion_of_clip(clip)) {
@@ -63,10 +64,10 @@ impl WalkTraining {
         Ok(come.is_some())
     }
 
-    /// The model, once nothing is left.
+    /// Returns the model, after the last step.
     ///
     /// # Errors
-    /// If nothing could be trained on.
+    /// If there is no usable walk.
     pub fn finish(mut self) -> Result<TrainedWalk, EngineError> {
         let trainer = match self.trainer.take() {
             Some(trainer) => trainer,
@@ -94,7 +95,7 @@ impl WalkTraining {
             self.refused.extend([clips[*i].name.clone(), sentence(reason)]);
         }
         self.walks.retain(|walk| is_walking(walk.0));
-        // The styles keep the database's order.
+        // The styles keep the order of the database.
         self.walks.sort_by_key(|walk| clips[walk.0].style);
         let clips: Vec<LabelledClip> = self
             .walks
@@ -109,7 +110,7 @@ impl WalkTraining {
     }
 }
 
-/// A model that was trained.
+/// A trained model.
 #[wasm_bindgen]
 pub struct TrainedWalk {
     model: WalkModel,
@@ -120,22 +121,22 @@ pub struct TrainedWalk {
 
 #[wasm_bindgen]
 impl TrainedWalk {
-    /// The `.strutwalk` file.
+    /// Returns the `.strutwalk` file.
     pub fn file(&self) -> Vec<u8> {
         self.bytes.clone()
     }
 
-    /// Names of the styles.
+    /// Returns the names of the styles.
     pub fn styles(&self) -> Vec<String> {
         self.model.styles.clone()
     }
 
-    /// Number of clips that it was trained on.
+    /// Returns the number of clips that the model was trained on.
     pub fn clips(&self) -> usize {
         self.clips
     }
 
-    /// Name of and reason for every clip that was left out, in turn.
+    /// Returns name and reason of every refused clip, alternately.
     pub fn refused(&self) -> Vec<String> {
         self.refused.clone()
     }

@@ -1,4 +1,4 @@
-//! Handle of a character: which joint plays which role, and how poses become rotations of its bones.
+//! Handle of a character: its joint mapping, and the conversion of poses to rotations of its bones.
 
 use js_sys::Float32Array;
 use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
@@ -8,8 +8,7 @@ use strut_core::skeleton::{Joint, Skeleton};
 use strut_wasm_common::{EngineError, floats_of, offsets_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A bound character. Joints are told in the pose in which the character was modelled (the bind pose); see
-/// `shared/spec/embedding.md` section 5.
+/// A bound character. Joints are specified in the bind pose, in which the character was modelled.
 #[wasm_bindgen]
 pub struct Character {
     skeleton: Skeleton,
@@ -18,11 +17,11 @@ pub struct Character {
     sole_points: Vec<SolePoint>,
     body: Proportions,
     retarget: FromHumanoid,
-    /// From the character's joints to its own body.
+    /// Conversion from the character's joints to its own body.
     observe: ToHumanoid,
-    /// Local transforms of the file at rest, in frames that are aligned with the world in the bind pose.
+    /// Local transforms of the file's rest pose, in frames that are aligned with the world in the bind pose.
     rest: Vec<(Vec3, Quat)>,
-    /// World rotation of each joint in the bind pose, and of its parent.
+    /// World rotations of each joint and of its parent in the bind pose.
     bind: Vec<(Quat, Quat)>,
     hips: usize,
     translations: Vec<Vec3>,
@@ -34,13 +33,13 @@ pub struct Character {
 impl Character {
     /// Binds a skeleton.
     ///
-    /// `parents`: index of each joint's parent, which comes before it; −1 for joint 0. `offsets`: from the parent to the
-    /// joint in the bind pose, along the axes of the world, xyz. `bind`: world rotation of each joint in the bind pose, xyzw.
-    /// `local`: local rotation of each joint at rest, xyzw, which joints without a role keep. `roles`: joint of each of the
-    /// 21 roles, −1 where it is not given.
+    /// `parents`: index of each joint's parent, which precedes it; −1 for joint 0. `offsets`: from the parent to the
+    /// joint in the bind pose, along the world axes, xyz. `bind`: world rotation of each joint in the bind pose, xyzw.
+    /// `local`: local rotation of each joint at rest, xyzw, which joints without a role keep. `roles`: joint of each of
+    /// the 21 roles, −1 if not given.
     ///
     /// # Errors
-    /// If the numbers are no skeleton, or the skeleton no body that can be bound.
+    /// If the numbers are no valid skeleton, or the skeleton cannot be bound.
     #[wasm_bindgen(constructor)]
     pub fn new(
         names: Vec<String>,
@@ -82,11 +81,11 @@ impl Character {
         })
     }
 
-    /// Joint of each of the 21 roles as far as it can be found, −1 for the others: what is proposed to a person where binding
-    /// fails. Arguments as for the constructor.
+    /// Returns the joint of each of the 21 roles where it can be found, −1 for the others. It is the suggestion for the
+    /// user when binding fails. The arguments are those of the constructor.
     ///
     /// # Errors
-    /// If the numbers are no skeleton.
+    /// If the numbers are no valid skeleton.
     #[wasm_bindgen(js_name = likelyRoles)]
     pub fn likely_roles(
         names: Vec<String>,
@@ -99,51 +98,53 @@ impl Character {
         Ok(numbers_of(&Binding::likely_roles_of_character(&skeleton, &known)))
     }
 
-    /// Feet that hang from the root instead of on their legs: pairs of the foot's joint and of the lower leg on which it belongs.
+    /// Returns the feet that are children of the root instead of their legs: pairs of the foot's joint and the joint of
+    /// its lower leg.
     ///
     /// # Errors
-    /// If the numbers are no skeleton.
+    /// If the numbers are no valid skeleton.
     #[wasm_bindgen(js_name = looseFeet)]
     pub fn loose_feet(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<Vec<i32>, EngineError> {
         let skeleton = skeleton_of(names, parents, offsets)?;
         Ok(loose_feet(&skeleton).iter().flat_map(|foot| [foot.joint as i32, foot.lower_leg as i32]).collect())
     }
 
-    /// Joint of each of the 21 roles; −1 for a role that the skeleton lacks.
+    /// Returns the joint of each of the 21 roles; −1 for a role that the skeleton lacks.
     pub fn roles(&self) -> Vec<i32> {
         numbers_of(&self.binding.joint_of_role)
     }
 
-    /// Confidence in the roles, 0–1: 1 where every role is given or found by its name.
+    /// Returns the confidence of the joint mapping, 0–1: 1 if every role is given or found by its name.
     pub fn confidence(&self) -> f32 {
         self.binding.confidence
     }
 
-    /// Sentences for people on what was matched and assumed.
+    /// Returns notes on what was matched and assumed, as sentences.
     pub fn notes(&self) -> Vec<String> {
         self.binding.notes.clone()
     }
 
-    /// The body as canonical humanoid, metres: 21 × xyz; the first is the height of the hips above the soles.
+    /// Returns the body as canonical humanoid, metres: 21 × xyz. The first offset is the height of the hips above the
+    /// soles.
     pub fn proportions(&self) -> Vec<f32> {
         offsets_of(&self.binding.proportions)
     }
 
-    /// From the axes of the file to ours, xyzw: the identity for files with +Y up.
+    /// Returns the rotation from the file's axes to the engine's, xyzw: the identity for files with +Y up.
     #[wasm_bindgen(js_name = worldFromFile)]
     pub fn world_from_file(&self) -> Vec<f32> {
         self.binding.world_from_file.to_array().to_vec()
     }
 
-    /// Height of the soles in the bind pose along the body's up axis, in the unit of the offsets.
+    /// Sets the height of the soles in the bind pose along the body's up axis, in the unit of the offsets.
     ///
-    /// `points`: what of the feet can touch the ground, five numbers each: side (0 left, 1 right), part (0 foot, 1 toes), and
-    /// from the joint of that part in the bind pose, xyz along the axes of the file.
+    /// `points`: points of the feet that can touch the ground, five numbers each: side (0 left, 1 right), part (0 foot,
+    /// 1 toes), and the offset from the joint of that part in the bind pose, xyz along the file's axes.
     ///
-    /// Without a height it is guessed from the ankles, as before the first call.
+    /// Without a height it is estimated from the ankles, as before the first call.
     ///
     /// # Errors
-    /// If a number is none, or there is no such side or part; the former soles then stay.
+    /// If a number is not finite, or there is no such side or part; the former soles are then kept.
     #[wasm_bindgen(js_name = setSole)]
     pub fn set_sole(&mut self, height: Option<f32>, points: &[f32]) -> Result<(), EngineError> {
         if height.is_some_and(|height| !height.is_finite()) {
@@ -158,10 +159,10 @@ impl Character {
         Ok(())
     }
 
-    /// The body that poses are on: 21 × xyz, metres.
+    /// Sets the body that poses are on: 21 × xyz, metres.
     ///
     /// # Errors
-    /// If these are not 63 numbers of a body; the former body then stays.
+    /// If these are not 63 numbers of a valid body; the former body is then kept.
     #[wasm_bindgen(js_name = setBody)]
     pub fn set_body(&mut self, proportions: &[f32]) -> Result<(), EngineError> {
         let (offsets, rest) = proportions.as_chunks::<3>();
@@ -181,12 +182,14 @@ impl Character {
         Ok(())
     }
 
-    /// Poses on the body of [`Character::set_body`], 87 numbers a frame, of frames that the character's file plays.
+    /// Converts frames of the character's own animation to poses on the body of [`Character::set_body`], 87 numbers a
+    /// frame.
     ///
-    /// `locals`: of every frame and joint its local translation, xyz in the unit of the offsets, and rotation, xyzw.
+    /// `locals`: for each frame and joint the local translation, xyz in the unit of the offsets, and the local
+    /// rotation, xyzw.
     ///
     /// # Errors
-    /// If that is not a whole number of frames of finite numbers.
+    /// If the array is not a whole number of frames, or a number is not finite.
     #[wasm_bindgen(js_name = toPoses)]
     pub fn to_poses(&self, locals: &[f32]) -> Result<Vec<f32>, EngineError> {
         let (transforms, rest) = locals.as_chunks::<7>();
@@ -208,7 +211,7 @@ impl Character {
         Ok(floats_of(poses.iter()))
     }
 
-    /// Length of what [`Character::apply`] writes.
+    /// Returns the number of floats that [`Character::apply`] writes.
     #[wasm_bindgen(js_name = frameFloats)]
     pub fn frame_floats(&self) -> usize {
         self.out.len()
@@ -229,8 +232,8 @@ impl Character {
         write_floats(&self.out, into)
     }
 
-    /// Writes the pose that the last [`Character::apply`] brought about, 87 numbers on the character's own body
-    /// ([`Character::proportions`]): where its joints really are. Nothing is allocated.
+    /// Writes the pose that results from the last [`Character::apply`], with the true positions of the joints: 87
+    /// numbers on the character's own body ([`Character::proportions`]). Nothing is allocated.
     ///
     /// # Errors
     /// If the array has another length.
@@ -242,7 +245,7 @@ impl Character {
 }
 
 impl Character {
-    /// [`Character::apply`] without JavaScript's arrays: what it wrote, in the same order.
+    /// [`Character::apply`] without JavaScript arrays: returns the numbers in the same order.
     ///
     /// # Errors
     /// If the pose is not finite.
@@ -256,7 +259,7 @@ impl Character {
         }
         self.retarget.frame(&pose, &mut self.translations, &mut self.rotations);
         let Some((hips, rotations)) = self.out.split_first_chunk_mut::<3>() else { return Ok(&self.out) };
-        // q = B_parent⁻¹ · q′ · B turns the aligned frames back into the file's.
+        // q = B_parent⁻¹ · q′ · B converts the aligned frames back to the file's.
         *hips = self.bind[self.hips].1.inv_mul_vec3(self.translations[self.hips]).to_array();
         for ((out, (own, above)), turned) in
             rotations.as_chunks_mut::<4>().0.iter_mut().zip(&self.bind).zip(&self.rotations)
@@ -267,7 +270,7 @@ impl Character {
     }
 }
 
-/// A skeleton of flat arrays.
+/// Builds a skeleton from flat arrays.
 fn skeleton_of(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<Skeleton, EngineError> {
     let (offsets, rest) = offsets.as_chunks::<3>();
     if parents.len() != names.len() || offsets.len() != names.len() || !rest.is_empty() {
@@ -282,7 +285,7 @@ fn skeleton_of(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<S
     Skeleton::new(joints.collect()).map_err(|e| EngineError::bad_file(e, ""))
 }
 
-/// Unit quaternions of a flat array, one a joint.
+/// Reads unit quaternions from a flat array, one per joint.
 fn rotations_of(floats: &[f32], joints: usize) -> Result<Vec<Quat>, EngineError> {
     let (rotations, rest) = floats.as_chunks::<4>();
     if rotations.len() != joints || !rest.is_empty() || !floats.iter().all(|x| x.is_finite()) {
@@ -291,7 +294,7 @@ fn rotations_of(floats: &[f32], joints: usize) -> Result<Vec<Quat>, EngineError>
     Ok(rotations.iter().map(|q| Quat::from_array(*q).normalized()).collect())
 }
 
-/// Points of feet of a flat array.
+/// Reads points of the feet from a flat array.
 fn sole_points_of(floats: &[f32]) -> Result<Vec<SolePoint>, EngineError> {
     let (points, rest) = floats.as_chunks::<5>();
     let point = |&[side, part, x, y, z]: &[f32; 5]| {
@@ -304,12 +307,12 @@ fn sole_points_of(floats: &[f32]) -> Result<Vec<SolePoint>, EngineError> {
     found.ok_or_else(|| EngineError::bad_input("a point of a sole needs a side, a part and three finite numbers"))
 }
 
-/// Joints of roles as numbers, −1 where there is none.
+/// Converts joints of roles to numbers, −1 for none.
 fn numbers_of(roles: &[Option<usize>; JOINTS]) -> Vec<i32> {
     roles.iter().map(|joint| joint.map_or(-1, |j| j as i32)).collect()
 }
 
-/// Given joints of roles.
+/// Converts numbers to joints of roles.
 fn roles_of(roles: &[i32], joints: usize) -> Result<[Option<usize>; JOINTS], EngineError> {
     let mut out = [None; JOINTS];
     if roles.len() != JOINTS || roles.iter().any(|&j| usize::try_from(j).is_ok_and(|j| j >= joints)) {

@@ -1,6 +1,6 @@
-//! Rigged characters for JavaScript; no algorithm. A package of its own: it is loaded with the first character.
+//! JavaScript interface of rigged characters; no algorithms. A separate package, loaded with the first character.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 #![forbid(unsafe_code)]
 
 mod character;

@@ -1,11 +1,11 @@
-//! Files in JavaScript's heap, or outside of it.
+//! Files inside or outside JavaScript's heap.
 
 use js_sys::Uint8Array;
 use std::cell::{Cell, RefCell};
 use strut_formats::container::Source;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Bytes in the heap of JavaScript, copied part by part: memory that a package takes is never given back.
+/// Bytes in JavaScript's heap. They are copied in parts, because a package never returns memory.
 pub struct Bytes(pub Uint8Array);
 
 impl Source for Bytes {
@@ -18,42 +18,42 @@ impl Source for Bytes {
     }
 }
 
-/// Bytes that are in JavaScript's heap at once: where the last slice ends, …
+/// Size of a slice in JavaScript's heap: where the previous slice ends, …
 const SLICE: usize = 32 << 20;
-/// … and elsewhere, where few may be wanted.
+/// … and elsewhere, where few bytes may be needed.
 const FIRST_SLICE: usize = 1 << 20;
 
 #[wasm_bindgen]
 extern "C" {
-    /// A file outside of JavaScript's heap: `SlicedFile` of `web/engine/database.ts`.
+    /// A file outside JavaScript's heap: `SlicedFile` of `web/engine/database.ts`.
     pub type SlicedFile;
 
-    /// The bytes from a number up to another; none where they cannot be read.
+    /// Returns a range of bytes, or `None` if it cannot be read.
     #[wasm_bindgen(method)]
     fn read(this: &SlicedFile, begin: u32, end: u32) -> Uint8Array;
 }
 
-/// A file of which a slice at a time is in JavaScript's heap.
+/// A file of which one slice at a time is in JavaScript's heap.
 pub struct Slices {
     file: SlicedFile,
     bytes: usize,
-    /// The slice that was read last, and where it begins.
+    /// Start of the slice that was read last, and the slice.
     slice: RefCell<Option<(usize, Uint8Array)>>,
     failed: Cell<bool>,
 }
 
 impl Slices {
-    /// Of a file of so many bytes.
+    /// Creates the slices of a file with this number of bytes.
     pub fn new(file: SlicedFile, bytes: usize) -> Self {
         Self { file, bytes, slice: RefCell::new(None), failed: Cell::new(false) }
     }
 
-    /// Whether a slice could not be read: zeros then stand for it.
+    /// Returns whether a slice could not be read. Its bytes then read as zeros.
     pub fn failed(&self) -> bool {
         self.failed.get()
     }
 
-    /// The slice from `begin` on, shorter at the end of the file.
+    /// Reads the slice that starts at `begin`; it is shorter at the end of the file.
     fn slice_from(&self, begin: usize, length: usize) -> Option<Uint8Array> {
         let end = self.bytes.min(begin + length);
         let slice = self.file.read(begin as u32, end as u32);

@@ -1,15 +1,15 @@
-//! What is asked of a crowd ↔ flat arrays.
+//! Parameters of crowds as flat arrays.
 
 use crate::EngineError;
 use strut_core::crowd::Vertex;
 
-/// Longest motion that is written of one of a crowd, seconds.
+/// Longest motion of a crowd member that is written to a file, seconds.
 const LONGEST_SECS: f32 = 600.0;
 
-/// The vertices of a field: the number of a style, then x, z, reach (metres) and intensity for each.
+/// Reads the vertices of a style map: the index of each style, then x, z, radius (metres) and intensity of each.
 ///
 /// # Errors
-/// If there are not four numbers a style.
+/// If there are not four numbers per style.
 pub fn vertices_of_field(styles: &[u32], numbers: &[f32]) -> Result<Vec<Vertex>, EngineError> {
     let (numbers, rest) = numbers.as_chunks::<4>();
     if numbers.len() != styles.len() || !rest.is_empty() {
@@ -21,19 +21,19 @@ pub fn vertices_of_field(styles: &[u32], numbers: &[f32]) -> Result<Vec<Vertex>,
         .collect())
 }
 
-/// The points of a route, x and z of each.
+/// Reads the points of a route, x and z each.
 ///
 /// # Errors
-/// If one has no z.
+/// If a point has no z.
 pub fn points_of_route(numbers: &[f32]) -> Result<&[[f32; 2]], EngineError> {
     let (points, rest) = numbers.as_chunks::<2>();
     if rest.is_empty() { Ok(points) } else { Err(EngineError::bad_input("two numbers a point were expected")) }
 }
 
-/// Frames of a motion of so many seconds.
+/// Returns the number of frames of a motion with this duration.
 ///
 /// # Errors
-/// If that is no time, or too long.
+/// If the duration is not finite, or too long.
 pub fn frames_of_crowd(secs: f32, rate_hz: f32) -> Result<usize, EngineError> {
     if secs > 0.0 && secs <= LONGEST_SECS {
         Ok((secs * rate_hz).ceil() as usize)

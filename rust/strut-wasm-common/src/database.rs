@@ -1,4 +1,4 @@
-//! Databases that come from JavaScript.
+//! Databases as bytes from JavaScript.
 
 use crate::{Bytes, EngineError};
 use js_sys::Uint8Array;
@@ -8,10 +8,10 @@ use strut_formats::strutdb::{self, packed};
 /// Hint for a damaged file.
 const HINT: &str = "Copy the file once more, or build the database again with 'strut build-db'.";
 
-/// The database in a `.strutdb` file or in packed motions.
+/// Reads the database in a `.strutdb` file or in packed motions.
 ///
 /// # Errors
-/// With what is wrong with the bytes.
+/// If the bytes are invalid.
 pub fn read_database(bytes: Uint8Array) -> Result<Database, EngineError> {
     let mut beginning = [0; packed::MAGIC.len()];
     let is_packed = bytes.length() as usize >= beginning.len() && {

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// What every fallible call throws: `web/engine/errors.ts` makes it a `StrutError`.
+/// Error that every fallible call throws. `web/engine/errors.ts` converts it to a `StrutError`.
 #[wasm_bindgen]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EngineError {
@@ -14,19 +14,19 @@ pub struct EngineError {
 
 #[wasm_bindgen]
 impl EngineError {
-    /// `bad-file`, `bad-input` or `gpu-lost`.
+    /// Returns the code: `bad-file`, `bad-input` or `gpu-lost`.
     #[wasm_bindgen(getter)]
     pub fn code(&self) -> String {
         self.code.into()
     }
 
-    /// A sentence for people.
+    /// Returns the message, a sentence for users.
     #[wasm_bindgen(getter)]
     pub fn message(&self) -> String {
         self.message.clone()
     }
 
-    /// What to do about it, or empty.
+    /// Returns how to solve the problem, or an empty string.
     #[wasm_bindgen(getter)]
     pub fn hint(&self) -> String {
         self.hint.clone()
@@ -34,32 +34,32 @@ impl EngineError {
 }
 
 impl EngineError {
-    /// The bytes of a file cannot be used.
+    /// Creates the error of an invalid file.
     pub fn bad_file(error: impl Display, hint: &str) -> Self {
         Self { code: "bad-file", message: sentence(error), hint: hint.into() }
     }
 
-    /// The same without a hint.
+    /// Creates the error of an invalid file, without a hint.
     pub fn unusable_file(error: impl Display) -> Self {
         Self::bad_file(error, "")
     }
 
-    /// An argument is outside its range.
+    /// Creates the error of an argument outside its range.
     pub fn bad_input(error: impl Display) -> Self {
         Self { code: "bad-input", message: sentence(error), hint: String::new() }
     }
 
-    /// A graphics processor gives no result.
+    /// Creates the error of a GPU that gives no result.
     pub fn without_graphics(error: impl Display) -> Self {
         Self { code: "gpu-lost", message: sentence(error), hint: String::new() }
     }
 }
 
-/// A message as a sentence: messages of Rust begin with a small letter and have no full stop.
+/// Makes a sentence of a message: Rust's messages begin with a small letter and have no full stop.
 pub fn sentence(message: impl Display) -> String {
     let message = message.to_string();
     let mut sentence = message;
-    // Ours begin in ASCII, and the tables of other letters would be a tenth of a small package.
+    // Our messages begin with ASCII. The tables of other letters would take a tenth of a small package.
     if let Some(first) = sentence.get_mut(..1) {
         first.make_ascii_uppercase();
     }

@@ -1,9 +1,9 @@
-//! What the packages for JavaScript have in common: errors as values, poses as flat arrays, files, and panics that say what
-//! they are.
+//! Common parts of the packages for JavaScript: errors as values, poses as flat arrays, files, and panics with their
+//! messages.
 //!
-//! JavaScript owns every object and frees it. Arrays are copied once a call in either direction, so that no view of a
-//! package's memory outlives a call. What is wrong with a file or an argument is thrown as an [`EngineError`]. A panic, which
-//! is a bug, is thrown as a JavaScript `Error` with its message, and the instance must then be thrown away.
+//! JavaScript owns every object and frees it. Arrays are copied once per call in either direction, so that no view of a
+//! package's memory outlives a call. An invalid file or argument is thrown as an [`EngineError`]. A panic, which is a
+//! bug, is thrown as a JavaScript `Error` with its message; the instance must then be discarded.
 
 mod bytes;
 mod crowd;

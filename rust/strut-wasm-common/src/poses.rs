@@ -1,4 +1,4 @@
-//! Poses ↔ flat arrays.
+//! Poses as flat arrays.
 
 use crate::EngineError;
 use js_sys::Float32Array;
@@ -6,7 +6,7 @@ use strut_core::humanoid::{HumanoidMotion, JOINTS, POSE_FLOATS, Pose, Proportion
 use strut_core::math::Vec3;
 use strut_formats::bvh::{self, Bvh};
 
-/// The poses of a flat array of [`POSE_FLOATS`] numbers each.
+/// Reads the poses of a flat array, [`POSE_FLOATS`] numbers each.
 ///
 /// # Errors
 /// If the array is not a whole number of poses.
@@ -22,7 +22,7 @@ pub fn poses_of(floats: &[f32]) -> Result<impl ExactSizeIterator<Item = Pose>, E
     }
 }
 
-/// Poses as one flat array.
+/// Returns poses as one flat array.
 pub fn floats_of<'a>(poses: impl ExactSizeIterator<Item = &'a Pose>) -> Vec<f32> {
     let mut floats = vec![0.0; poses.len() * POSE_FLOATS];
     for (pose, out) in poses.zip(floats.as_chunks_mut::<POSE_FLOATS>().0) {
@@ -31,15 +31,15 @@ pub fn floats_of<'a>(poses: impl ExactSizeIterator<Item = &'a Pose>) -> Vec<f32>
     floats
 }
 
-/// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+/// Returns the offset of each joint from its parent in the T-pose, metres: 21 × xyz.
 pub fn offsets_of(proportions: &Proportions) -> Vec<f32> {
     proportions.offsets.iter().flat_map(Vec3::to_array).collect()
 }
 
-/// What [`offsets_of`] wrote.
+/// Reads the array that [`offsets_of`] returned.
 ///
 /// # Errors
-/// If the array has another length, or the offsets are those of no body.
+/// If the array has another length, or the offsets are no valid body.
 pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
     let (offsets, rest) = floats.as_chunks::<3>();
     let offsets: Option<[[f32; 3]; JOINTS]> = offsets.try_into().ok().filter(|_| rest.is_empty());
@@ -51,15 +51,15 @@ pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
     if body.is_valid() { Ok(body) } else { Err(none()) }
 }
 
-/// The text of a BVH file of a motion.
+/// Returns the text of a BVH file with a motion.
 ///
 /// # Errors
-/// If there is no pose, or a number is beyond all that files hold.
+/// If there is no pose, or a number is out of the range of BVH files.
 pub fn bvh_of(motion: &HumanoidMotion) -> Result<String, EngineError> {
     Bvh::from_humanoid(motion).map(|file| bvh::write_text(&file)).map_err(EngineError::bad_input)
 }
 
-/// Fills an array of JavaScript's: a call every frame of the screen allocates nothing.
+/// Fills a JavaScript array. A call per displayed frame allocates nothing.
 ///
 /// # Errors
 /// If the array has another length.

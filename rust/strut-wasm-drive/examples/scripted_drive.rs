@@ -1,8 +1,9 @@
-//! Drives and styles by a script, natively: `scripted_drive DB.strutdb TAKES SCRIPT OUT`. See `tests/parity/drive.test.ts`.
+//! Drives and styles by a script, natively: `scripted_drive DB.strutdb TAKES SCRIPT OUT`. See
+//! `tests/parity/drive.test.ts`.
 //!
-//! A line of the script is a frame, `x z gait face action weight…` (`-` where there is no heading or no move, a weight a
-//! style), or `path x z …`, for the next frame on. What comes out is, frame after frame, the driver's numbers and the styled
-//! pose, little-endian.
+//! Each line of the script is a frame, `x z gait face action weight…`, or a path, `path x z …`, that holds from the
+//! next frame on. `-` stands for no heading or no action; there is one weight per style. The output has the driver's
+//! numbers and the styled pose of each frame, little-endian.
 
 use std::error::Error;
 use std::path::Path;

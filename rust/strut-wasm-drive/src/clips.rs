@@ -1,11 +1,11 @@
-//! Handle of the clips that are driven with.
+//! Handle of the clips for driving.
 
 use strut_core::driving::{DrivingClips, NeutralClip};
 use strut_core::humanoid::{Pose, Proportions};
 use strut_wasm_common::{EngineError, poses_of, proportions_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Neutral clips, as they are collected for a driver.
+/// Neutral clips for a driver.
 #[wasm_bindgen]
 pub struct Clips {
     proportions: Proportions,
@@ -15,21 +15,21 @@ pub struct Clips {
     takes: Vec<NeutralClip>,
 }
 
-/// Which clips one is among.
+/// Source of a clip.
 #[wasm_bindgen]
 #[derive(Clone, Copy, Debug)]
 pub enum Among {
-    /// Those of the database.
+    /// A clip of the database.
     Own,
-    /// Those that walk where it has too little walking.
+    /// A fallback walk for a database with too little walking.
     Spare,
-    /// Takes that it lacks.
+    /// A built-in take that the database lacks.
     Takes,
 }
 
 #[wasm_bindgen]
 impl Clips {
-    /// No clips yet, on a body (21 × xyz, metres) and at a rate.
+    /// Creates an empty list with a body (21 × xyz, metres) and a frame rate.
     ///
     /// # Errors
     /// If the offsets are not 63 numbers.
@@ -39,12 +39,12 @@ impl Clips {
         Ok(Self { proportions: proportions_of(proportions)?, rate_hz, own, spare, takes })
     }
 
-    /// Adds a clip of an action: its poses in the world, and which feet are planted in each, left and right interleaved. One of
-    /// another body and rate is carried over.
+    /// Adds a clip of an action: its world poses and foot contacts, left and right interleaved. A clip with another
+    /// body or rate is retargeted and resampled.
     ///
     /// # Errors
-    /// If an array has another length than it should, or there are too many frames at this rate.
-    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    /// If an array has the wrong length, or there are too many frames at this rate.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to define.
     pub fn add(
         &mut self,
         among: Among,
@@ -71,10 +71,10 @@ impl Clips {
 }
 
 impl Clips {
-    /// What is driven with of them.
+    /// Returns the clips, prepared for driving.
     ///
     /// # Errors
-    /// If there is too little locomotion among them.
+    /// If there is too little locomotion in them.
     pub(crate) fn driving(&self) -> Result<DrivingClips, EngineError> {
         let Self { proportions, rate_hz, own, spare, takes } = self;
         DrivingClips::new(*proportions, *rate_hz, own, spare, takes).map_err(EngineError::bad_input)

@@ -11,30 +11,32 @@ use strut_core::stream::{LiveFigure, Place};
 use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Instants ahead that a frame names.
+/// Number of predicted instants in a frame.
 const AHEAD: usize = 3;
 
-/// Numbers of a frame: the pose; the same with its feet planted, to be shown; the root's x, z and heading; the same of where it is asked to be after 1/3, 2/3 and 1 s; the
-/// same of where the clip that plays would take it; speed over the ground, row, clip, contacts (left, right), whether another
-/// row than the next one was taken, the move that plays (its number from 1 on, or 0), and how far the pose may be styled.
+/// Number of floats of a frame: the pose; the pose with footplant, for display; the root's x, z and heading; the
+/// requested root after 1/3, 2/3 and 1 s; the root of the present clip at these instants; ground speed, row, clip,
+/// contacts (left, right), whether the row was reached by a transition, the present action (its number from 1, or 0),
+/// and how far the pose may be styled.
 pub const FRAME: usize = 2 * POSE_FLOATS + 3 + 6 * AHEAD + 8;
 
-/// Neutral motion that goes where it is asked to. For every frame of the clips' rate [`Driver::next`], then [`Driver::read`].
+/// Neutral motion that follows the controls. For each frame at the clips' rate call [`Driver::next`], then
+/// [`Driver::read`].
 #[wasm_bindgen]
 pub struct Driver {
     clips: Arc<DrivingClips>,
     inner: driving::Driver,
-    /// What is driven with its feet planted, drawn back to where it is driven.
+    /// The driven motion with footplant, pulled back to the driven root.
     ghost: LiveFigure,
     frame: Box<[f32; FRAME]>,
 }
 
 #[wasm_bindgen]
 impl Driver {
-    /// Stands at the origin towards +Z.
+    /// Creates a driver that stands at the origin and faces +Z.
     ///
     /// # Errors
-    /// If there is too little locomotion among the clips.
+    /// If there is too little locomotion in the clips.
     #[wasm_bindgen(constructor)]
     pub fn new(clips: &Clips) -> Result<Self, EngineError> {
         let clips = Arc::new(clips.driving()?);
@@ -43,39 +45,39 @@ impl Driver {
         Ok(Self { clips, inner, ghost, frame: Box::new([0.0; FRAME]) })
     }
 
-    /// Speeds of walking and of running, m/s.
+    /// Returns the speeds of walking and of running, m/s.
     pub fn speeds(&self) -> Vec<f32> {
         self.inner.speeds().to_vec()
     }
 
-    /// Rows to choose from, mirror images included.
+    /// Returns the number of candidate rows, mirror images included.
     pub fn rows(&self) -> usize {
         self.clips.rows()
     }
 
-    /// For each clip to choose from the name of the clip that it was made of.
+    /// Returns the name of the source clip of each candidate clip.
     pub fn names(&self) -> Vec<String> {
         self.clips.clips().iter().map(|clip| self.clips.name(clip).into()).collect()
     }
 
-    /// For each clip to choose from 1 where left and right are swapped.
+    /// Returns 1 for each candidate clip in which left and right are swapped, otherwise 0.
     pub fn mirrored(&self) -> Vec<u8> {
         self.clips.clips().iter().map(|clip| u8::from(clip.mirrored)).collect()
     }
 
-    /// Names of the moves that can be asked for.
+    /// Returns the names of the available actions.
     pub fn moves(&self) -> Vec<String> {
         self.inner.moves().map(|of| of.name().into()).collect()
     }
 
-    /// Begins anew at a place, without a path.
+    /// Restarts at a place, without a path.
     pub fn reset(&mut self, x: f32, z: f32, heading: f32) {
         self.inner.reset(Placement { x, z, heading });
         self.ghost = ghost_of(&self.clips);
     }
 
-    /// Has the character follow a line through points, x and z each; fewer than two distinct ones end it. Points of which a
-    /// number is not finite change nothing.
+    /// Makes the character follow a line through points, x and z each. Fewer than two distinct points end it. A point
+    /// that is not finite changes nothing.
     #[wasm_bindgen(js_name = setPath)]
     pub fn set_path(&mut self, points: &[f32]) {
         if points.iter().all(|number| number.is_finite()) {
@@ -84,20 +86,21 @@ impl Driver {
         }
     }
 
-    /// How far along its path the character is, metres; none where it has no path.
+    /// Returns the distance along the path, metres; `None` without a path.
     pub fn progress(&self) -> Option<f32> {
         self.inner.progress()
     }
 
-    /// Whether the path's end is reached; also where there is none.
+    /// Returns whether the end of the path is reached, or there is no path.
     #[wasm_bindgen(js_name = hasArrived)]
     pub fn has_arrived(&self) -> bool {
         self.inner.has_arrived()
     }
 
-    /// Goes on by a frame: the wish over the ground, the gait (0 stands, 1 walks, 2 runs), the heading to face, the number of a
-    /// move, and where the hips of the styled character were in the last frame. What is not finite is ignored.
-    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    /// Advances by one frame with these controls: the desired velocity on the ground, the gait (0 stands, 1 walks, 2
+    /// runs), the heading to face, the number of an action, and the position of the styled character's hips in the last
+    /// frame. Values that are not finite are ignored.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to define.
     pub fn next(
         &mut self,
         wish_x: f32,
@@ -126,7 +129,7 @@ impl Driver {
 }
 
 impl Driver {
-    /// The present frame.
+    /// Returns the numbers of the present frame.
     pub fn frame(&self) -> &[f32; FRAME] {
         &self.frame
     }

@@ -1,6 +1,6 @@
-//! Driving for JavaScript; no algorithm. A package of its own: visitors load it when they begin to steer.
+//! JavaScript interface of driving; no algorithms. A separate package, loaded when the user starts to steer.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 mod clips;
 mod driver;

@@ -1,7 +1,8 @@
-//! Every distance at once for JavaScript; no algorithm. A package of its own: visitors load it who have a graphics processor.
+//! JavaScript interface of exhaustive distance computation on the GPU; no algorithms. A separate package, loaded only
+//! where there is a GPU.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`]. There is no database: all arrays are what the engine's
-//! own package gives, as plain numbers. Only the benchmark's build has one, to compare searches.
+//! For objects, arrays, errors and panics see [`strut_wasm_common`]. There is no database: all arrays are plain numbers
+//! from the engine's own package. Only the benchmark's build has a database, to compare searches.
 
 #[cfg(feature = "bench")]
 mod yardstick;
@@ -12,7 +13,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[cfg(feature = "bench")]
 pub use yardstick::Yardstick;
 
-/// Draws pictures of a database by the fastest graphics processor.
+/// Draws atlas pictures of a database on the fastest GPU.
 #[wasm_bindgen]
 pub struct Painter {
     painter: strut_gpu::Painter,
@@ -20,33 +21,34 @@ pub struct Painter {
 
 #[wasm_bindgen]
 impl Painter {
-    /// Of a database's rows and windows, 60 numbers and 12 words each.
+    /// Opens the GPU for a database's rows and windows, 60 numbers and 12 words each.
     ///
     /// # Errors
-    /// If there is no graphics processor, or they do not fit it or each other.
+    /// If there is no GPU, the data do not fit on it, or rows and windows do not match.
     pub async fn open(rows: Vec<f32>, windows: Vec<u32>) -> Result<Self, EngineError> {
         let context = Context::open().await.map_err(graphics)?;
         Ok(Self { painter: strut_gpu::Painter::new(context, &rows, &windows).map_err(graphics)? })
     }
 
-    /// Name of the graphics processor; empty where the browser does not tell.
+    /// Returns the name of the GPU; empty if the browser does not report it.
     pub fn adapter(&self) -> String {
         self.painter.adapter().name.clone()
     }
 
-    /// Takes the line of each window, below `height`, or the largest number for none.
+    /// Sets the line of each window, below `height`, or the largest number for none.
     ///
     /// # Errors
-    /// If they are none, or the graphics processor has stopped.
+    /// If the lines are invalid, or the GPU has stopped.
     #[wasm_bindgen(js_name = setLines)]
     pub fn set_lines(&mut self, lines: &[u32], height: usize) -> Result<(), EngineError> {
         self.painter.set_lines(lines, height).map_err(graphics)
     }
 
-    /// Bits of the least D of each line, a column after the other: of queries' rows and windows, 300 numbers and 12 words each.
+    /// Returns the bits of the least D of each line, column by column, for the rows and windows of queries: 300 numbers
+    /// and 12 words each.
     ///
     /// # Errors
-    /// If they do not fit each other, or the graphics processor has stopped.
+    /// If rows and windows do not match, or the GPU has stopped.
     pub async fn draw(&mut self, rows: Vec<f32>, windows: Vec<u32>) -> Result<Vec<u32>, EngineError> {
         self.painter.draw(&rows, &windows).await.map_err(graphics)
     }

@@ -1,4 +1,4 @@
-//! Handle of the exhaustive search, the paper's, beside the engine's.
+//! Handle of the paper's exhaustive search, for comparison with the engine's.
 
 use crate::graphics;
 use std::rc::Rc;
@@ -10,12 +10,12 @@ use strut_gpu::{Context, Searcher};
 use strut_wasm_common::{EngineError, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Neighbours that are looked for in every class.
+/// Number of neighbours per class.
 const K: usize = 40;
-/// Frames between two that are searched, as in `strut bench`.
+/// Distance between searched frames, as in `strut bench`.
 const STRIDE: usize = 5;
 
-/// Searches all classes of a database for the neighbours of the same windows, by the graphics processor and by the engine.
+/// Searches all classes of a database for the neighbours of the same windows, on the GPU and with the engine.
 #[wasm_bindgen]
 pub struct Yardstick {
     searcher: Searcher<Rc<Index>>,
@@ -23,19 +23,19 @@ pub struct Yardstick {
     proportions: Proportions,
     rate_hz: f32,
     windows: Vec<QueryWindow>,
-    /// What the graphics processor found last for each window.
+    /// The GPU's last result for each window.
     found: Vec<Vec<Neighbours>>,
-    /// Of all searches so far: windows that were compared again exactly, and neighbours.
+    /// Number of windows that were compared again exactly, and number of neighbours, over all searches so far.
     candidates: usize,
     neighbours: usize,
 }
 
 #[wasm_bindgen]
 impl Yardstick {
-    /// On the database of a `.strutdb` file, by the fastest graphics processor.
+    /// Opens the database of a `.strutdb` file on the fastest GPU.
     ///
     /// # Errors
-    /// If there is no graphics processor, the database does not fit it, or with what is wrong with the bytes.
+    /// If there is no GPU, the database does not fit on it, or the bytes are invalid.
     pub async fn open(bytes: Vec<u8>) -> Result<Self, EngineError> {
         let database = strutdb::read(&bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
         let context = Context::open().await.map_err(graphics)?;
@@ -52,7 +52,7 @@ impl Yardstick {
         })
     }
 
-    /// Adds windows of a motion at the database's rate, here and there.
+    /// Adds windows of a motion at the database's rate, at a fixed stride.
     ///
     /// # Errors
     /// If the array is not a whole number of poses.
@@ -68,20 +68,20 @@ impl Yardstick {
         Ok(())
     }
 
-    /// Windows that were added.
+    /// Returns the number of added windows.
     pub fn windows(&self) -> usize {
         self.windows.len()
     }
 
-    /// Classes that are searched.
+    /// Returns the number of searched classes.
     pub fn classes(&self) -> usize {
         self.searcher.index().classes()
     }
 
-    /// Searches for some windows together by the graphics processor, with upload, readback and exact re-ranking.
+    /// Searches for some windows together on the GPU, including upload, readback and exact re-ranking.
     ///
     /// # Errors
-    /// If there are no such windows, or the graphics processor has stopped.
+    /// If there are no such windows, or the GPU has stopped.
     pub async fn search(&mut self, first: usize, count: usize) -> Result<(), EngineError> {
         let no_such = || EngineError::bad_input("there are no such windows");
         let windows = first.checked_add(count).and_then(|end| self.windows.get(first..end)).ok_or_else(no_such)?;
@@ -94,7 +94,7 @@ impl Yardstick {
         Ok(())
     }
 
-    /// Searches for a window by the engine, from a cold start.
+    /// Searches for a window with the engine, from a cold start.
     ///
     /// # Errors
     /// If there is no such window.
@@ -103,7 +103,7 @@ impl Yardstick {
         self.expected(window).map(|_| ())
     }
 
-    /// How many classes of a window have the neighbours by the engine, to the bit, that the graphics processor found last.
+    /// Returns the number of classes of a window in which the engine and the GPU found bit-identical neighbours.
     ///
     /// # Errors
     /// If there is no such window.
@@ -113,7 +113,7 @@ impl Yardstick {
         Ok(expected.iter().zip(&found).filter(|(a, b)| a.as_slice() == b.as_slice()).count())
     }
 
-    /// Windows that were compared again exactly, for each neighbour in all searches so far.
+    /// Returns the number of windows that were compared again exactly per neighbour, over all searches so far.
     #[wasm_bindgen(js_name = candidatesPerNeighbour)]
     pub fn candidates_per_neighbour(&self) -> f64 {
         self.candidates as f64 / self.neighbours.max(1) as f64
@@ -121,7 +121,7 @@ impl Yardstick {
 }
 
 impl Yardstick {
-    /// The nearest windows of every class by the engine, from a cold start.
+    /// Finds the nearest windows of every class with the engine, from a cold start.
     fn expected(&mut self, window: usize) -> Result<&[Neighbours], EngineError> {
         let queried = self.windows.get(window).ok_or_else(|| EngineError::bad_input("there is no such window"))?;
         self.engine.forget();

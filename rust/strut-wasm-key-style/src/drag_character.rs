@@ -9,7 +9,7 @@ use strut_core::somn::{self, Mode};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Handle of a dragged character: its pose follows the pointer that drags the style. For every displayed frame call
+/// Handle of a dragged character: its pose follows the pointer that drags the style. For each displayed frame call
 /// [`DragCharacter::advance`], then [`DragCharacter::read`].
 #[wasm_bindgen]
 pub struct DragCharacter {
@@ -19,7 +19,7 @@ pub struct DragCharacter {
 
 #[wasm_bindgen]
 impl DragCharacter {
-    /// At rest in the mean style.
+    /// Creates a character at rest in the mean style.
     #[wasm_bindgen(constructor)]
     pub fn new(model: &KeyStyleModel) -> Self {
         let frame = Frame::new(model.model.components.len(), model.model.axis_count());
@@ -28,24 +28,24 @@ impl DragCharacter {
         made
     }
 
-    /// Components count by their likelihood to the power of 1 / `temperature`, their regions blurred by so many standard
-    /// deviations; without a temperature the likeliest alone is the pose.
+    /// Sets the mode. Components are weighted by their likelihood to the power of 1 / `temperature`, with regions
+    /// blurred by `blur` standard deviations. Without a temperature only the most likely component is used.
     ///
     /// # Errors
-    /// If a number is out of its range; nothing changes then.
+    /// If a number is out of range; nothing changes then.
     #[wasm_bindgen(js_name = setMode)]
     pub fn set_mode(&mut self, temperature: Option<f64>, blur: f64) -> Result<(), EngineError> {
         self.character.set_mode(mode(temperature, blur)?);
         Ok(())
     }
 
-    /// Temperature and blur of the mode that one begins with.
+    /// Returns temperature and blur of the default mode.
     #[wasm_bindgen(js_name = smoothMode)]
     pub fn smooth_mode() -> Vec<f64> {
         numbers(Mode::default())
     }
 
-    /// Takes the pose of a style at once, above the origin.
+    /// Jumps to the pose of a style, above the origin.
     pub fn jump(&mut self, values: &[f64]) {
         self.character.reset(&style(values));
         self.show();
@@ -57,7 +57,7 @@ impl DragCharacter {
         self.show();
     }
 
-    /// Writes the numbers of the present frame into an array.
+    /// Writes the numbers of the present frame to an array.
     ///
     /// # Errors
     /// If the array has another length.

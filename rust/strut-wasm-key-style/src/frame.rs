@@ -5,8 +5,8 @@ use strut_core::humanoid::{POSE_FLOATS, Pose};
 use strut_core::somn::Style;
 use strut_wasm_common::{EngineError, write_floats};
 
-/// The pose, each component's share, the style as measured on the pose and the style that the pose was made of: one number a
-/// component, and one an axis.
+/// The pose, the share of each component, the style measured on the pose and the style that the pose was synthesised
+/// from: one number per component, and one per axis.
 pub(crate) struct Frame {
     axes: usize,
     floats: Box<[f32]>,
@@ -17,7 +17,7 @@ impl Frame {
         Self { axes, floats: vec![0.0; POSE_FLOATS + components + 2 * axes].into() }
     }
 
-    /// Writes all numbers into an array of as many.
+    /// Writes all numbers to an array of that length.
     pub(crate) fn write(&self, into: &Float32Array) -> Result<(), EngineError> {
         write_floats(&self.floats, into)
     }
@@ -30,7 +30,7 @@ impl Frame {
     }
 }
 
-/// A style from JavaScript's numbers; what is missing is 0.
+/// Reads a style from numbers; missing ones are 0.
 pub(crate) fn style(values: &[f64]) -> Style {
     let mut style = Style::default();
     style.iter_mut().zip(values).for_each(|(s, value)| *s = *value);

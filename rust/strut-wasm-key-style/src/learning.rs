@@ -1,4 +1,4 @@
-//! Handle of a learning run that can be watched.
+//! Handle of a training run for step-by-step display.
 
 use crate::model::KeyStyleModel;
 use js_sys::Float32Array;
@@ -7,10 +7,11 @@ use strut_core::somn::{self, Component, Learning, MAX_COMPONENTS, Options, Train
 use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Numbers of a frame before those of the components: updates so far, the last sample or −1, its pass's error so far, σ and δ.
+/// Numbers of a frame before those of the components: updates so far, the last sample or −1, its pass's error so far, σ
+/// and δ.
 const HEAD: usize = 5;
 
-/// A self-organising mixture network that learns a model's recordings anew, as many poses at once as one wants to watch.
+/// A self-organising mixture network that is trained again on a model's recordings, in steps of any number of updates.
 #[wasm_bindgen]
 pub struct Somn {
     trainer: Trainer,
@@ -21,8 +22,8 @@ pub struct Somn {
 
 #[wasm_bindgen]
 impl Somn {
-    /// Before the first update. With `components` 0 there are as many as training takes; `as_printed` is with the signs of the
-    /// paper's Eq. 7 and 8, which diverge.
+    /// Creates a run before the first update. With `components` 0 it has as many as training uses. With `as_printed` it
+    /// uses the signs of the paper's Eq. 7 and 8, with which it diverges.
     ///
     /// # Errors
     /// If there are too many components, or the model has too few frames.
@@ -42,18 +43,17 @@ impl Somn {
         Ok(run)
     }
 
-    /// Number of components that learn; regions that are left without poses are given up only by [`Somn::so_far`].
+    /// Returns the number of components in training. Regions without poses are removed only by [`Somn::so_far`].
     pub fn components(&self) -> usize {
         self.trainer.components().len()
     }
 
-    /// Number of updates in all.
+    /// Returns the total number of updates.
     pub fn updates(&self) -> usize {
         self.trainer.updates()[1]
     }
 
-    /// Goes on by so many updates, or as many as are left; the number of those that were made. None are made once learning
-    /// has diverged.
+    /// Runs a number of updates, or those that remain, and returns how many it ran. After a divergence it runs none.
     pub fn step(&mut self, updates: usize) -> usize {
         let mut made = 0;
         while made < updates
@@ -66,9 +66,9 @@ impl Somn {
         made
     }
 
-    /// Writes the numbers of the present state into an array: updates so far, the last sample or −1, the error of its pass so
-    /// far and σ in radians, δ; then of the components the responsibilities for that sample, the shares, the centres and the
-    /// standard deviations of the regions, both in the units of the variables, one number an axis.
+    /// Writes the present state to an array: updates so far, the last sample or −1, the error of its pass so far and σ
+    /// in radians, δ; then for the components the responsibilities for that sample, the shares, and the centres and
+    /// standard deviations of the regions, both in the units of the variables, one number per axis.
     ///
     /// # Errors
     /// If the array has another length.
@@ -76,7 +76,7 @@ impl Somn {
         write_floats(&self.shown, into)
     }
 
-    /// The model that the components make as they are, as if learning ended here.
+    /// Returns the model of the present components, as if training ended here.
     #[wasm_bindgen(js_name = soFar)]
     pub fn so_far(&self) -> KeyStyleModel {
         KeyStyleModel::of(self.trainer.so_far())

@@ -1,6 +1,6 @@
-//! Poses of style variables for JavaScript; no algorithm. A package of its own: visitors load it with the Key-style view.
+//! JavaScript interface of key-styling; no algorithms. A separate package, loaded with the Key-style view.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 mod drag_character;
 mod frame;

@@ -4,7 +4,7 @@ use strut_core::somn::Measure;
 use strut_wasm_common::sentence;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A style variable that was parsed, or its error.
+/// A parsed style variable, or its error.
 #[wasm_bindgen]
 pub struct CheckedMeasure {
     unit: String,
@@ -13,23 +13,23 @@ pub struct CheckedMeasure {
 
 #[wasm_bindgen]
 impl CheckedMeasure {
-    /// Its unit; empty for pure numbers, and for errors.
+    /// Returns the unit; empty for pure numbers and for errors.
     pub fn unit(&self) -> String {
         self.unit.clone()
     }
 
-    /// Number of the character with the error, from 0; −1 if there is none.
+    /// Returns the index of the character with the error, from 0; −1 for none.
     pub fn column(&self) -> i32 {
         self.fault.as_ref().map_or(-1, |(column, _)| i32::try_from(column.saturating_sub(1)).unwrap_or(0))
     }
 
-    /// The error; empty if there is none.
+    /// Returns the error; empty if there is none.
     pub fn message(&self) -> String {
         self.fault.as_ref().map_or(String::new(), |(_, message)| message.clone())
     }
 }
 
-/// Reads a style variable: the name of a measure, or an expression.
+/// Parses a style variable: the name of a measure, or an expression.
 #[wasm_bindgen(js_name = checkMeasure)]
 pub fn check_measure(text: &str) -> CheckedMeasure {
     match Measure::parse(text) {

@@ -8,7 +8,7 @@ use strut_formats::key_style_model;
 use strut_wasm_common::{EngineError, floats_of, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A key-style model; shared with all objects that are made from it.
+/// A key-style model, shared with all objects that are created from it.
 #[wasm_bindgen]
 pub struct KeyStyleModel {
     pub(crate) model: Arc<somn::KeyStyleModel>,
@@ -17,97 +17,98 @@ pub struct KeyStyleModel {
 
 #[wasm_bindgen]
 impl KeyStyleModel {
-    /// The model in a `.strutkeys` file.
+    /// Reads the model in a `.strutkeys` file.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
         Ok(Self::of(key_style_model::read(bytes).map_err(EngineError::unusable_file)?))
     }
 
-    /// The style variables: names of measures, or expressions.
+    /// Returns the style variables: names of measures, or expressions.
     pub fn axes(&self) -> Vec<String> {
         self.model.axes.iter().map(ToString::to_string).collect()
     }
 
-    /// Their units.
+    /// Returns the units of the style variables.
     pub fn units(&self) -> Vec<String> {
         self.model.axes.iter().map(|axis| axis.unit().to_string()).collect()
     }
 
-    /// Frames per second of recordings and of exports.
+    /// Returns the frame rate of recordings and exports, frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f32 {
         RATE_HZ
     }
 
-    /// Number of components.
+    /// Returns the number of components.
     pub fn components(&self) -> usize {
         self.model.components.len()
     }
 
-    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    /// Returns the offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
         offsets_of(&self.model.space.proportions)
     }
 
-    /// Names of the training motions.
+    /// Returns the names of the training motions.
     #[wasm_bindgen(js_name = clipNames)]
     pub fn clip_names(&self) -> Vec<String> {
         self.model.clips.iter().map(|clip| clip.name.clone()).collect()
     }
 
-    /// Numbers of frames of the training motions; their frames follow each other.
+    /// Returns the number of frames of each training motion. Their frames are numbered consecutively.
     #[wasm_bindgen(js_name = clipFrames)]
     pub fn clip_frames(&self) -> Vec<u32> {
         self.model.clips.iter().map(|clip| clip.frames as u32).collect()
     }
 
-    /// The style of every training frame, one number an axis.
+    /// Returns the style of every training frame, one number per axis.
     pub fn values(&self) -> Vec<f32> {
         self.flat(self.model.styles.iter().map(|u| self.model.in_units(u)))
     }
 
-    /// Centre of each component's region of styles, one number an axis.
+    /// Returns the centre of each component's region of styles, one number per axis.
     pub fn centres(&self) -> Vec<f32> {
         self.flat(self.model.components.iter().map(|component| self.model.in_units(&component.centre)))
     }
 
-    /// Mean of the training styles.
+    /// Returns the mean of the training styles.
     pub fn mean(&self) -> Vec<f32> {
         self.flat(std::iter::once(self.model.style_mean))
     }
 
-    /// Their standard deviations.
+    /// Returns the standard deviations of the training styles.
     pub fn deviation(&self) -> Vec<f32> {
         self.flat(std::iter::once(self.model.style_deviation))
     }
 
-    /// The training frame whose style is nearest.
+    /// Returns the training frame with the nearest style.
     pub fn nearest(&self, values: &[f64]) -> usize {
         self.synthesis.nearest(&style(values)).unwrap_or(0)
     }
 
-    /// The pose of a training frame; none if there is no such frame.
+    /// Returns the pose of a training frame, or `None` if there is no such frame.
     pub fn recorded(&self, frame: usize) -> Option<Vec<f32>> {
         let pose = || self.synthesis.pose_of(&self.model.recorded_row(frame));
         (frame < self.model.rows.len()).then(|| floats_of([pose()].iter()))
     }
 
-    /// Mean angle between the joints of the training poses and of those that their styles give in a mode, degrees.
+    /// Returns the mean joint angle between the training poses and those synthesised from their styles in a mode,
+    /// degrees.
     ///
     /// # Errors
-    /// If a number of the mode is out of its range.
+    /// If a number of the mode is out of range.
     pub fn error(&mut self, temperature: Option<f64>, blur: f64) -> Result<f64, EngineError> {
         Ok(self.synthesis.recorded_error(mode(temperature, blur)?))
     }
 
-    /// Support of each place by recorded styles, above the least that counts as supported, row after row from the greatest value of the
-    /// second axis; further axes are as in `values`.
+    /// Returns the support by recorded styles at each grid point, minus the least value that counts as supported. Rows
+    /// begin at the greatest value of the second axis; further axes are fixed at `values`.
     ///
     /// # Errors
-    /// If that are too many places.
+    /// If there are too many points.
     #[allow(clippy::too_many_arguments)]
     pub fn support(
         &self,

@@ -1,4 +1,4 @@
-//! Handle of an animation by keys.
+//! Handle of a key-styled animation.
 
 use crate::frame::{Frame, style};
 use crate::mode::{mode, numbers};
@@ -13,26 +13,26 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// Longest animation, seconds.
 const MOST_SECS: f64 = 600.0;
 
-/// Methods by their numbers.
+/// Methods by index.
 const METHODS: [Method; 3] = [Method::KeyStyle, Method::Hybrid, Method::KeyFrame];
 
-/// Keys of styles over time. The pose of a key, which hybrid and key-framing go through, is the recorded one whose style is
-/// nearest.
+/// Keys of styles over time. Hybrid and key-framing pass through the pose of a key, which is the recorded pose with the
+/// nearest style.
 #[wasm_bindgen]
 pub struct Styling {
     synthesis: Synthesis,
     mode: Mode,
     keyed: Option<KeyStyling>,
-    /// For each method the character, which its supporting feet move.
+    /// The character of each method, moved by its supporting feet.
     bodies: [DragCharacter; 3],
-    /// Time of the last pose of each method, seconds.
+    /// Time of each method's last pose, seconds.
     shown_secs: [f64; 3],
     frame: Frame,
 }
 
 #[wasm_bindgen]
 impl Styling {
-    /// Without keys.
+    /// Creates an animation without keys.
     #[wasm_bindgen(constructor)]
     pub fn new(model: &KeyStyleModel) -> Self {
         Self {
@@ -45,26 +45,26 @@ impl Styling {
         }
     }
 
-    /// As [`crate::DragCharacter::set_mode`]; acts with the next keys.
+    /// Sets the mode as [`crate::DragCharacter::set_mode`] does. It applies to the keys that are set next.
     ///
     /// # Errors
-    /// If a number is out of its range; nothing changes then.
+    /// If a number is out of range; nothing changes then.
     #[wasm_bindgen(js_name = setMode)]
     pub fn set_mode(&mut self, temperature: Option<f64>, blur: f64) -> Result<(), EngineError> {
         self.mode = mode(temperature, blur)?;
         Ok(())
     }
 
-    /// Temperature and blur of the mode that one begins with.
+    /// Returns temperature and blur of the default mode.
     #[wasm_bindgen(js_name = smoothMode)]
     pub fn smooth_mode() -> Vec<f64> {
         numbers(Mode::KEYED)
     }
 
-    /// Takes keys in the order of their times, one number an axis for each.
+    /// Sets the keys, in the order of their times, with one number per axis each.
     ///
     /// # Errors
-    /// If keys are invalid; the former keys then stay.
+    /// If keys are invalid; the former keys are then kept.
     #[wasm_bindgen(js_name = setKeys)]
     pub fn set_keys(&mut self, secs: &[f64], values: &[f64], monotone: bool) -> Result<(), EngineError> {
         let axes = self.synthesis.model().axis_count();
@@ -85,7 +85,8 @@ impl Styling {
         Ok(())
     }
 
-    /// Takes the pose at a time, which [`Styling::read`] gives: by key-styling (0), hybrid (1) or key-framing (2).
+    /// Sets the present pose, which [`Styling::read`] returns: at a time, by key-styling (0), hybrid (1) or key-framing
+    /// (2).
     pub fn at(&mut self, secs: f64, method: u8) {
         let Self { synthesis, keyed: Some(keyed), bodies, shown_secs, frame, .. } = self else { return };
         let row = keyed.row(synthesis, secs, METHODS[usize::from(method) % METHODS.len()]);
@@ -96,13 +97,13 @@ impl Styling {
         frame.show(body.pose(), synthesis.weights(), &body.measured(), &keyed.style(secs));
     }
 
-    /// Puts all bodies back above the origin, where they began.
+    /// Moves all characters back to their start above the origin.
     #[wasm_bindgen(js_name = goBack)]
     pub fn go_back(&mut self) {
         self.bodies.iter_mut().for_each(DragCharacter::go_back);
     }
 
-    /// Writes the numbers of the present frame into an array.
+    /// Writes the numbers of the present frame to an array.
     ///
     /// # Errors
     /// If the array has another length.
@@ -110,7 +111,7 @@ impl Styling {
         self.frame.write(into)
     }
 
-    /// The style at so many moments from 0 to a time, one number an axis.
+    /// Returns the style at `moments` times from 0 to `secs`, one number per axis.
     pub fn way(&self, secs: f64, moments: usize) -> Vec<f32> {
         let Some(keyed) = &self.keyed else { return Vec::new() };
         let axes = self.synthesis.model().axis_count();
@@ -118,19 +119,19 @@ impl Styling {
         (0..moments).flat_map(|i| keyed.style(at(i)).into_iter().take(axes).map(|v| v as f32)).collect()
     }
 
-    /// The poses from 0 to a time, where the feet carry the body.
+    /// Returns the poses from 0 to a time, moved by the supporting feet.
     ///
     /// # Errors
-    /// If that is longer than [`MOST_SECS`], or there is no key.
+    /// If the time is longer than [`MOST_SECS`], or there is no key.
     pub fn perform(&mut self, secs: f64, method: u8) -> Result<Vec<f32>, EngineError> {
         let poses = self.poses(secs, method)?;
         Ok(floats_of(poses.iter()))
     }
 
-    /// The text of a BVH file of the same.
+    /// Returns the same motion as the text of a BVH file.
     ///
     /// # Errors
-    /// As for [`Styling::perform`].
+    /// Those of [`Styling::perform`].
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&mut self, secs: f64, method: u8) -> Result<String, EngineError> {
         let poses = self.poses(secs, method)?;
@@ -148,7 +149,7 @@ impl Styling {
             return Err(EngineError::bad_input("there is no key"));
         };
         let mut body = DragCharacter::new(Arc::clone(synthesis.model()));
-        // A last frame at the very end belongs to the motion, whatever rounding does.
+        // A frame exactly at the end is part of the motion, regardless of rounding.
         let frames = (secs * f64::from(RATE_HZ) + 1e-6).floor() as usize + 1;
         let mut pose = |frame: usize| {
             let secs = frame as f64 / f64::from(RATE_HZ);

@@ -1,7 +1,7 @@
-//! Live streams for JavaScript; no algorithm. A package of its own: visitors load it when somebody performs. The styling is the
-//! engine's, which has the database: here is what comes before and after it.
+//! JavaScript interface of live streams; no algorithms. A separate package, loaded when a live stream starts. The
+//! engine, which has the database, does the styling; this package does the steps before and after it.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 mod sender;
 mod stream;

@@ -1,4 +1,4 @@
-//! What a sender's numbers mean: its skeleton, and from that to poses.
+//! The format of a sender's numbers, and their conversion to poses.
 
 use strut_core::humanoid::{POSE_FLOATS, Pose, Proportions};
 use strut_core::math::{Quat, Vec3};
@@ -9,52 +9,52 @@ use strut_core::stream::{LANDMARKS, Landmark, LandmarkFit};
 use strut_formats::bvh::{self, Bvh, MAX_ABS_VALUE};
 use strut_wasm_common::EngineError;
 
-/// Least and greatest |q|² of a rotation that was sent.
+/// Range of |q|² of a rotation that is accepted.
 const SQUARES: std::ops::RangeInclusive<f32> = 0.25..=4.0;
-/// Numbers of a landmark: x, y, z and visibility.
+/// Numbers per landmark: x, y, z and visibility.
 const LANDMARK_FLOATS: usize = 4;
 
-/// How a sender's frames become poses on the body of a database.
+/// Conversion of a sender's frames to poses on the body of a database.
 pub(crate) enum Sender {
-    /// They are such poses.
+    /// Poses on that body.
     Poses,
-    /// The place of joint 0 and the local rotation of every joint.
+    /// The position of joint 0 and the local rotation of every joint.
     Joints(Box<Rig>),
     /// Channels of a BVH file.
     Channels(Box<Channels>),
-    /// Landmarks of a camera.
+    /// Landmarks of a camera image.
     Landmarks(Box<Camera>),
 }
 
-/// A skeleton that was bound, and its transforms in a frame.
+/// A bound skeleton, and its transforms in a frame.
 pub(crate) struct Rig {
     retarget: ToHumanoid,
     translations: Vec<Vec3>,
     rotations: Vec<Quat>,
 }
 
-/// The joints of a BVH file, which are bound with their first frame.
+/// The joints of a BVH file, which are bound with the first frame.
 pub(crate) struct Channels {
     file: Bvh,
     row: Vec<f64>,
     rig: Option<Rig>,
 }
 
-/// A camera that sees a body.
+/// Pose estimation from a camera.
 pub(crate) struct Camera {
     fit: LandmarkFit,
-    /// Whether its picture is mirrored.
+    /// Whether the image is mirrored.
     mirrored: bool,
     sent_secs: Option<f64>,
 }
 
-/// The binding of a sender's skeleton. One frame does not show where the floor is: a `LiveFloor` finds it.
+/// Binds a sender's skeleton. One frame does not show the height of the floor: a `LiveFloor` finds it.
 fn bind(frame: &Motion) -> Result<Binding, BindError> {
     Binding::read(frame, &ReadAs { floor_metres: Some(0.0), ..ReadAs::default() })
 }
 
 impl Sender {
-    /// Of a skeleton: without a unit the size of the body tells it.
+    /// Creates the sender of a skeleton. Without a unit, the unit follows from the size of the body.
     pub(crate) fn of_joints(
         names: Vec<String>,
         parents: &[i32],
@@ -94,18 +94,18 @@ impl Sender {
         Ok(Self::Joints(Box::new(Rig { retarget: ToHumanoid::new(&binding, body), translations, rotations })))
     }
 
-    /// Of what stands before the frames of a BVH file.
+    /// Creates the sender of a BVH file from its header.
     pub(crate) fn of_bvh(header: &str) -> Result<Self, EngineError> {
         let file = bvh::parse_hierarchy(header.as_bytes()).map_err(|e| EngineError::bad_file(e, ""))?;
         Ok(Self::Channels(Box::new(Channels { row: vec![0.0; file.channels()], file, rig: None })))
     }
 
-    /// Of a camera.
+    /// Creates the sender of a camera.
     pub(crate) fn of_camera(mirrored: bool, body: &Proportions) -> Self {
         Self::Landmarks(Box::new(Camera { fit: LandmarkFit::new(body), mirrored, sent_secs: None }))
     }
 
-    /// Numbers of a frame.
+    /// Returns the number of floats per frame.
     pub(crate) fn floats(&self) -> usize {
         match self {
             Self::Poses => POSE_FLOATS,
@@ -115,8 +115,8 @@ impl Sender {
         }
     }
 
-    /// Whether a skeleton moved over the ground in the last frame: hips that are sent as zero are a body without a root. `None`
-    /// where poses stand on the ground already.
+    /// Returns whether the skeleton's root moved in the last frame: a body without root motion sends its hips as zero.
+    /// `None` for poses, which already stand on the ground.
     pub(crate) fn has_root(&self) -> Option<bool> {
         let rig = match self {
             Self::Joints(rig) => Some(&**rig),
@@ -126,10 +126,10 @@ impl Sender {
         rig.map(|rig| rig.translations.first() != Some(&Vec3::ZERO))
     }
 
-    /// The pose of a frame; `None` where its numbers cannot be one.
+    /// Returns the pose of a frame, or `None` if its numbers are invalid.
     ///
     /// # Errors
-    /// If the skeleton is no body's, which only the first frame of a BVH file may show.
+    /// If the skeleton is not a body, which may appear only with the first frame of a BVH file.
     pub(crate) fn pose(
         &mut self,
         sent_secs: f64,
@@ -141,7 +141,7 @@ impl Sender {
             return Ok(None);
         }
         if let Self::Landmarks(camera) = self {
-            // A point that is hidden need not have numbers.
+            // A hidden landmark need not have finite numbers.
             return Ok(Some(camera.pose(sent_secs, numbers)));
         }
         if !numbers.iter().all(is_number) {
@@ -156,14 +156,14 @@ impl Sender {
     }
 }
 
-/// A pose of numbers; `None` where a rotation is none.
+/// Reads a pose from numbers. Returns `None` if a rotation is invalid.
 pub(crate) fn pose_of(numbers: &[f32; POSE_FLOATS]) -> Option<Pose> {
     let rotations = numbers[3..].as_chunks::<4>().0;
     let are_rotations = rotations.iter().all(|q| unit(Quat::from_array(*q)).is_some());
     are_rotations.then(|| Pose::read_from(numbers))
 }
 
-/// The rotation of a quaternion that is about as long as it should be.
+/// Normalises a quaternion whose length is in the accepted range.
 fn unit(q: Quat) -> Option<Quat> {
     let square: f32 = q.to_array().iter().map(|x| x * x).sum();
     SQUARES.contains(&square).then(|| q.normalized())
@@ -198,7 +198,7 @@ impl Channels {
 }
 
 impl Rig {
-    /// Of a BVH file, of which one frame is known.
+    /// Binds a BVH file with its first frame.
     fn of_first_frame(file: &Bvh, row: &[f64], body: &Proportions) -> Result<Self, EngineError> {
         let motion = Bvh { values: row.to_vec(), ..file.clone() }.to_motion();
         let motion = motion.map_err(|e| EngineError::bad_file(e, ""))?;
@@ -219,7 +219,7 @@ impl Camera {
         }
         let before = self.sent_secs.replace(sent_secs).unwrap_or(sent_secs);
         let pose = self.fit.next(&landmarks, (sent_secs - before) as f32);
-        // Who is seen in a mirror has left and right exchanged.
+        // A mirrored image has left and right swapped.
         if self.mirrored { pose.mirrored() } else { pose }
     }
 }

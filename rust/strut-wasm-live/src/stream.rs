@@ -1,4 +1,4 @@
-//! Handle of a stream.
+//! Handle of a live stream.
 
 use crate::sender::{Sender, pose_of};
 use js_sys::Float32Array;
@@ -7,8 +7,9 @@ use strut_core::stream::{Arrival, Delay, JitterBuffer, LiveFigure, LiveFloor, Pl
 use strut_wasm_common::{EngineError, proportions_of, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A performer's frames as they arrive, and the figure that is shown of them. For every frame of the database's rate
-/// [`Stream::advance`]; what it gives is styled by the engine, and then [`Stream::show`] says what is seen. Times are seconds.
+/// A performer's frames as they arrive, and the figure that is displayed. For each frame at the database's rate call
+/// [`Stream::advance`]; the engine styles its pose, and [`Stream::show`] then sets the displayed pose. Times are
+/// seconds.
 #[wasm_bindgen]
 pub struct Stream {
     body: Proportions,
@@ -23,8 +24,9 @@ pub struct Stream {
 
 #[wasm_bindgen]
 impl Stream {
-    /// A stream of poses on the body of a database (21 × xyz, metres), shown at its rate; `delay_secs` is how long frames wait,
-    /// or none, where jitter decides. Whether the figure is drawn to the performer's place.
+    /// Creates a stream of poses on the body of a database (21 × xyz, metres), displayed at its rate. `delay_secs` is
+    /// the delay of frames; without it the delay follows the jitter. `follows` sets whether the figure is pulled to the
+    /// performer's position.
     ///
     /// # Errors
     /// If the offsets are not 63 numbers.
@@ -44,19 +46,20 @@ impl Stream {
         })
     }
 
-    /// The sender's frames are poses on the body of the database: 87 numbers.
+    /// Sets the format of frames to poses on the body of the database: 87 numbers.
     #[wasm_bindgen(js_name = takePoses)]
     pub fn take_poses(&mut self) {
         self.sender = Sender::Poses;
     }
 
-    /// The sender's frames are of a skeleton: the place of joint 0, then the local rotation xyzw of every joint.
+    /// Sets the format of frames to a skeleton: the position of joint 0, then the local rotation xyzw of every joint.
     ///
-    /// `parents`: index of each joint's parent, which comes before it; −1 for joint 0. `offsets`: from the parent, xyz, in the
-    /// pose in which all rotations are the identity. Without `metres_per_unit` the size of the body tells it.
+    /// `parents`: index of each joint's parent, which precedes it; −1 for joint 0. `offsets`: from the parent, xyz, in
+    /// the pose in which all rotations are the identity. Without `metres_per_unit` the unit follows from the size of
+    /// the body.
     ///
     /// # Errors
-    /// If the numbers are no skeleton, or the skeleton no body's; the former skeleton then stays.
+    /// If the numbers are no valid skeleton, or the skeleton is not a body; the former skeleton is then kept.
     #[wasm_bindgen(js_name = takeJoints)]
     pub fn take_joints(
         &mut self,
@@ -70,10 +73,10 @@ impl Stream {
         Ok(())
     }
 
-    /// The sender's frames are channels of a BVH file, of which this is what stands before its frames.
+    /// Sets the format of frames to the channels of a BVH file with this header.
     ///
     /// # Errors
-    /// If it is no BVH file; the former skeleton then stays.
+    /// If it is no BVH header; the former skeleton is then kept.
     #[wasm_bindgen(js_name = takeBvh)]
     pub fn take_bvh(&mut self, header: &str) -> Result<(), EngineError> {
         self.sender = Sender::of_bvh(header)?;
@@ -81,23 +84,23 @@ impl Stream {
         Ok(())
     }
 
-    /// The sender's frames are landmarks of a camera's picture, 33 × (x, y, z, visibility); whether the picture is mirrored.
+    /// Sets the format of frames to landmarks of a camera image, 33 × (x, y, z, visibility), mirrored or not.
     #[wasm_bindgen(js_name = takeLandmarks)]
     pub fn take_landmarks(&mut self, mirrored: bool) {
         self.sender = Sender::of_camera(mirrored, &self.body);
     }
 
-    /// Numbers of a frame.
+    /// Returns the number of floats per frame.
     #[wasm_bindgen(js_name = frameFloats)]
     pub fn frame_floats(&self) -> usize {
         self.sender.floats()
     }
 
-    /// Takes a frame that was sent at a time, on any clock, and arrived at another; whether it is used. What is no pose is
-    /// counted and has no effect.
+    /// Adds a frame with its sending time, on any clock, and its arrival time. Returns whether it is used. Invalid
+    /// poses are counted and have no effect.
     ///
     /// # Errors
-    /// If the first frame of a BVH file shows that it is no body's.
+    /// If the first frame of a BVH file shows that the skeleton is not a body.
     pub fn push(&mut self, sent_secs: f64, arrived_secs: f64, numbers: &[f32]) -> Result<bool, EngineError> {
         let Some(mut pose) = self.sender.pose(sent_secs, numbers, &self.body)? else {
             self.refused += 1;
@@ -109,8 +112,8 @@ impl Stream {
         Ok(self.buffer.push(sent_secs, arrived_secs, &pose) != Arrival::Dropped)
     }
 
-    /// Goes on to a time, one frame of the database's rate after the last. What is shown then: 0 nothing yet, 1 what was sent,
-    /// 2 what goes on from it for a moment, 3 the last frame, which stands, 4 nothing: the performer is lost.
+    /// Advances to a time, one frame at the database's rate after the last. Returns the source of the performer's pose:
+    /// 0 none yet, 1 interpolated frames, 2 short extrapolation, 3 the last frame, held, 4 none: the performer is lost.
     pub fn advance(&mut self, now_secs: f64) -> u8 {
         self.played = self.buffer.at(now_secs);
         self.played.map_or(0, |played| match played.play {
@@ -121,12 +124,12 @@ impl Stream {
         })
     }
 
-    /// Whether what is shown is not continuous with what was shown before: the engine's stream is then to be reset.
+    /// Returns whether the present frame does not continue the one before. The engine's stream must then be reset.
     pub fn begins(&self) -> bool {
         self.played.is_some_and(|played| played.begins)
     }
 
-    /// When what is shown could have been shown at the earliest; not a number where nothing is.
+    /// Returns the earliest time at which the present frame could have been displayed; NaN without a frame.
     #[wasm_bindgen(js_name = dueSecs)]
     pub fn due_secs(&self) -> f64 {
         self.played.map_or(f64::NAN, |played| played.due_secs)
@@ -142,17 +145,17 @@ impl Stream {
         write_floats(&floats, into)
     }
 
-    /// Whether planted feet are held in place from the next frame on.
+    /// Sets whether planted feet are held in place from the next frame on.
     #[wasm_bindgen(js_name = holdFeet)]
     pub fn hold_feet(&mut self, holds: bool) {
         self.figure.hold_feet(holds);
     }
 
-    /// What is seen of a frame: its styled pose, which feet of it are planted, and the performer's pose, in the order in which
-    /// they were played; `begins` as [`Stream::begins`] was.
+    /// Computes the displayed pose from a styled pose, its foot contacts and the performer's pose. Call it in the order
+    /// of the frames; `begins` is the value of [`Stream::begins`] of that frame.
     ///
     /// # Errors
-    /// If these are no poses.
+    /// If the arrays are not valid poses.
     pub fn show(
         &mut self,
         styled: &[f32],
@@ -170,7 +173,7 @@ impl Stream {
         Ok(())
     }
 
-    /// Writes the pose that is seen.
+    /// Writes the displayed pose.
     ///
     /// # Errors
     /// If the array has another length than a pose.
@@ -180,13 +183,13 @@ impl Stream {
         write_floats(&floats, into)
     }
 
-    /// Which feet are held in place, left and right.
+    /// Returns which feet are held in place, left and right.
     pub fn planted(&self) -> Vec<u8> {
         self.figure.planted().map(u8::from).to_vec()
     }
 
-    /// How the stream goes: the delay and the time between frames, seconds; frames taken, late, dropped and missing; streams that
-    /// ended; frames that were no poses.
+    /// Returns statistics of the stream: delay and frame period, seconds; numbers of frames that were taken, late,
+    /// dropped and missing; number of losses; number of invalid frames.
     pub fn stats(&self) -> Vec<f64> {
         let stats = self.buffer.stats();
         let counts = [stats.taken, stats.late, stats.dropped, stats.missing, stats.losses, self.refused.into()];
@@ -208,7 +211,7 @@ mod tests {
         Stream::new(&body, RATE_HZ, Some(0.02), true).unwrap()
     }
 
-    /// A pose on the ground with the hips at a place and the left upper arm turned.
+    /// Returns a pose on the ground with the hips at x and the left upper arm turned.
     fn pose(x: f32) -> Pose {
         let mut pose = Pose { root: Vec3::new(x, Proportions::default().offsets[0].y, 0.0), ..Pose::default() };
         pose.rotations[6] = Quat::from_rotation_y(0.4);
@@ -221,7 +224,7 @@ mod tests {
         floats
     }
 
-    /// The performer's pose after frames of a tenth of a second.
+    /// Returns the performer's pose after frames of a tenth of a second.
     fn performed(stream: &mut Stream, frames: &[Vec<f32>]) -> Pose {
         for (i, frame) in frames.iter().enumerate() {
             let secs = i as f64 * 0.1;
@@ -270,7 +273,7 @@ mod tests {
         let turns = performed(&mut by_joints, &frames);
         for (name, found) in [("channels", channels), ("joints", turns)] {
             let expected = pose(1.0);
-            // How high the hips are above the soles is guessed from the ankles.
+            // The height of the hips above the soles is estimated from the ankles.
             assert!((found.root - expected.root).abs().max_element() < 0.02, "{name}: {found:?}");
             assert!((found.root.x - expected.root.x).abs() < 1e-3, "{name}: {found:?}");
             for j in 0..JOINTS {

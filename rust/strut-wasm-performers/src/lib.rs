@@ -1,6 +1,6 @@
-//! A crowd who perform one motion, for JavaScript; no algorithm. A package of its own, which a worker of its own loads.
+//! JavaScript interface of crowds that perform one motion; no algorithms. A separate package, loaded by its own worker.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 mod performers;
 

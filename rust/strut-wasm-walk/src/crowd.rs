@@ -10,7 +10,8 @@ use strut_wasm_common::{EngineError, bvh_of, proportions_of, write_floats};
 use strut_wasm_common::{frames_of_crowd, points_of_route, vertices_of_field};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A crowd of walkers by one model. For every frame of [`WalkModel::rate_hz`] [`Crowd::tick`], then [`Crowd::read`].
+/// A crowd of walkers with one model. For each frame at [`WalkModel::rate_hz`] call [`Crowd::tick`], then
+/// [`Crowd::read`].
 #[wasm_bindgen]
 pub struct Crowd {
     crowd: crowd::Crowd,
@@ -19,7 +20,7 @@ pub struct Crowd {
 
 #[wasm_bindgen]
 impl Crowd {
-    /// So many walkers, who are drawn by lot by a seed, in the average of all styles.
+    /// Creates `count` walkers in the average of all styles, randomised by a seed.
     ///
     /// # Errors
     /// If there are too few or too many.
@@ -30,13 +31,13 @@ impl Crowd {
         Ok(Self { crowd, proportions: model.model.proportions })
     }
 
-    /// Goes on by a frame.
+    /// Advances by one frame.
     pub fn tick(&mut self) {
         self.crowd.tick();
     }
 
-    /// Writes everybody's joints, 21 × (x y z 0, rotation x y z w) in the world, and how much of every style they walk in, a
-    /// byte a walker and style.
+    /// Writes the joints of all walkers, 21 × (x y z 0, rotation x y z w) in the world, and their style weights, one
+    /// byte per walker and style.
     ///
     /// # Errors
     /// If an array has another length.
@@ -48,12 +49,12 @@ impl Crowd {
         write_floats(self.crowd.world(), joints)
     }
 
-    /// Radius of the ground, metres.
+    /// Returns the radius of the ground, metres.
     pub fn radius(&self) -> f32 {
         self.crowd.radius()
     }
 
-    /// More walkers or fewer.
+    /// Sets the number of walkers.
     ///
     /// # Errors
     /// If there are too few or too many.
@@ -62,38 +63,39 @@ impl Crowd {
         self.crowd.set_count(count).map_err(EngineError::bad_input)
     }
 
-    /// Styles by place, from everybody's next step on: the number of a style, then x, z, reach (metres) and intensity for each.
+    /// Sets the style map, which applies from each walker's next step on: the index of each style, then x, z, radius
+    /// (metres) and intensity of each.
     ///
     /// # Errors
-    /// If there are too many vertices, or one is none; nothing changes then.
+    /// If there are too many vertices, or one is invalid; nothing changes then.
     #[wasm_bindgen(js_name = setField)]
     pub fn set_field(&mut self, styles: &[u32], numbers: &[f32]) -> Result<(), EngineError> {
         self.crowd.set_field(&vertices_of_field(styles, numbers)?).map_err(EngineError::bad_input)
     }
 
-    /// A way that everybody follows, x and z of its points; none sets them free.
+    /// Sets the route that all walkers follow, x and z of its points; an empty one removes it.
     ///
     /// # Errors
-    /// If there is one point, or too many, or one is none; nothing changes then.
+    /// If there is one point, or too many, or one is invalid; nothing changes then.
     #[wasm_bindgen(js_name = setRoute)]
     pub fn set_route(&mut self, numbers: &[f32]) -> Result<(), EngineError> {
         self.crowd.set_route(points_of_route(numbers)?).map_err(EngineError::bad_input)
     }
 
-    /// Bones that the joints lie on, 21 × xyz in metres, in place of the model's own.
+    /// Sets the bone offsets of the written joints, 21 × xyz in metres, in place of the model's.
     ///
     /// # Errors
-    /// If there are not 63 numbers, or one is none; nothing changes then.
+    /// If there are not 63 numbers, or one is invalid; nothing changes then.
     #[wasm_bindgen(js_name = setBones)]
     pub fn set_bones(&mut self, offsets: &[f32]) -> Result<(), EngineError> {
         let bones = proportions_of(offsets)?;
         self.crowd.set_bones(bones).map_err(EngineError::bad_input)
     }
 
-    /// The text of a BVH file of the next seconds of a walker, as if nobody else were there.
+    /// Returns the text of a BVH file with the next seconds of a walker, without collision avoidance.
     ///
     /// # Errors
-    /// If there is no such walker, or the time is none.
+    /// If the index is out of range or the time is not finite.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self, walker: usize, secs: f32) -> Result<String, EngineError> {
         let frames = frames_of_crowd(secs, RATE_HZ)?;

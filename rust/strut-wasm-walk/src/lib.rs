@@ -1,6 +1,6 @@
-//! Walk synthesis for JavaScript; no algorithm. A package of its own: visitors load it with the Walk view.
+//! JavaScript interface of walk synthesis; no algorithms. A separate package, loaded with the Walk view.
 //!
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 #[cfg(feature = "crowd")]
 mod crowd;

@@ -7,7 +7,7 @@ use strut_formats::walk_model;
 use strut_wasm_common::{EngineError, bvh_of, offsets_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A model of walk styles; shared with all walks that were made from it.
+/// A walk model, shared with all walks that are created from it.
 #[wasm_bindgen]
 pub struct WalkModel {
     pub(crate) model: hsmm::WalkModel,
@@ -16,46 +16,46 @@ pub struct WalkModel {
 
 #[wasm_bindgen]
 impl WalkModel {
-    /// The model in a `.strutwalk` file.
+    /// Reads the model in a `.strutwalk` file.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8]) -> Result<Self, EngineError> {
         let model = walk_model::read(bytes).map_err(EngineError::unusable_file)?;
         Ok(Self { runtime: Arc::new(RuntimeWalkModel::new(&model)), model })
     }
 
-    /// Names of the styles.
+    /// Returns the names of the styles.
     pub fn styles(&self) -> Vec<String> {
         self.model.styles.clone()
     }
 
-    /// Frames per second of walks.
+    /// Returns the frame rate of walks, frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f32 {
         RATE_HZ
     }
 
-    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    /// Returns the offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
         offsets_of(&self.model.proportions)
     }
 
-    /// Frames that the states of a left step (0) or a right one (1) last in a mixture of styles, one weight a style: five as
-    /// they are walked, then their variances.
+    /// Returns the state durations of a left step (0) or a right one (1) in a mixture of styles, one weight per style:
+    /// five durations, frames, then their variances.
     pub fn durations(&self, weights: &[f32], side: usize) -> Vec<f32> {
         let side = if side == 0 { Side::Left } else { Side::Right };
         let variances = self.model.duration_variances[side as usize].map(|v| v as f32);
         [self.runtime.durations(weights, side), variances].concat()
     }
 
-    /// A joint's angle through a left step and a right one, in a mixture of styles for either: the axis, then five numbers a
-    /// frame, the angle that is walked, the mean and the standard deviation of the frame's state in radians, its side and its
-    /// number.
+    /// Returns a joint's angle through a left and a right step, in a mixture of styles for either: the axis, then five
+    /// numbers per frame: the synthesised angle, the mean and the standard deviation of the frame's state, radians, its
+    /// side and its index.
     ///
     /// # Errors
-    /// If there is not one weight a style, or no such joint.
+    /// If there is not one weight per style, or no such joint.
     pub fn curve(&self, left: &[f32], right: &[f32], joint: usize) -> Result<Vec<f32>, EngineError> {
         let joint = role(joint)?;
         let curve =
@@ -63,13 +63,13 @@ impl WalkModel {
         Ok(std::iter::once(curve.axis as f32).chain(curve.points.iter().flat_map(numbers_of)).collect())
     }
 
-    /// The trajectory of a degree of freedom through a left step and a right one, in a mixture of styles for either: frames of
-    /// the ten states, then five numbers a frame as in [`WalkModel::curve`]. The axis is that of the joint's own frame; the
-    /// variances of poses, velocities and accelerations are multiplied by three factors, and durations give way by ρ of left
-    /// steps and of right ones.
+    /// Returns the trajectory of a degree of freedom through a left and a right step, in a mixture of styles for
+    /// either: the durations of the ten states, frames, then five numbers per frame as in [`WalkModel::curve`]. The
+    /// axis is in the joint's local frame. Three factors scale the variances of poses, velocities and accelerations; ρ
+    /// of left steps and of right ones adjusts the durations.
     ///
     /// # Errors
-    /// If there is not one weight a style, no such joint or axis, or a number is out of its range.
+    /// If there is not one weight per style, no such joint or axis, or a number is out of range.
     pub fn path(
         &self,
         left: &[f32],
@@ -90,10 +90,10 @@ impl WalkModel {
         Ok(durations.chain(path.points.iter().flat_map(numbers_of)).collect())
     }
 
-    /// The text of a BVH file of these poses, one after the other.
+    /// Returns the text of a BVH file with these poses.
     ///
     /// # Errors
-    /// If the array is not a whole number of poses, or holds none.
+    /// If the array is not a whole number of poses, or is empty.
     #[wasm_bindgen(js_name = toBvh)]
     pub fn to_bvh(&self, poses: &[f32]) -> Result<String, EngineError> {
         let poses = poses_of(poses)?.collect();

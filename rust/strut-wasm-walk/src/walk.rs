@@ -9,29 +9,29 @@ use strut_core::math::Vec3;
 use strut_wasm_common::{EngineError, write_floats};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Numbers of a frame: the pose, the step, how much of it is done, the state, which feet stand (left, right), and how many
-/// frames each of the step's states lasts.
+/// Number of floats of a frame: the pose, the step's number, its progress, the state, the foot contacts (left, right),
+/// and the duration of each of the step's states, frames.
 pub const FRAME: usize = POSE_FLOATS + 5 + STATES;
 
-/// Most frames that one call goes on by, as after a pause of the page.
+/// Greatest number of frames per call, after a pause of the page for example.
 const MOST_FRAMES: f64 = 8.0;
 
-/// A character that walks without end. For every frame of the screen [`Walk::advance`], then [`Walk::read`] the frame.
+/// A character that walks endlessly. For each displayed frame call [`Walk::advance`], then [`Walk::read`].
 #[wasm_bindgen]
 pub struct Walk {
     walker: Walker,
-    /// The frames of the walk between which the time lies, and its share of the way.
+    /// The two frames before and after the present time, and the interpolation factor between them.
     poses: [Pose; 2],
     share: f64,
     step: u64,
-    /// Frames of the step so far.
+    /// Number of frames of the present step so far.
     frames: u32,
     shown: Box<[f32; FRAME]>,
 }
 
 #[wasm_bindgen]
 impl Walk {
-    /// In the average of all styles, from the origin along +Z.
+    /// Creates a walk in the average of all styles, from the origin along +Z.
     #[wasm_bindgen(constructor)]
     pub fn new(model: &WalkModel) -> Self {
         let walker = Walker::new(Arc::clone(&model.runtime));
@@ -41,7 +41,7 @@ impl Walk {
         walk
     }
 
-    /// Begins anew at the origin, with the first frame; styles and controls stay.
+    /// Restarts at the origin with the first frame; styles and controls are kept.
     pub fn reset(&mut self) {
         self.walker.reset(Vec3::ZERO, 0.0);
         (self.share, self.step, self.frames) = (0.0, 0, 0);
@@ -50,62 +50,63 @@ impl Walk {
         self.show();
     }
 
-    /// Styles of the steps of the left foot and of the right from the next frame on, one weight a style; what they lack to a
-    /// sum of 1 is the average's. Transitions that were planned are forgotten.
+    /// Sets the styles of left and right steps from the next frame on, one weight per style. What the weights lack to a
+    /// sum of 1 is given to the average style. Planned transitions are discarded.
     ///
     /// # Errors
-    /// If a weight is none; the former weights then stay.
+    /// If a weight is not finite or out of range; the former weights are then kept.
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, left: &[f32], right: &[f32]) -> Result<(), EngineError> {
         self.walker.set_sides([left, right]).map_err(EngineError::bad_input)
     }
 
-    /// Changes styles from a step on, over so many steps in between.
+    /// Changes the styles from a step on, over a number of steps.
     ///
     /// # Errors
-    /// If a weight is none; nothing changes then.
+    /// If a weight is not finite or out of range; nothing changes then.
     #[wasm_bindgen(js_name = planTransition)]
     pub fn plan_transition(&mut self, step: u32, between: u32, left: &[f32], right: &[f32]) -> Result<(), EngineError> {
         self.walker.plan_transition(step.into(), between, [left, right]).map_err(EngineError::bad_input)
     }
 
-    /// Steps a minute; none leaves it to the style.
+    /// Sets the cadence, steps per minute; `None` uses the style's own.
     #[wasm_bindgen(js_name = setCadence)]
     pub fn set_cadence(&mut self, steps_per_minute: Option<f32>) {
         self.walker.set_cadence(steps_per_minute);
     }
 
-    /// Steps a minute, with steps that come to end on a beat that falls so many seconds after the present frame.
+    /// Sets the cadence, steps per minute, and adjusts steps until they end on the beat that occurs `secs` seconds
+    /// after the present frame.
     #[wasm_bindgen(js_name = setBeat)]
     pub fn set_beat(&mut self, steps_per_minute: f32, secs: f32) {
         self.walker.set_beat(steps_per_minute, secs);
     }
 
-    /// Seed of the sampled durations of states; without it they are the means.
+    /// Sets the seed of sampled state durations; without it they are the means.
     #[wasm_bindgen(js_name = setVariation)]
     pub fn set_variation(&mut self, seed: Option<u32>) {
         self.walker.set_variation(seed);
     }
 
-    /// Turn of a step, radians to the left.
+    /// Sets the turn per step, radians to the left.
     #[wasm_bindgen(js_name = setTurn)]
     pub fn set_turn(&mut self, turn: f32) {
         self.walker.set_turn(turn);
     }
 
-    /// Length of steps as a share of the style's.
+    /// Sets the step length relative to the style's.
     #[wasm_bindgen(js_name = setStride)]
     pub fn set_stride(&mut self, share: f32) {
         self.walker.set_stride(share);
     }
 
-    /// Whether to walk or to stand, from the next frame on; either takes two steps.
+    /// Sets whether to walk or to stand, from the next frame on; either change takes two steps.
     #[wasm_bindgen(js_name = setWalking)]
     pub fn set_walking(&mut self, walks: bool) {
         self.walker.set_walking(walks);
     }
 
-    /// Goes on by so many seconds.
+    /// Advances by a number of seconds.
     pub fn advance(&mut self, secs: f64) {
         let frames = secs * f64::from(RATE_HZ);
         self.share += if frames.is_finite() { frames.clamp(0.0, MOST_FRAMES) } else { 0.0 };
@@ -116,7 +117,7 @@ impl Walk {
         self.show();
     }
 
-    /// Goes on by exactly one frame of the walk.
+    /// Advances by exactly one frame of the walk.
     #[wasm_bindgen(js_name = nextFrame)]
     pub fn next_frame(&mut self) {
         self.take_frame();
@@ -124,7 +125,7 @@ impl Walk {
         self.show();
     }
 
-    /// Writes the [`FRAME`] numbers of the present frame into an array.
+    /// Writes the [`FRAME`] numbers of the present frame to an array.
     ///
     /// # Errors
     /// If the array has another length.
@@ -132,7 +133,7 @@ impl Walk {
         write_floats(&self.shown[..], into)
     }
 
-    /// Number of the first step whose style can still be changed.
+    /// Returns the number of the first step whose style can still be changed.
     #[wasm_bindgen(js_name = nextStep)]
     pub fn next_step(&self) -> u32 {
         self.walker.next_step() as u32

@@ -1,4 +1,4 @@
-//! Handle of the atlas: every distance between an input and a database as a picture.
+//! Handle of the atlas: a picture of all distances between an input and a database.
 
 use crate::database::Database;
 use crate::input::Input;
@@ -10,20 +10,20 @@ use strut_core::transfer::Model;
 use strut_wasm_common::{EngineError, floats_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The picture of an input in a database: columns are frames of the input, lines are windows of the database.
+/// The picture of an input in a database. Columns are frames of the input, lines are windows of the database.
 #[wasm_bindgen]
 pub struct Atlas {
     model: Arc<Model>,
     picture: search::Atlas,
-    /// The input's frames of the columns.
+    /// The input frame of each column.
     frames: Vec<usize>,
-    /// The input's poses of these.
+    /// The input's pose in each column.
     poses: Vec<Pose>,
 }
 
 #[wasm_bindgen]
 impl Atlas {
-    /// With so many columns at most: frames of the input at even distances.
+    /// Creates the picture with at most `columns` columns: input frames at even distances.
     #[wasm_bindgen(constructor)]
     pub fn new(database: &Database, input: &Input, columns: usize) -> Self {
         let model = Arc::clone(database.model());
@@ -43,18 +43,18 @@ impl Atlas {
         Self { picture: search::Atlas::new(model.index(), windows), model, frames, poses }
     }
 
-    /// The input's frame of each column.
+    /// Returns the input frame of each column.
     pub fn frames(&self) -> Vec<u32> {
         self.frames.iter().map(|&frame| frame as u32).collect()
     }
 
-    /// Number of the first window of each class, and of all windows.
+    /// Returns the index of the first window of each class, and the number of all windows.
     pub fn firsts(&self) -> Vec<u32> {
         self.picture.firsts().iter().map(|&first| first as u32).collect()
     }
 
-    /// Takes another view: a part of the body by its number, the first window and the one after the last, and lines. Gives the
-    /// first, the one after the last and the lines that are shown.
+    /// Sets the view: a part of the body by its index, the range of windows, and the number of lines. Returns the first
+    /// window, the end of the range and the number of lines that are shown.
     ///
     /// # Errors
     /// If there is no such part.
@@ -67,7 +67,7 @@ impl Atlas {
         Ok([first, last, height].map(|v| v as u32).into())
     }
 
-    /// Least D of each line in some columns, m², a column after the other.
+    /// Returns the least D of each line in some columns, m², column by column.
     ///
     /// # Errors
     /// If there is no such column.
@@ -81,7 +81,8 @@ impl Atlas {
         Ok(all)
     }
 
-    /// Of the nearest window of a line in a column: its number, its clip's, its last frame in that, and √D in metres.
+    /// Returns the nearest window of a line in a column: its index, its clip's index, its last frame in the clip, and
+    /// √D in metres.
     ///
     /// # Errors
     /// If there is no such column or line.
@@ -94,17 +95,18 @@ impl Atlas {
         Ok(vec![found.window as f64, clip as f64, frame as f64, f64::from(found.distance.sqrt())])
     }
 
-    /// Name of a clip.
+    /// Returns the name of a clip.
     ///
     /// # Errors
-    /// If there is none.
+    /// If there is no such clip.
     #[wasm_bindgen(js_name = clipName)]
     pub fn clip_name(&self, clip: usize) -> Result<String, EngineError> {
         let clip = self.model.catalogue().clips.get(clip);
         clip.map(|clip| clip.name.clone()).ok_or_else(|| EngineError::bad_input("there is no such clip"))
     }
 
-    /// The pose at a frame of a clip, turned and put as the metric has it nearest to a column of the input.
+    /// Returns the pose at a frame of a clip, with the turn and the shift that minimise its distance from a column of
+    /// the input.
     ///
     /// # Errors
     /// If there is no such column, or no window ends there.
@@ -121,31 +123,31 @@ impl Atlas {
         Ok(floats_of([db.chart.decode(&stored, at)].iter()))
     }
 
-    /// The database's rows for a graphics processor, by the joints of the view.
+    /// Returns the database's rows for the GPU, with the joints of the view.
     #[wasm_bindgen(js_name = packedRows)]
     pub fn packed_rows(&mut self) -> Vec<f32> {
         self.picture.packed(self.model.index()).rows.as_flattened().to_vec()
     }
 
-    /// The windows of these, in whole tiles.
+    /// Returns the windows of these rows, in whole tiles.
     #[wasm_bindgen(js_name = packedWindows)]
     pub fn packed_windows(&mut self) -> Vec<u32> {
         self.picture.packed(self.model.index()).windows.iter().flat_map(PackedWindow::words).collect()
     }
 
-    /// Line of each of these windows; the largest number for none.
+    /// Returns the line of each of these windows; the largest number for none.
     #[wasm_bindgen(js_name = packedLines)]
     pub fn packed_lines(&self) -> Vec<u32> {
         self.picture.packed_lines()
     }
 
-    /// The columns' rows, by the joints of the view.
+    /// Returns the rows of the columns, with the joints of the view.
     #[wasm_bindgen(js_name = packedColumnRows)]
     pub fn packed_column_rows(&mut self) -> Vec<f32> {
         self.picture.packed_columns(self.model.index()).iter().flat_map(|query| query.rows).flatten().collect()
     }
 
-    /// The windows of these.
+    /// Returns the windows of these rows.
     #[wasm_bindgen(js_name = packedColumns)]
     pub fn packed_columns(&mut self) -> Vec<u32> {
         self.picture.packed_columns(self.model.index()).iter().flat_map(|query| query.window.words()).collect()

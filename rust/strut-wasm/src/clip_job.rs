@@ -1,4 +1,4 @@
-//! Handle of a clip that is styled as a whole.
+//! Handle of a job that styles a whole clip.
 
 use crate::input::Input;
 use crate::stylizer::{Stylizer, planted_of};
@@ -10,7 +10,7 @@ use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// An input on its way through the engine in portions.
+/// Styling of an input in portions.
 #[wasm_bindgen]
 pub struct ClipJob {
     poses: Vec<Pose>,
@@ -18,15 +18,15 @@ pub struct ClipJob {
     class_weights: Vec<f32>,
     examples: Examples,
     model: Arc<Model>,
-    /// Until all frames are styled.
+    /// The job until all frames are styled.
     job: Option<transfer::ClipJob>,
-    /// From then on.
+    /// The result from then on.
     styled: Option<StyledMotion>,
 }
 
 #[wasm_bindgen]
 impl ClipJob {
-    /// Begins the input with a stylizer's styles and options.
+    /// Starts the job with a stylizer's styles and options.
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
         let job = transfer::ClipJob::of_input(stylizer.core().clone(), input.clip());
@@ -41,10 +41,10 @@ impl ClipJob {
         }
     }
 
-    /// Changes the styles of the whole body from the next frame on; nothing happens once all frames are styled.
+    /// Changes the styles of the whole body from the next frame on. Has no effect once all frames are styled.
     ///
     /// # Errors
-    /// As [`Stylizer::set_styles`].
+    /// Those of [`Stylizer::set_styles`].
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
         match &mut self.job {
@@ -53,13 +53,13 @@ impl ClipJob {
         }
     }
 
-    /// Styles up to `frames` more frames and gives the number done; once that is all of the input's, the
-    /// result is there.
+    /// Styles up to `frames` more frames and returns the number done. The result is available once that is the number
+    /// of the input's frames.
     pub fn run(&mut self, frames: usize) -> usize {
         self.run_traced(frames, |_| ())
     }
 
-    /// Styled poses, one an input frame.
+    /// Returns the styled poses, one per input frame.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -67,25 +67,26 @@ impl ClipJob {
         Ok(floats_of(self.styled()?.frames.iter().map(|f| &f.pose)))
     }
 
-    /// Weight of each class of the database, frame after frame.
+    /// Returns the weight of each class of the database, frame by frame.
     #[wasm_bindgen(js_name = classWeights)]
     pub fn class_weights(&self) -> Vec<f32> {
         self.class_weights.clone()
     }
 
-    /// How many examples of the database each frame was predicted from so far.
+    /// Returns the number of examples of the database from which each frame so far was predicted.
     #[wasm_bindgen(js_name = exampleCounts)]
     pub fn example_counts(&self) -> Vec<u16> {
         self.examples.counts().iter().map(|&count| count as u16).collect()
     }
 
-    /// How much each example counted, 0 to 1, frame after frame.
+    /// Returns the weight of each example, 0 to 1, frame by frame.
     #[wasm_bindgen(js_name = exampleWeights)]
     pub fn example_weights(&self) -> Vec<f32> {
         self.examples.weights().collect()
     }
 
-    /// The rotation x y z w of a joint in every example, in the styles of its frame; the hips' without the heading.
+    /// Returns the rotation x y z w of a joint in every example, in the styles of its frame; the hips' without the
+    /// heading.
     ///
     /// # Errors
     /// If there is no such joint.
@@ -97,13 +98,13 @@ impl ClipJob {
         Ok(self.examples.targets(&self.model).flat_map(|row| chart.rotation(role, &row).to_array()).collect())
     }
 
-    /// The height of the hips in every example, metres.
+    /// Returns the height of the hips in every example, metres.
     #[wasm_bindgen(js_name = exampleHeights)]
     pub fn example_heights(&self) -> Vec<f32> {
         self.examples.targets(&self.model).map(|row| row[HIP_HEIGHT]).collect()
     }
 
-    /// Output time of each frame, seconds.
+    /// Returns the output time of each frame, seconds.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -112,7 +113,7 @@ impl ClipJob {
         Ok(self.styled()?.frames.iter().map(|f| f.time_out_secs as f32).collect())
     }
 
-    /// Feet held in place, left and right interleaved.
+    /// Returns the planted feet, left and right interleaved.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -120,7 +121,7 @@ impl ClipJob {
         Ok(planted_of(&self.styled()?.frames))
     }
 
-    /// Length of the output, seconds.
+    /// Returns the length of the output, seconds.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -129,7 +130,7 @@ impl ClipJob {
         Ok(self.styled()?.duration_secs())
     }
 
-    /// The styled clip as BVH text on the input's own skeleton.
+    /// Returns the styled clip as BVH text on the input's own skeleton.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -142,7 +143,7 @@ impl ClipJob {
 #[cfg(feature = "files")]
 #[wasm_bindgen]
 impl ClipJob {
-    /// What may be wrong with the styled clip, beside what there is to say of the input: codes and texts in turn.
+    /// Returns warnings about the styled clip, apart from those about the input: codes and texts, alternately.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -150,7 +151,7 @@ impl ClipJob {
         Ok(crate::input_file::texts_of(&self.styled()?.notes(self.model.catalogue().rate_hz)))
     }
 
-    /// Mean distance of the input's frames from the nearest ones of the database, metres.
+    /// Returns the mean distance of the input's frames from the nearest ones of the database, metres.
     ///
     /// # Errors
     /// If frames are still missing.
@@ -161,7 +162,7 @@ impl ClipJob {
 }
 
 impl ClipJob {
-    /// [`Self::run`] that shows what every frame was made of.
+    /// Does [`Self::run`] and passes the trace of every frame to `on_frame`.
     pub(crate) fn run_traced(&mut self, frames: usize, mut on_frame: impl FnMut(&Trace)) -> usize {
         let Some(job) = &mut self.job else { return self.poses.len() };
         for pose in self.poses.iter().skip(job.frames().len()).take(frames) {

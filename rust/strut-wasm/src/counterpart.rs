@@ -1,4 +1,4 @@
-//! A built-in input as another style performs it.
+//! A built-in input in another style's performance.
 
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -9,23 +9,23 @@ pub struct Counterpart(strut_demo::Counterpart);
 
 #[wasm_bindgen]
 impl Counterpart {
-    /// Of a built-in input in a style, by their names; `undefined` if there is none.
+    /// Finds the counterpart of a built-in input in a style, by name; `undefined` if there is none.
     pub fn of(input: &str, style: &str) -> Option<Self> {
         strut_demo::counterpart(input, style).map(Self)
     }
 
-    /// Poses, one an input frame.
+    /// Returns the poses, one per input frame.
     pub fn poses(&self) -> Vec<f32> {
         floats_of(self.0.poses.iter())
     }
 
-    /// Seconds after which the style has performed the content of each input frame.
+    /// Returns the time at which the style reaches the content of each input frame, seconds.
     #[wasm_bindgen(js_name = timeOut)]
     pub fn time_out(&self) -> Vec<f32> {
         self.0.time_secs.clone()
     }
 
-    /// Planted feet, left and right interleaved.
+    /// Returns the planted feet, left and right interleaved.
     pub fn planted(&self) -> Vec<u8> {
         self.0.planted.iter().flat_map(|feet| feet.map(u8::from)).collect()
     }

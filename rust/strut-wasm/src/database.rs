@@ -6,7 +6,7 @@ use strut_core::transfer::Model;
 use strut_wasm_common::{EngineError, offsets_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A database with its search index; shared with all that was made from it.
+/// A database with its search index, shared with all objects that are created from it.
 #[wasm_bindgen]
 pub struct Database {
     model: Arc<Model>,
@@ -14,47 +14,47 @@ pub struct Database {
 
 #[wasm_bindgen]
 impl Database {
-    /// The database of packed motions.
+    /// Reads the database of packed motions.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(motions: &PackedMotions) -> Result<Self, EngineError> {
         motions.database().map(Self::new)
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn frames(&self) -> usize {
         self.model.catalogue().frames()
     }
 
-    /// Frames per second.
+    /// Returns the frame rate, frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f32 {
         self.model.catalogue().rate_hz
     }
 
-    /// Names of the actions.
+    /// Returns the names of the actions.
     pub fn actions(&self) -> Vec<String> {
         self.model.catalogue().actions.clone()
     }
 
-    /// Names of the styles.
+    /// Returns the names of the styles.
     pub fn styles(&self) -> Vec<String> {
         self.model.catalogue().styles.clone()
     }
 
-    /// Index of the neutral style.
+    /// Returns the index of the neutral style.
     pub fn neutral(&self) -> u16 {
         self.model.catalogue().neutral
     }
 
-    /// Offset of each joint from its parent in the T-pose, metres: 21 × xyz.
+    /// Returns the offset of each joint from its parent in the T-pose, metres: 21 × xyz.
     pub fn proportions(&self) -> Vec<f32> {
         offsets_of(&self.model.catalogue().proportions)
     }
 
-    /// For each class the index of its action, the index of its style and its number of rows.
+    /// Returns for each class the index of its action, the index of its style and its number of rows.
     pub fn classes(&self) -> Vec<u32> {
         let classes = self.model.catalogue().classes();
         classes.iter().flat_map(|c| [c.action.into(), c.style.into(), c.rows.len() as u32]).collect()

@@ -8,28 +8,28 @@ use strut_formats::strutdb::{self, StrutdbError};
 use strut_wasm_common::{Bytes, EngineError, SlicedFile, Slices};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Memory that a database and its targets may take, of the 4 GiB that a package can address: the rest is for motions, their
-/// results, and what lies between.
+/// Memory limit of a database and its targets, of the 4 GiB address space of a package. The rest is for motions and
+/// results.
 const MOST_BYTES: u64 = 3_000_000_000;
 
 #[wasm_bindgen]
 impl Database {
-    /// A `.strutdb` file. Its search index is made here if the file has none.
+    /// Reads a `.strutdb` file. Builds the search index if the file has none.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = fromBytes)]
     pub fn from_bytes(bytes: Uint8Array) -> Result<Self, EngineError> {
         read(&Bytes(bytes))
     }
 
-    /// The same of a file of so many bytes that is read in slices: it need not be in memory as a whole.
+    /// Reads a `.strutdb` file of `bytes` bytes in slices, so that it need not be in memory as a whole.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, or if some cannot be read.
+    /// If the bytes are invalid, or some cannot be read.
     #[wasm_bindgen(js_name = fromSlices)]
     pub fn from_slices(file: SlicedFile, bytes: f64) -> Result<Self, EngineError> {
-        // The cast saturates: a file of more bytes than can be counted is refused for its length.
+        // The cast saturates; a file of that size is refused for its length.
         let slices = Slices::new(file, bytes as usize);
         let database = read(&slices);
         if slices.failed() {

@@ -23,7 +23,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Clone)]
 pub struct Input {
     clip: ClipInput,
-    /// What may be wrong.
+    /// Warnings.
     #[cfg(feature = "files")]
     notes: Vec<Note>,
     #[cfg(feature = "files")]
@@ -32,10 +32,10 @@ pub struct Input {
 
 #[wasm_bindgen]
 impl Input {
-    /// An input among packed motions.
+    /// Reads an input of packed motions.
     ///
     /// # Errors
-    /// If there is none of this name, or with what is wrong with the bytes; without the feature `files` also on a database of
+    /// If there is no input with this name, or the bytes are invalid; without the feature `files` also for a database of
     /// another body.
     #[wasm_bindgen(js_name = fromPacked)]
     pub fn from_packed(database: &Database, motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
@@ -48,17 +48,17 @@ impl Input {
         }
     }
 
-    /// Number of frames.
+    /// Returns the number of frames.
     pub fn frames(&self) -> usize {
         self.clip.motion.poses.len()
     }
 
-    /// The poses.
+    /// Returns the poses.
     pub fn poses(&self) -> Vec<f32> {
         floats_of(self.clip.motion.poses.iter())
     }
 
-    /// Foot contacts of the input, left and right interleaved, 1 while planted.
+    /// Returns the foot contacts of the input, left and right interleaved, 1 while planted.
     pub fn contacts(&self) -> Vec<u8> {
         contact::label(&self.clip.motion).into_iter().flat_map(|c| c.map(u8::from)).collect()
     }
@@ -67,26 +67,27 @@ impl Input {
 #[cfg(feature = "files")]
 #[wasm_bindgen]
 impl Input {
-    /// A BVH file; `said` gives what a person says of a skeleton by its identity: lines of `strut_formats::reading`.
+    /// Reads a BVH file. `said` returns explicit reading options for a skeleton's identity: lines of
+    /// `strut_formats::reading`.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, or with what was said.
+    /// If the bytes or the options are invalid.
     #[wasm_bindgen(js_name = fromBvh)]
     pub fn from_bvh(database: &Database, bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         Self::from_file(database, InputFile::read_as(bytes, said)?)
     }
 
-    /// Sentences on the match of the skeletons; empty if there are none.
+    /// Returns sentences on the joint mapping; empty if there are none.
     pub fn note(&self) -> String {
         self.file.as_ref().map(InputFile::note).unwrap_or_default()
     }
 
-    /// What may be wrong: codes and sentences, one after the other.
+    /// Returns warnings: codes and sentences, alternately.
     pub fn notes(&self) -> Vec<String> {
         texts_of(&self.notes)
     }
 
-    /// How its file was read; `undefined` if it came from none.
+    /// Returns how the file was read; `undefined` without a file.
     pub fn read(&self) -> Option<FileRead> {
         self.file.as_ref().map(InputFile::read)
     }
@@ -110,8 +111,8 @@ impl Input {
         &self.clip.motion
     }
 
-    /// This input in a style as a BVH file: on the input's own skeleton and at its own rate, or as a
-    /// humanoid of the database's if it came from no file.
+    /// Returns this input in a style as a BVH file: on the input's own skeleton and at its own rate, or on the
+    /// database's humanoid if there is no file.
     ///
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.
@@ -125,7 +126,7 @@ impl Input {
 }
 
 impl Input {
-    /// A motion that came from no file.
+    /// Creates an input from a motion without a file.
     fn of_motion(humanoid: HumanoidMotion) -> Self {
         Self {
             clip: ClipInput::whole(humanoid),
@@ -136,7 +137,7 @@ impl Input {
         }
     }
 
-    /// A motion that came from no file, on the body of a database.
+    /// Creates an input from a motion without a file, on the body of a database.
     ///
     /// # Errors
     /// If it is too long at the database's rate.
@@ -150,7 +151,7 @@ impl Input {
         Err(EngineError::bad_input("this package does not carry motions over to another body"))
     }
 
-    /// Poses that came from no file.
+    /// Creates an input from poses without a file.
     #[cfg(any(feature = "bench", feature = "drive", feature = "learn"))]
     pub(crate) fn of_poses(
         proportions: strut_core::humanoid::Proportions,

@@ -24,24 +24,25 @@ pub struct FileRead {
 
 #[wasm_bindgen]
 impl FileRead {
-    /// Frames, frames a second, the number of the up axis among `UpAxis::ALL`, 1 for a mirror image, the height of the floor,
-    /// metres per unit, the height of the body, the confidence in the roles, then the joint of each role, −1 where there is none.
+    /// Returns the number of frames, the frame rate, the index of the up axis in `UpAxis::ALL`, 1 for a mirror image,
+    /// the height of the floor, metres per unit, the height of the body, the confidence of the joint mapping, then the
+    /// joint of each role, −1 for none.
     pub fn numbers(&self) -> Vec<f64> {
         self.numbers.clone()
     }
 
-    /// Names of the joints.
+    /// Returns the names of the joints.
     pub fn joints(&self) -> Vec<String> {
         self.joints.clone()
     }
 
-    /// Identity of the skeleton.
+    /// Returns the identity of the skeleton.
     pub fn skeleton(&self) -> String {
         self.skeleton.clone()
     }
 }
 
-/// Notes as their codes and sentences, one after the other.
+/// Returns notes as codes and sentences, alternately.
 pub(crate) fn texts_of(notes: &[Note]) -> Vec<String> {
     notes.iter().flat_map(|note| [note.code.name().to_owned(), note.text.to_string()]).collect()
 }
@@ -52,15 +53,15 @@ pub(crate) struct InputFile {
     bvh: Bvh,
     motion: Motion,
     binding: Binding,
-    /// What may be wrong with how it was read.
+    /// Warnings about the reading.
     notes: Vec<Note>,
 }
 
 impl InputFile {
-    /// Reads a BVH file as a person says.
+    /// Reads a BVH file with explicit reading options.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, with what was said, or with the skeleton.
+    /// If the bytes, the options or the skeleton are invalid.
     pub(crate) fn read_as(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
         Self::of(bvh, notes, |skeleton| {
@@ -69,20 +70,20 @@ impl InputFile {
         })
     }
 
-    /// Reads a BVH file of which nothing is said.
+    /// Reads a BVH file without explicit options.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, or with the skeleton.
+    /// If the bytes or the skeleton are invalid.
     #[cfg(feature = "parity")]
     pub(crate) fn detect(bytes: &[u8]) -> Result<Self, EngineError> {
         let (bvh, notes) = bvh::parse_noted(bytes).map_err(unreadable)?;
         Self::of(bvh, notes, |_| Ok(Reading::default()))
     }
 
-    /// The file that a motion would be.
+    /// Creates the file that contains a motion.
     ///
     /// # Errors
-    /// If there is no pose, or a number is beyond all that files hold.
+    /// If there is no pose, or a number is out of the range of BVH files.
     pub(crate) fn of_motion(motion: &HumanoidMotion) -> Result<Self, EngineError> {
         Self::of(Bvh::from_humanoid(motion).map_err(unreadable)?, Vec::new(), |_| Ok(Reading::default()))
     }
@@ -99,32 +100,32 @@ impl InputFile {
         Ok(Self { bvh, motion, binding, notes })
     }
 
-    /// Its motion on a body, at its own rate.
+    /// Returns the motion on a body, at the file's rate.
     pub(crate) fn on_body(&self, proportions: &Proportions) -> HumanoidMotion {
         to_humanoid(&self.motion, &self.binding, proportions)
     }
 
-    /// Frames of the file.
+    /// Returns the number of frames of the file.
     pub(crate) fn frames(&self) -> usize {
         self.motion.frames()
     }
 
-    /// Frames per second of the file.
+    /// Returns the frame rate of the file, frames per second.
     pub(crate) fn rate_hz(&self) -> f64 {
         self.motion.frame_time_secs.recip()
     }
 
-    /// Notes on the match of the skeletons; empty if there are none.
+    /// Returns notes on the joint mapping; empty if there are none.
     pub(crate) fn note(&self) -> String {
         self.binding.notes.join(" ")
     }
 
-    /// What may be wrong with how it was read.
+    /// Returns warnings about the reading.
     pub(crate) fn doubts(&self) -> &[Note] {
         &self.notes
     }
 
-    /// How it was read.
+    /// Returns how the file was read.
     pub(crate) fn read(&self) -> FileRead {
         let Self { motion, binding, .. } = self;
         let up = UpAxis::ALL.iter().position(|(axis, _)| *axis == binding.up).unwrap_or_default();
@@ -146,7 +147,7 @@ impl InputFile {
         }
     }
 
-    /// A styled motion of `rate_hz` on its skeleton and at its own rate.
+    /// Returns a styled motion at `rate_hz` on the file's skeleton and at the file's rate.
     ///
     /// # Errors
     /// If the styled motion is not finite, which the engine prevents.

@@ -1,5 +1,5 @@
-//! The core behind handles and typed arrays, for JavaScript; no algorithm.
-//! Objects, arrays, errors and panics are as in [`strut_wasm_common`].
+//! JavaScript interface of the core: handles and typed arrays, no algorithms.
+//! For objects, arrays, errors and panics see [`strut_wasm_common`].
 
 #[cfg(feature = "atlas")]
 mod atlas;

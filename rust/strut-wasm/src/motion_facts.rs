@@ -1,4 +1,4 @@
-//! What a motion's file says, before it is carried over to a database.
+//! Facts about a motion's file, before it is retargeted to a database.
 
 use crate::input_file::{FileRead, InputFile, texts_of};
 use crate::packed_motions::PackedMotions;
@@ -6,7 +6,7 @@ use js_sys::Function;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Length and rate of a motion, and how its skeleton matches the humanoid.
+/// Length and frame rate of a motion, and its joint mapping.
 #[wasm_bindgen]
 pub struct MotionFacts {
     frames: usize,
@@ -16,48 +16,48 @@ pub struct MotionFacts {
 
 #[wasm_bindgen]
 impl MotionFacts {
-    /// Of a BVH file; see `Input::from_bvh`.
+    /// Reads a BVH file; see `Input::from_bvh`.
     ///
     /// # Errors
-    /// With what is wrong with the bytes, with what was said, or with the skeleton.
+    /// If the bytes, the options or the skeleton are invalid.
     #[wasm_bindgen(js_name = ofBvh)]
     pub fn of_bvh(bytes: &[u8], said: &Function) -> Result<Self, EngineError> {
         let file = InputFile::read_as(bytes, said)?;
         Ok(Self { frames: file.frames(), rate_hz: file.rate_hz(), file: Some(file) })
     }
 
-    /// Of an input among packed motions.
+    /// Reads an input of packed motions.
     ///
     /// # Errors
-    /// If there is none of this name, or with what is wrong with the bytes.
+    /// If there is no input with this name, or the bytes are invalid.
     #[wasm_bindgen(js_name = ofPacked)]
     pub fn of_packed(motions: &PackedMotions, name: &str) -> Result<Self, EngineError> {
         let motion = motions.input(name)?;
         Ok(Self { frames: motion.poses.len(), rate_hz: f64::from(motion.rate_hz), file: None })
     }
 
-    /// Frames of the file.
+    /// Returns the number of frames of the file.
     pub fn frames(&self) -> usize {
         self.frames
     }
 
-    /// Frames per second of the file.
+    /// Returns the frame rate of the file, frames per second.
     #[wasm_bindgen(js_name = rateHz)]
     pub fn rate_hz(&self) -> f64 {
         self.rate_hz
     }
 
-    /// Sentences on the match of the skeletons; empty if there are none.
+    /// Returns sentences on the joint mapping; empty if there are none.
     pub fn note(&self) -> String {
         self.file.as_ref().map(InputFile::note).unwrap_or_default()
     }
 
-    /// What may be wrong with how the file was read: codes and sentences, one after the other.
+    /// Returns warnings about the reading: codes and sentences, alternately.
     pub fn notes(&self) -> Vec<String> {
         texts_of(self.file.as_ref().map_or(&[], InputFile::doubts))
     }
 
-    /// How the file was read; `undefined` if there is none.
+    /// Returns how the file was read; `undefined` without a file.
     pub fn read(&self) -> Option<FileRead> {
         self.file.as_ref().map(InputFile::read)
     }

@@ -5,10 +5,11 @@ use strut_formats::strutdb::packed::{self, NamedMotion};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The built-in motions in the packed format, not yet deflated, as two sets: first walks in every style and one input, then
-/// all others, which are read after these. The build writes them to `web/engine/motions/`.
+/// Returns the built-in motions in the packed format, before compression, as two sets. The first has walks in every
+/// style and one input; the second has the others and requires the first. The build writes them to
+/// `web/engine/motions/`.
 ///
-/// With `short` the walks are only as long as a page needs to begin with.
+/// With `short` the walks are only as long as a page needs to start.
 ///
 /// # Errors
 /// None for the motions that are built in.
@@ -28,7 +29,8 @@ fn named(clips: Vec<strut_demo::NamedMotion>) -> Vec<NamedMotion> {
     clips.into_iter().map(|clip| NamedMotion { name: clip.name.into(), motion: clip.motion }).collect()
 }
 
-/// Neutral takes to drive with in the packed format, not yet deflated: standing, turns on the spot, halts, changes of gait.
+/// Returns neutral takes for driving in the packed format, before compression: standing, turns in place, stops, changes
+/// of gait.
 ///
 /// # Errors
 /// None for the motions that are built in.

@@ -1,4 +1,4 @@
-//! The neutral clips of a database, which another package drives with, and what was driven as an input.
+//! The neutral clips of a database for the driving package, and inputs from driven motion.
 
 use crate::database::Database;
 use crate::input::Input;
@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 impl Database {
-    /// Numbers of the clips in the neutral style.
+    /// Returns the indices of the clips in the neutral style.
     #[wasm_bindgen(js_name = neutralClips)]
     pub fn neutral_clips(&self) -> Vec<u32> {
         let catalogue = self.model().catalogue();
@@ -17,13 +17,13 @@ impl Database {
         numbers.filter(|(_, clip)| clip.style == catalogue.neutral).map(|(number, _)| number).collect()
     }
 
-    /// The name of a clip; empty if there is no such clip.
+    /// Returns the name of a clip; empty if there is no such clip.
     #[wasm_bindgen(js_name = clipName)]
     pub fn clip_name(&self, clip: usize) -> String {
         self.model().catalogue().clips.get(clip).map(|clip| clip.name.clone()).unwrap_or_default()
     }
 
-    /// The name of its action, likewise.
+    /// Returns the name of a clip's action; empty if there is no such clip.
     #[wasm_bindgen(js_name = clipAction)]
     pub fn clip_action(&self, clip: usize) -> String {
         let catalogue = self.model().catalogue();
@@ -31,17 +31,17 @@ impl Database {
         action.and_then(|action| catalogue.actions.get(action).cloned()).unwrap_or_default()
     }
 
-    /// The poses of a clip in the world, beginning above the origin towards +Z; none if there is no such clip.
+    /// Returns the world poses of a clip, which starts above the origin and faces +Z; empty if there is no such clip.
     #[wasm_bindgen(js_name = clipPoses)]
     pub fn clip_poses(&self, clip: usize) -> Vec<f32> {
         let catalogue = self.model().catalogue();
         if clip < catalogue.clips.len() { floats_of(catalogue.poses_of_clip(clip).iter()) } else { Vec::new() }
     }
 
-    /// The text of a BVH file of poses on this body and at this rate.
+    /// Returns the text of a BVH file with poses on this body and at this rate.
     ///
     /// # Errors
-    /// If the array is not a whole number of poses, or a number is beyond all that files hold.
+    /// If the array is not a whole number of poses, or a number is out of the range of BVH files.
     #[wasm_bindgen(js_name = bvhOfPoses)]
     pub fn bvh_of_poses(&self, poses: &[f32]) -> Result<String, EngineError> {
         let header = self.model().catalogue();
@@ -49,7 +49,7 @@ impl Database {
         bvh_of(&HumanoidMotion { proportions: header.proportions, rate_hz: header.rate_hz, poses })
     }
 
-    /// An input of poses on this body and at this rate, as they are.
+    /// Creates an input of poses on this body and at this rate, unchanged.
     ///
     /// # Errors
     /// If the array is not a whole number of poses.
@@ -59,7 +59,7 @@ impl Database {
         Ok(Input::of_poses(header.proportions, header.rate_hz, poses_of(poses)?.collect()))
     }
 
-    /// The feet that are planted in each of its frames, left and right interleaved.
+    /// Returns the planted feet in each of a clip's frames, left and right interleaved.
     #[wasm_bindgen(js_name = clipContacts)]
     pub fn clip_contacts(&self, clip: usize) -> Vec<u8> {
         let catalogue = self.model().catalogue();

@@ -6,7 +6,8 @@ use strut_formats::strutdb::{StrutdbError, packed};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A database and the inputs beside it in the packed format. Their bytes are in memory once, whatever is opened of them.
+/// A database and inputs in the packed format. Their bytes are in memory once, however many objects are opened from
+/// them.
 #[wasm_bindgen]
 pub struct PackedMotions {
     bytes: Vec<u8>,
@@ -14,16 +15,16 @@ pub struct PackedMotions {
 
 #[wasm_bindgen]
 impl PackedMotions {
-    /// Of the bytes of a file, which are checked when something of them is opened.
+    /// Creates the handle from the bytes of a file. They are checked when an object is opened.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: Vec<u8>) -> Self {
         Self { bytes }
     }
 
-    /// Names of the inputs, the default first.
+    /// Returns the names of the inputs, the default first.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     pub fn inputs(&self) -> Result<Vec<String>, EngineError> {
         packed::input_names(&self.bytes).map_err(unpackable)
     }
@@ -38,10 +39,10 @@ impl PackedMotions {
         packed::read_database(&self.bytes).map_err(unpackable)
     }
 
-    /// The input of this name.
+    /// Returns the input with this name.
     ///
     /// # Errors
-    /// If there is none of this name, or with what is wrong with the bytes.
+    /// If there is no input with this name, or the bytes are invalid.
     pub(crate) fn input(&self, name: &str) -> Result<HumanoidMotion, EngineError> {
         let motion = packed::read_input(&self.bytes, name).map_err(unpackable)?;
         motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))

@@ -1,7 +1,7 @@
-//! Evidence that the engine gives the same bits natively and in WebAssembly.
+//! Test that the engine computes the same bits natively and in WebAssembly.
 //!
-//! [`ParityReport`] runs the whole engine and hashes what every stage gives for every frame. The example
-//! `parity` prints it natively, `tests/parity` compares that with the module that browsers load.
+//! [`ParityReport`] runs the whole engine and hashes the output of every stage for every frame. The example `parity`
+//! prints it natively; `tests/parity` compares that with the module that browsers load.
 
 use crate::clip_job::ClipJob;
 use crate::database::Database;
@@ -30,24 +30,25 @@ use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Takes of the built-in walk that are registered anew, as if their correspondence were not known.
+/// Number of takes of the built-in walk that are registered again, without their known correspondence.
 const REGISTERED_TAKES: u32 = 2;
-/// Styles of the built-in walk that are registered anew.
+/// Styles of the built-in walk that are registered again.
 const REGISTERED_STYLES: [&str; 2] = ["neutral", "proud"];
 
-/// Frames of the walk that is compared.
+/// Number of frames of the compared walk.
 const WALK_FRAMES: usize = 600;
 
-/// Walkers of the crowd that is compared, and its ticks.
+/// Number of walkers of the compared crowd, and its ticks.
 const CROWD: usize = 50;
 const CROWD_TICKS: usize = 300;
 
-/// Frames of an input that a crowd performs, how many they are, and their ticks: each begins it anew.
+/// Number of frames of an input that a crowd performs, number of performers, and number of ticks, enough for every
+/// performer to loop.
 const PERFORMED_FRAMES: usize = 240;
 const PERFORMERS: usize = 12;
 const PERFORMED_TICKS: usize = 200;
 
-/// Frames of an input that are styled after one that was nudged: enough to show what follows from it.
+/// Number of frames that are styled after a nudged one, enough to show its effect.
 const FRAMES_AFTER_NUDGE: usize = 60;
 
 /// Runs every stage on the built-in motions and on files.
@@ -59,23 +60,23 @@ pub struct ParityReport {
 
 #[wasm_bindgen]
 impl ParityReport {
-    /// A report on the built-in motions.
+    /// Creates a report on the built-in motions.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a BVH file. Those named `SET_ACTION_STYLE_TAKE.bvh` also make up a database.
+    /// Adds a BVH file. Files named `SET_ACTION_STYLE_TAKE.bvh` also form a database.
     #[wasm_bindgen(js_name = addFile)]
     pub fn add_file(&mut self, name: &str, bytes: &[u8]) {
         self.files.push((name.into(), bytes.into()));
     }
 
-    /// One line a stage: its name, then a hash for each frame, separated by blanks.
+    /// Returns one line per stage: its name, then a hash per frame, separated by blanks.
     ///
-    /// With `nudged_frame` the input's root is one unit in the last place higher in that frame, after
-    /// retargeting: a report that does not change shows that the comparison is blind. Inputs end soon after that frame, and
-    /// nothing else is reported from the first input on.
+    /// With `nudged_frame` the input's root is one unit in the last place higher in that frame, after retargeting. If
+    /// the report does not change, the comparison does not detect differences. Inputs end soon after that frame, and
+    /// nothing else is reported after the first input.
     ///
     /// # Errors
     /// If a file cannot be read or nothing can be built from the files.
@@ -111,7 +112,7 @@ impl ParityReport {
     }
 }
 
-/// Every stage of styling one clip.
+/// Reports every stage of styling one clip.
 fn clip_stages(
     report: &mut String,
     name: &str,
@@ -158,7 +159,7 @@ fn clip_stages(
     Ok(())
 }
 
-/// A walk model of a database, one hash a style, and a walk by it that changes its style.
+/// Reports a walk model of a database, one hash per style, and a walk with it that changes its style.
 fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Result<(), EngineError> {
     let walks: Vec<(&str, Track)> = walks_among(db)
         .into_iter()
@@ -207,7 +208,7 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
     crowd_stage(report, runtime)
 }
 
-/// A crowd in a field of styles and on a route, one hash a tick.
+/// Reports a crowd with a style map and a route, one hash per tick.
 fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), EngineError> {
     let options = crowd::Options { count: CROWD, seed: 3 };
     let mut crowd = Crowd::new(Arc::new(runtime), options).map_err(EngineError::bad_input)?;
@@ -227,7 +228,7 @@ fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), Eng
     Ok(())
 }
 
-/// A crowd who perform a walk in a field of styles, as the page hands it from one package to another; one hash a tick.
+/// Reports a crowd that performs a walk with a style map, passed between packages as in the page; one hash per tick.
 fn performers_stage(report: &mut String, database: &Database, packed: &PackedMotions) -> Result<(), EngineError> {
     let inputs = packed.inputs()?;
     let input = inputs.first().ok_or_else(|| EngineError::bad_input("there is no input"))?;
@@ -253,7 +254,7 @@ fn performers_stage(report: &mut String, database: &Database, packed: &PackedMot
     Ok(())
 }
 
-/// Updates of a key-style model's learning on one clip, with either signs, one hash a hundred.
+/// Reports the updates of a key-style model's training on one clip, with either signs, one hash per hundred updates.
 fn learning_stages(report: &mut String, db: &strut_core::database::Database) -> Result<(), EngineError> {
     let clip = walks_among(db).into_iter().next().ok_or_else(|| EngineError::bad_input("there is no walk"))?;
     let recording = Recording::new("walk", &db.motion_of_clip(clip)).map_err(EngineError::bad_input)?;
@@ -274,7 +275,7 @@ fn learning_stages(report: &mut String, db: &strut_core::database::Database) -> 
     Ok(())
 }
 
-/// Every tensor of a database, one hash a clip.
+/// Reports every tensor of a database, one hash per clip.
 fn database_stages(report: &mut String, name: &str, db: &strut_core::database::Database) {
     let per_frame = db.styles.len() * db.counterparts_per_style;
     let mut stage = |stage: &str, of_clip: &dyn Fn(std::ops::Range<usize>) -> u64| {
@@ -291,7 +292,7 @@ fn database_stages(report: &mut String, name: &str, db: &strut_core::database::D
     stage("counterpart", &|rows| float_hash(&db.counterpart[rows.start * per_frame..rows.end * per_frame]));
 }
 
-/// Two styles whose weights sum to more than 1, so that blending and extrapolation take part.
+/// Returns two styles whose weights sum to more than 1, so that blending and extrapolation are included.
 fn mixed_styles(database: &Database) -> Vec<f32> {
     let db = database.model().catalogue();
     let mut rest = [0.8, 0.4].into_iter();
@@ -327,7 +328,7 @@ fn built_in_clips() -> Vec<SourceClip> {
     clips
 }
 
-/// The clip of a file whose name tells its labels.
+/// Returns the clip of a file with labels in its name.
 fn labelled_clip(name: &str, input: &Input) -> Option<SourceClip> {
     let words: Vec<&str> = name.strip_suffix(".bvh")?.split('_').collect();
     let [_, action, style, take] = words[..] else { return None };

@@ -3,7 +3,7 @@
 use strut_wasm_common::{EngineError, floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The pose between two, `t` in [0, 1].
+/// Interpolates between two poses, with `t` in [0, 1].
 ///
 /// # Errors
 /// If an array is not one pose.

@@ -1,4 +1,4 @@
-//! Handle of a motion that is predicted in every style, which another package performs.
+//! Handle of a motion that is predicted in every style, for the performers package.
 
 use crate::input::Input;
 use crate::stylizer::Stylizer;
@@ -7,7 +7,7 @@ use strut_core::transfer::{FADE_FRAMES, Predictions, Recorder};
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// An input, or a part of it, on its way through the engine in portions.
+/// Prediction of an input, or a part of it, in portions.
 #[wasm_bindgen]
 pub struct Recording {
     poses: Vec<Pose>,
@@ -16,7 +16,7 @@ pub struct Recording {
 
 #[wasm_bindgen]
 impl Recording {
-    /// Up to `frames` frames of the input from `first` on, with a stylizer's options.
+    /// Creates a recording of up to `frames` frames of the input from `first` on, with a stylizer's options.
     ///
     /// # Errors
     /// None.
@@ -27,7 +27,7 @@ impl Recording {
         Ok(Self { poses, recorder })
     }
 
-    /// Predicts up to `frames` more frames and gives the number done.
+    /// Predicts up to `frames` more frames and returns the number done.
     pub fn run(&mut self, frames: usize) -> usize {
         for pose in self.poses.iter().skip(self.recorder.frames()).take(frames) {
             self.recorder.push(pose);
@@ -35,10 +35,10 @@ impl Recording {
         self.recorder.frames()
     }
 
-    /// What was predicted, for the package that performs it.
+    /// Returns the predictions, for the performers package.
     ///
     /// # Errors
-    /// If it is too short to begin anew.
+    /// If they are too short to loop.
     pub fn numbers(&self) -> Result<Vec<f32>, EngineError> {
         let short =
             || EngineError::bad_input(format!("the motion is too short: it must have {} frames", 2 * FADE_FRAMES));

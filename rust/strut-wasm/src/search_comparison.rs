@@ -1,4 +1,4 @@
-//! Handle of a search by kd-trees beside the exact one.
+//! Handle of a comparison of kd-tree search and exact search.
 
 use crate::database::Database;
 use crate::input::Input;
@@ -11,8 +11,8 @@ use strut_core::transfer::Model;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The windows of an input on their way through both searches, in portions: [`Self::take`], either search, and
-/// [`Self::count`]. Each search is a call of its own, so that its time can be taken.
+/// Comparison of the two searches on the windows of an input, in portions: [`Self::take`], both searches, and
+/// [`Self::count`]. Each search is a separate call, so that its time can be measured.
 #[wasm_bindgen]
 pub struct SearchComparison {
     model: Arc<Model>,
@@ -23,9 +23,9 @@ pub struct SearchComparison {
     window: QueryWindow,
     filter: HeadingFilter,
     portion: Vec<QueryWindow>,
-    /// By the exact search.
+    /// Results of the exact search.
     nearest: Found,
-    /// By kd-trees.
+    /// Results of the kd-trees.
     found: Found,
     recall: Recall,
 }
@@ -33,13 +33,14 @@ pub struct SearchComparison {
 #[derive(Default)]
 struct Found {
     search: ClassSearch,
-    /// Of each window of the portion.
+    /// Neighbours of each window of the portion.
     windows: Vec<Vec<Neighbours>>,
 }
 
 #[wasm_bindgen]
 impl SearchComparison {
-    /// The search for the nearest `neighbours` of every class, exactly and among so many `candidates` of its kd-tree.
+    /// Creates a comparison of the nearest `neighbours` of every class, found exactly and among `candidates` of its
+    /// kd-tree.
     ///
     /// # Errors
     /// If there are no candidates.
@@ -63,7 +64,7 @@ impl SearchComparison {
         })
     }
 
-    /// Takes the windows of up to `frames` more frames, and gives how many.
+    /// Adds the windows of up to `frames` more frames, and returns their number.
     pub fn take(&mut self, frames: usize) -> usize {
         let db = self.model.catalogue();
         self.portion.clear();
@@ -81,20 +82,20 @@ impl SearchComparison {
         self.nearest.find(self.model.index(), &self.portion, self.neighbours);
     }
 
-    /// Searches the portion by kd-trees.
+    /// Searches the portion with kd-trees.
     #[wasm_bindgen(js_name = searchTrees)]
     pub fn search_trees(&mut self) {
         self.found.find(&self.trees, &self.portion, self.neighbours);
     }
 
-    /// Counts what both have found in the portion.
+    /// Counts the neighbours of the portion that both searches found.
     pub fn count(&mut self) {
         for (nearest, found) in self.nearest.windows.iter().zip(&self.found.windows) {
             self.recall.add(nearest, found);
         }
     }
 
-    /// Share of the nearest windows that kd-trees have found so far, 0 to 1.
+    /// Returns the share of the nearest windows that kd-trees have found so far, 0 to 1.
     pub fn recall(&self) -> f64 {
         self.recall.share()
     }

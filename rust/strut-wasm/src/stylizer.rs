@@ -7,8 +7,8 @@ use strut_wasm_common::EngineError;
 use strut_wasm_common::{floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// One character's stream of frames. The results of the last batch stay here until the next and are copied
-/// out on request.
+/// One character's stream of frames. The results of the last batch are kept until the next, and are copied out on
+/// request.
 #[wasm_bindgen]
 pub struct Stylizer {
     stylizer: transfer::Stylizer,
@@ -17,7 +17,7 @@ pub struct Stylizer {
 
 #[wasm_bindgen]
 impl Stylizer {
-    /// A stylizer with the default options in the neutral style.
+    /// Creates a stylizer with the default options in the neutral style.
     ///
     /// # Errors
     /// None with the default options.
@@ -28,12 +28,12 @@ impl Stylizer {
         Ok(Self { stylizer, batch: Vec::new() })
     }
 
-    /// Replaces the options; the stream goes on. `action` and `input_style` are the input's labels by their numbers,
-    /// where they are known.
+    /// Sets the options; the stream continues. `action` and `input_style` are the indices of the input's labels, if
+    /// known.
     ///
     /// # Errors
-    /// If one is outside its range, or the database has no class of these labels; the former options then stay.
-    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    /// If an option is out of range, or the database has no class with these labels; the former options are then kept.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to define.
     pub fn configure(
         &mut self,
         k: f64,
@@ -51,27 +51,27 @@ impl Stylizer {
     ) -> Result<(), EngineError> {
         let method = Method::from_name(method)
             .ok_or_else(|| EngineError::bad_input(String::from("this package does not have the method")))?;
-        // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
+        // The cast saturates; an invalid count becomes 0 or too large, and is refused.
         let k = k as usize;
         let labels = Options { action, input_style, ..*self.stylizer.options() };
         let options = Options { k, lambda, rho, kappa, delta, tempo, coherence, timing, footplant, method, ..labels };
         self.stylizer.set_options(options).map_err(EngineError::bad_input)
     }
 
-    /// One weight a style of the database; the remainder to 1 belongs to the neutral style.
+    /// Sets one weight per style of the database; the remainder to 1 belongs to the neutral style.
     ///
     /// # Errors
-    /// If there is not one finite weight a style; the former weights then stay.
+    /// If there is not one finite weight per style; the former weights are then kept.
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
         self.stylizer.set_styles(weights).map_err(EngineError::bad_input)
     }
 
-    /// Gives a part of the body, by its number among [`BodyPart::ALL`], weights of its own; without weights it
-    /// follows the whole body again.
+    /// Sets separate weights for a part of the body, by its index in [`BodyPart::ALL`]. Without weights it follows the
+    /// whole body again.
     ///
     /// # Errors
-    /// As [`Stylizer::set_styles`], or if there is no such part.
+    /// Those of [`Stylizer::set_styles`], or if there is no such part.
     #[wasm_bindgen(js_name = setPartStyles)]
     pub fn set_part_styles(&mut self, part: usize, weights: &[f32]) -> Result<(), EngineError> {
         let part = BodyPart::ALL.get(part);
@@ -80,19 +80,19 @@ impl Stylizer {
         self.stylizer.set_part_styles(*part, weights).map_err(EngineError::bad_input)
     }
 
-    /// How far the next frames go from the input to the styles, 0 to 1.
+    /// Sets how far the next frames are styled: 0 is the input, 1 the styles.
     #[cfg(feature = "drive")]
     #[wasm_bindgen(js_name = setStyleShare)]
     pub fn set_style_share(&mut self, share: f32) {
         self.stylizer.set_style_share(share);
     }
 
-    /// Starts anew where the next input frame is.
+    /// Restarts at the place of the next input frame.
     pub fn reset(&mut self) {
         self.stylizer.reset(None);
     }
 
-    /// Styles the next poses, one frame of the database's rate apart; gives as many.
+    /// Styles the next poses, one frame at the database's rate apart. Returns as many poses.
     ///
     /// # Errors
     /// If the array is not a whole number of poses.
@@ -104,17 +104,17 @@ impl Stylizer {
         Ok(floats_of(self.batch.iter().map(|f| &f.pose)))
     }
 
-    /// Seconds of output from the frame before to each frame of the last batch.
+    /// Returns the output time from the previous frame to each frame of the last batch, seconds.
     pub fn durations(&self) -> Vec<f32> {
         self.batch.iter().map(|f| f.dt_secs).collect()
     }
 
-    /// Feet held in place in the last batch, left and right interleaved.
+    /// Returns the planted feet in the last batch, left and right interleaved.
     pub fn planted(&self) -> Vec<u8> {
         planted_of(&self.batch)
     }
 
-    /// Weight of each class in the last frame.
+    /// Returns the weight of each class in the last frame.
     #[wasm_bindgen(js_name = classWeights)]
     pub fn class_weights(&self) -> Vec<f32> {
         self.stylizer.trace().class_weights.to_vec()
@@ -133,7 +133,7 @@ impl Stylizer {
     }
 }
 
-/// Planted feet, left and right interleaved.
+/// Returns the planted feet, left and right interleaved.
 pub(crate) fn planted_of(frames: &[StyledFrame]) -> Vec<u8> {
     frames.iter().flat_map(|f| f.planted.map(u8::from)).collect()
 }

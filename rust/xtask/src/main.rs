@@ -1,5 +1,5 @@
-//! Binds a WebAssembly module to JavaScript with the version of wasm-bindgen that it was compiled with:
-//! `xtask bind MODULE FOLDER NAME`. `scripts/wasm.mjs` compiles the modules and runs this.
+//! Binds a WebAssembly module to JavaScript with the version of wasm-bindgen it was compiled with: `xtask bind MODULE
+//! FOLDER NAME`. `scripts/wasm.mjs` compiles the modules and runs this.
 #![forbid(unsafe_code)]
 
 use std::path::Path;
@@ -35,10 +35,10 @@ fn bind(module: &Path, folder: &Path, name: &str) -> Result<(), String> {
                 .input_path(module)
                 .out_name(name)
                 .typescript(true)
-                // `web/engine` finds the module itself, in Node as in a browser.
+                // `web/engine` finds the module without help, in Node and in a browser.
                 .omit_default_module_path(true)
                 .remove_producers_section(true)
-                // A trap leaves the instance unusable; this lets `web/engine` start another.
+                // A trap makes the instance unusable; this lets `web/engine` start another.
                 .reset_state_function(true)
                 .generate(folder)
         })

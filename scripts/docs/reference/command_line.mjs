@@ -1,20 +1,20 @@
-// The reference of the command line, from what `strut reference` prints.
+// The reference of the command line, from the output of `strut reference`.
 
-/** Text in a cell of a table. */
+/** Returns text as a table cell. */
 const cell = (text) => text.replace(/\s*\n\s*/g, " ").replaceAll("|", "\\|");
 
-/** How an option is typed: `-o, --output DB`. */
+/** Returns an option as it is typed: `-o, --output DB`. */
 function typed({ long, short, values, is_repeated }) {
   const value = values.map((name) => (long || short ? ` ${name}` : name)).join("");
   const names = [short && `-${short}`, long && `--${long}`].filter(Boolean).join(", ");
   return `${names}${value}${is_repeated && !value.includes("…") ? "…" : ""}`;
 }
 
-/** What an option means, as a cell of a table. */
+/** Returns the meaning of an option as a table cell. */
 export function meaning({ help, possible_values: possible, is_required: isRequired, long, short }) {
   const choices = possible.length > 0 ? ` One of ${possible.map((value) => `\`${value}\``).join(", ")}.` : "";
   const required = isRequired && (long || short) ? " Required." : "";
-  // What help leaves in brackets is the default.
+  // The help has the default in brackets.
   const sentence = help.replace(/\s*\[default: [^\]]*\]/, "");
   return cell(`${sentence}${/[.:]$/.test(sentence) ? "" : "."}${choices}${required}`);
 }
@@ -38,7 +38,7 @@ function commandSection({ name, about, usage, more, arguments: options }) {
   ].join("\n\n");
 }
 
-/** The page, as Markdown. @param commands what `strut reference` prints, parsed */
+/** Returns the page as Markdown. @param commands parsed output of `strut reference` */
 export function commandLinePage(commands) {
   const list = commands.map(({ name, about }) => `| [\`${name}\`](#strut-${name}) | ${cell(about.split("\n\n")[0])} |`);
   return `# Command line

@@ -5,7 +5,7 @@ const cell = (text) => text.replaceAll("|", "\\|");
 
 const table = (header, rows) => [`| ${header} | |`, "| --- | --- |", ...rows].join("\n");
 
-/** The page, as Markdown. @param tables those of `readTables()` */
+/** Returns the page as Markdown. @param tables result of `readTables()` */
 export function elementPage(tables) {
   const [declaration] = manifestOf(tables).modules[0].declarations;
   const row = ({ name, description }) => `| \`${name}\` | ${cell(description)} |`;

@@ -1,4 +1,4 @@
-// The reference of error codes, from JavaScript's list and from Rust, which must agree.
+// The reference of error codes, from the lists of JavaScript and Rust, which must agree.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root, Sentence } from "../../steps.mjs";
@@ -6,7 +6,7 @@ import { rustSource } from "./rust_docs.mjs";
 
 const ERRORS = join(root, "web", "engine", "errors.ts");
 
-/** The codes of JavaScript's errors, each with its description. */
+/** Returns the codes of JavaScript's errors, each with its description. */
 function codesOfJavaScript() {
   const source = readFileSync(ERRORS, "utf8");
   const documented = new Map(
@@ -28,7 +28,7 @@ function codesOfJavaScript() {
   return { documented, codes, faults };
 }
 
-/** The codes that the engine's WebAssembly packages give to JavaScript. */
+/** Returns the codes that the engine's WebAssembly packages throw in JavaScript. */
 function codesOfWasm() {
   const folders = readdirSync(join(root, "rust")).filter((name) => name.startsWith("strut-wasm"));
   const codes = folders.flatMap((folder) =>
@@ -41,19 +41,19 @@ function codesOfWasm() {
   return [...new Set(codes)];
 }
 
-/** The codes of tasks: in manifests and in Python. */
+/** Returns the codes of tasks, in manifests and in Python. */
 function codesOfTasks() {
   const body = /pub fn name\(self\)[^{]*\{([\s\S]*?)\n {4}\}/.exec(rustSource("strut-tasks/src/error.rs"))[1];
   return [...new Set([...body.matchAll(/=> "([a-z-]+)"/g)].map(([, code]) => code))];
 }
 
-/** The codes that Python's exception is declared with. */
+/** Returns the codes in the declaration of Python's exception. */
 function codesOfPython() {
   const source = readFileSync(join(root, "rust", "strut-python", "python", "strut", "_errors.py"), "utf8");
   return [.../code: Literal\[([^\]]*)\]/.exec(source)[1].matchAll(/"([a-z-]+)"/g)].map(([, code]) => code);
 }
 
-/** The page, as Markdown. Throws a sentence where the lists do not agree. */
+/** Returns the page as Markdown. Throws a message if the lists do not agree. */
 export function errorsPage() {
   const { documented, codes, faults } = codesOfJavaScript();
   const [wasm, tasks, python] = [codesOfWasm(), codesOfTasks(), codesOfPython()];
@@ -61,7 +61,7 @@ export function errorsPage() {
     ...wasm
       .filter((code) => !codes.includes(code))
       .map((code) => `WebAssembly gives ${code}, which web/engine/errors.ts lacks`),
-    // What the system cannot read or write is an OSError in Python, and has no file in JavaScript.
+    // An I/O error is an OSError in Python, and does not occur in JavaScript.
     ...tasks
       .filter((code) => code !== "io" && !codes.includes(code))
       .map((code) => `tasks give ${code}, which web/engine/errors.ts lacks`),

@@ -30,14 +30,14 @@ const FORMATS = [
   },
 ];
 
-/** How a database is read without Strut. */
+/** How to read a database without Strut. */
 const READER = `### In Python
 
 This program needs numpy alone. It reads a database, checks that it is whole, and computes where the joints are.
 
 ${exampleBlock("python/strutdb_file.py", "read", "python")}`;
 
-/** Tensors that a writer names and the table of the document lacks, or the other way round. */
+/** Returns a fault for each tensor that only the writer or only the table of the document names. */
 function tensorFaults({ title, source, writer }) {
   if (!writer) return [];
   const documented = new Set(
@@ -64,7 +64,7 @@ function tensorFaults({ title, source, writer }) {
   ];
 }
 
-/** A value of Rust as one reads it: `256 << 20` are bytes. */
+/** Returns a Rust value in readable form: `256 << 20` are bytes. */
 function readable(text) {
   const shifted = /^(\d+) << (\d+)$/.exec(text);
   if (shifted) return `${(Number(shifted[1]) * 2 ** Number(shifted[2])).toLocaleString("en")}`;
@@ -97,7 +97,7 @@ function fields(source, struct, title) {
   return [`### ${title}`, ["| Field | Type | |", "| --- | --- | --- |", ...rows].join("\n")];
 }
 
-/** The constants that a comment names, as they are written in Rust. */
+/** Returns the constants that a comment names, as written in Rust. */
 function constants(source) {
   const doc = moduleDoc(source);
   const named = constantsOf(source).filter(({ name }) => doc.includes(`\`${name}\``) && !LIMIT.test(name));
@@ -124,7 +124,7 @@ function section({ title, source, metadata, header }) {
   return [`## ${title}`, doc, ...kind(text), ...constants(text), ...limits(text), ...more].join("\n\n");
 }
 
-/** The page, as Markdown. Throws a sentence where a tensor is not described, or described and not there. */
+/** Returns the page as Markdown. Throws a message if a tensor is not described, or a described one does not exist. */
 export function filesPage() {
   const faults = FORMATS.flatMap(tensorFaults);
   if (faults.length > 0) throw new Sentence(`the formats are not as they are described:\n  ${faults.join("\n  ")}`);

@@ -1,2 +1,2 @@
-/** A comment as Markdown: what it says, then parameters, result and errors. */
+/** Returns a comment as Markdown: the description, then parameters, result and errors. */
 export function describe(comment: string): string;

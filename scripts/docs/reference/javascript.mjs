@@ -1,4 +1,4 @@
-// The reference of the package for JavaScript, from the comments of what its entries export.
+// The reference of the JavaScript package, from the comments of its exports.
 import { join } from "node:path";
 import { root, Sentence } from "../../steps.mjs";
 import { commentBefore, exportsOf, find } from "./typescript.mjs";
@@ -28,7 +28,7 @@ const ENTRIES = [
 
 const cell = (text) => text.replace(/\s*\n\s*/g, " ").replaceAll("|", "\\|");
 
-/** A comment as Markdown: what it says, then parameters, result and errors. */
+/** Returns a comment as Markdown: the description, then parameters, result and errors. */
 export function describe(comment) {
   const [text, ...tags] = comment
     .replace(/\{@link ([^}|\s]+)[^}]*\}/g, "`$1`")
@@ -42,7 +42,7 @@ export function describe(comment) {
   return [text.trim(), ...said.map((line) => (/[.!?]$/.test(line) ? line : `${line}.`))].filter(Boolean).join("\n\n");
 }
 
-/** Code of a declaration without the comments in it and without its body. */
+/** Returns the code of a declaration without its comments and its body. */
 function signature(source, node) {
   const value = node.type === "MethodDefinition" ? node.value : node;
   const end = value.body && !node.type.startsWith("TS") ? value.body.start : node.end;
@@ -59,15 +59,15 @@ function withoutIndent(code) {
 
 const block = (code) => `\`\`\`ts\n${code}\n\`\`\``;
 
-/** Members that a browser calls. */
+/** Members that only the browser calls. */
 const PLATFORM = /^(observedAttributes|\w+Callback)$/;
 
-/** The members of an interface or a class that its users see, with those that it picks of another. */
+/** Returns the members of an interface or a class that its users see, including those that it picks from another. */
 function membersOf({ node, source, file }) {
   return [...ownMembers({ node, source }), ...(node.extends ?? []).flatMap((heritage) => picked(heritage, file))];
 }
 
-/** The members that `Pick<Type, "name" | …>` names. */
+/** Returns the members that `Pick<Type, "name" | …>` names. */
 function picked({ expression, typeArguments }, file) {
   if (expression.name !== "Pick") return [];
   const [type, names] = typeArguments.params;
@@ -94,7 +94,7 @@ function ownMembers({ node, source }) {
 
 const isMethod = ({ type, kind }) => type === "TSMethodSignature" || (type === "MethodDefinition" && kind === "method");
 
-/** The text of a property's type. */
+/** Returns the text of a property's type. */
 const typeOf = (source, { typeAnnotation, value, kind }) => {
   const annotation = typeAnnotation ?? (kind === "get" ? value.returnType : undefined);
   if (!annotation && value) return source.slice(value.start, value.end);
@@ -114,7 +114,7 @@ function memberSections(name, declaration, undocumented) {
   };
   const properties = members.filter(({ member }) => !isMethod(member));
   const seen = new Set();
-  // Of a getter and a setter, one.
+  // A getter and a setter are one property.
   const rows = properties
     .filter((each) => !seen.has(each.name) && seen.add(each.name))
     .map(
@@ -130,7 +130,7 @@ function memberSections(name, declaration, undocumented) {
   return [...table, ...methods];
 }
 
-/** Kinds of declarations in the order in which they are described; what has methods goes before plain data. */
+/** Kinds of declarations in the order in which they are described: those with methods come before plain data. */
 const KINDS = [
   "FunctionDeclaration",
   "ClassDeclaration",
@@ -164,7 +164,7 @@ function entry(name, declaration, undocumented) {
   ].join("\n\n");
 }
 
-/** The page, as Markdown. Throws a sentence where something exported has no comment. */
+/** Returns the page as Markdown. Throws a message if an export has no comment. */
 export function javascriptPage() {
   const described = new Map();
   const undocumented = [];
@@ -173,7 +173,7 @@ export function javascriptPage() {
     const again = exported.filter(([each, { file: from }]) => described.get(each) === from);
     const fresh = exported.filter(([each, { file: from }]) => described.get(each) !== from);
     for (const [each, { file: from }] of fresh) described.set(each, from);
-    // Functions first: they are where one begins.
+    // Functions first, since users start with them.
     fresh.sort(([, a], [, b]) => rankOf(a) - rankOf(b));
     const also = again.map(([each]) => `[\`${each}\`](#${each.toLowerCase()})`).join(", ");
     return [

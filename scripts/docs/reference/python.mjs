@@ -1,4 +1,4 @@
-// The reference of the Python package, from its stubs and sources; what the compiled part says of itself is in Rust's comments.
+// The reference of the Python package, from its stubs and sources. The compiled part is documented by comments in Rust.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root, Sentence } from "../../steps.mjs";
@@ -9,7 +9,7 @@ import { docBefore, rustSource } from "./rust_docs.mjs";
 const PACKAGE = join(root, "rust", "strut-python", "python", "strut");
 const SOURCES = join("strut-python", "src");
 
-/** Doc comments of what PyO3 exports, by `Class`, `Class.method` and `function`. */
+/** Returns the doc comments of PyO3's exports, by `Class`, `Class.method` and `function`. */
 export function compiledDocs() {
   const docs = new Map();
   for (const file of readdirSync(join(root, "rust", SOURCES)).filter((name) => name.endsWith(".rs"))) {
@@ -25,13 +25,13 @@ export function compiledDocs() {
   return docs;
 }
 
-/** The names that a module exports. */
+/** Returns the names that a module exports. */
 function exportedBy(source) {
   const list = /__all__ = \[([\s\S]*?)\]/.exec(source)?.[1] ?? "";
   return [...list.matchAll(/"(\w+)"/g)].map(([, name]) => name);
 }
 
-/** All that the package declares, by name; a stub goes before the sources. */
+/** Returns all declarations of the package, by name. A stub has priority over the sources. */
 function declarations() {
   const found = new Map();
   const files = readdirSync(PACKAGE).filter((name) => /\.pyi?$/.test(name) && name !== "__init__.py");
@@ -42,8 +42,8 @@ function declarations() {
 }
 
 /**
- * The page, as Markdown. Throws a sentence where something public has no description.
- * @param commands what `strut reference` prints: their options describe the keyword arguments of the same names
+ * Returns the page as Markdown. Throws a message if a public item has no description.
+ * @param commands output of `strut reference`: options describe the keyword arguments of the same names
  */
 export function pythonPage(commands) {
   const all = declarations();
@@ -51,7 +51,7 @@ export function pythonPage(commands) {
   const undocumented = [];
   const describe = (path, declaration, owner) => {
     const doc = declaration.doc || docs.get(path) || (owner ? optionDoc(declaration.name, owner.doc, commands) : "");
-    // Keys of dictionaries are no names of the package.
+    // Keys of dictionaries are not names of the package.
     if (doc === "" && !owner?.signature.includes("TypedDict")) undocumented.push(path);
     return markdownOf(doc);
   };
@@ -85,20 +85,20 @@ ${typeTable([...all.values()])}
 `;
 }
 
-/** The aliases of types that signatures name. */
+/** Returns the type aliases that signatures name. */
 function typeTable(declared) {
   const aliases = declared.filter(({ kind, name }) => kind === "attribute" && /^[A-Z]/.test(name));
   const rows = aliases.map(({ name, signature: type, doc }) => `| \`${name}\` | \`${cell(type)}\` | ${cell(doc)} |`);
   return ["| Name | Type | |", "| --- | --- | --- |", ...rows].join("\n");
 }
 
-/** Public modules beside the package itself. */
+/** Returns the public submodules. */
 function submodules() {
   const files = readdirSync(PACKAGE).filter((name) => /^[a-z]\w*\.py$/.test(name));
   return files.sort().map((file) => ({ name: `strut.${file.replace(/\.py$/, "")}`, file }));
 }
 
-/** Docstrings have backticks and paragraphs; lines of dialogue with the interpreter are left out. */
+/** Converts a docstring, which has backticks and paragraphs; lines of interpreter sessions are removed. */
 const markdownOf = (doc) => doc.replace(/^>>> .*$/gm, "").trim();
 
 const isPublic = ({ name }) => !name.startsWith("_");
@@ -123,7 +123,7 @@ function entry(path, declaration, describe) {
   return lines.filter((line) => line !== "").join("\n\n");
 }
 
-/** A call with its arguments, a line each where they are many; `self` is not typed. */
+/** Returns a call with its arguments, one per line if there are many; `self` is omitted. */
 function signature(name, text) {
   const plain = `${name}${text.replace(/\((?:self|cls)(?:, )?/, "(")}`;
   if (plain.length <= 100) return `\`\`\`python\n${plain}\n\`\`\``;
@@ -133,7 +133,7 @@ function signature(name, text) {
     .join("\n")}\n${after}\n\`\`\``;
 }
 
-/** Arguments at the commas that no bracket holds. */
+/** Splits arguments at the commas outside of brackets. */
 function splitArguments(text) {
   const parts = [""];
   let depth = 0;
@@ -146,7 +146,7 @@ function splitArguments(text) {
   return parts.map((part) => part.trim()).filter(Boolean);
 }
 
-/** What a keyword argument means, where its class says that it has the options of a command. */
+/** Returns the meaning of a keyword argument whose class has the options of a command. */
 function optionDoc(name, classDoc, commands) {
   const command = commands.find((each) => each.name === /options of `strut ([\w-]+)`/.exec(classDoc)?.[1]);
   const option = name.replace(/_$/, "").replaceAll("_", "-");

@@ -1,4 +1,4 @@
-/** Something that a Python source declares. */
+/** A declaration of a Python source. */
 export interface Declaration {
   kind: "class" | "function" | "property" | "attribute";
   name: string;
@@ -6,5 +6,5 @@ export interface Declaration {
   doc: string;
   members?: Declaration[];
 }
-/** The declarations of a Python source or stub. */
+/** Returns the declarations of a Python source or stub. */
 export function declarationsOf(source: string): Declaration[];

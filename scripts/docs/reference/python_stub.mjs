@@ -1,7 +1,7 @@
-// What a Python source or stub declares, as far as this package's have it: classes, functions, properties, attributes, each with
-// its docstring.
+// Parser of a Python source or stub, for the syntax that this package uses: classes, functions, properties, attributes,
+// each with its docstring.
 
-/** The logical lines of a source: what brackets hold together is one. Each with its indentation and number. */
+/** Returns the logical lines of a source, in which brackets join lines. Each has its indentation and number. */
 function logicalLines(source) {
   const lines = [];
   let depth = 0;
@@ -25,7 +25,7 @@ function logicalLines(source) {
   }));
 }
 
-/** The text of a docstring without its indentation. */
+/** Returns the text of a docstring without its indentation. */
 function docText(text) {
   const lines = text.replace(/^"""|"""$/g, "").split("\n");
   return lines
@@ -37,8 +37,9 @@ function docText(text) {
 const isDoc = (line) => line?.text.startsWith('"""');
 
 /**
- * The declarations of a source.
- * @returns a list of `{ kind, name, signature, doc, members }`, where `kind` is `class`, `function`, `property` or `attribute`
+ * Returns the declarations of a source.
+ * @returns a list of `{ kind, name, signature, doc, members }`, where `kind` is `class`, `function`, `property` or
+ * `attribute`
  */
 export function declarationsOf(source) {
   const lines = logicalLines(source);

@@ -3,10 +3,10 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "../../steps.mjs";
 
-/** A source below rust/. */
+/** Reads a source below rust/. */
 export const rustSource = (path) => readFileSync(join(root, "rust", path), "utf8");
 
-/** Links of rustdoc lead nowhere outside it: their text stays. */
+/** Replaces rustdoc links, which only work in rustdoc, by their text. */
 function withoutLinks(text) {
   return text
     .replace(/^\[[^\]]+\]: .*$/gm, "")
@@ -16,13 +16,13 @@ function withoutLinks(text) {
     .trim();
 }
 
-/** The text of a module: its `//!` comments. */
+/** Returns the text of a module: its `//!` comments. */
 export function moduleDoc(source) {
   const lines = source.split("\n").filter((line) => line.startsWith("//!"));
   return withoutLinks(lines.map((line) => line.replace(/^\/\/! ?/, "")).join("\n"));
 }
 
-/** The `///` comment that ends before an index of the source. */
+/** Returns the `///` comment that ends before an index of the source. */
 export function docBefore(source, index) {
   const lines = source.slice(0, index).split("\n");
   lines.pop();
@@ -38,7 +38,7 @@ export function docBefore(source, index) {
   return withoutLinks(found.join("\n"));
 }
 
-/** The public fields of a struct, each with its type and doc comment. */
+/** Returns the public fields of a struct, each with its type and doc comment. */
 export function fieldsOf(source, struct) {
   const begin = source.indexOf(`pub struct ${struct} {`);
   const body = source.slice(begin, source.indexOf("\n}", begin));
@@ -49,7 +49,7 @@ export function fieldsOf(source, struct) {
   }));
 }
 
-/** The public constants of a source, each with its value as it is written, and its doc comment. */
+/** Returns the public constants of a source, each with its value as written, and its doc comment. */
 export function constantsOf(source) {
   return [...source.matchAll(/^pub const (\w+): [^=]+=\s*([^;]+);/gm)].map((match) => ({
     name: match[1],

@@ -1,11 +1,11 @@
-// What TypeScript modules export: declarations with their comments, followed through re-exports.
+// Exports of TypeScript modules: declarations with their comments, resolved through re-exports.
 import { existsSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { parseAst } from "vite";
 
 const modules = new Map();
 
-/** A module, parsed once: its source, its declarations by name, its imports by local name, its exports. */
+/** Parses a module once: its source, its declarations by name, its imports by local name, its exports. */
 function readModule(file) {
   if (!modules.has(file)) modules.set(file, parseModule(file));
   return modules.get(file);
@@ -30,7 +30,7 @@ function readStatement(module, statement) {
   else if (type === "ExportAllDeclaration") module.all.push(from);
   else if (declaration) {
     for (const { name, node } of declarationsIn(declaration)) {
-      // Overloads stand together.
+      // Overloads are joined.
       const before = module.declared.get(name);
       if (before) before.overloads.push(node);
       else module.declared.set(name, { node, start: statement.start, overloads: [] });
@@ -51,14 +51,14 @@ function declarationsIn(node) {
     .map((each) => ({ name: each.id.name, node: each }));
 }
 
-/** The file of a relative import; other packages are of no concern. */
+/** Returns the file of a relative import; other packages are ignored. */
 function resolve(file, specifier) {
   if (!specifier.startsWith(".")) return undefined;
   const path = join(dirname(file), specifier);
   return [`${path}.ts`, join(path, "index.ts")].find(existsSync);
 }
 
-/** Where a name that a module knows is declared; `undefined` where that is in another package. */
+/** Returns the declaration of a name in a module, or `undefined` if it is in another package. */
 export function find(file, name) {
   const module = readModule(file);
   const declared = module.declared.get(name);
@@ -73,7 +73,7 @@ export function find(file, name) {
     .find(Boolean);
 }
 
-/** The exports of a module: names with the declarations that they lead to. */
+/** Returns the exports of a module: names with their declarations. */
 export function exportsOf(file) {
   const module = readModule(file);
   const own = module.exported.map(({ name, local, from }) => [name, from ? find(from, local) : find(file, local)]);
@@ -81,7 +81,7 @@ export function exportsOf(file) {
   return new Map([...others, ...own].filter(([, found]) => found));
 }
 
-/** The comment that ends before a place of a source, without stars; empty where there is none. */
+/** Returns the comment that ends before a position of a source, without stars, or an empty string. */
 export function commentBefore(source, start) {
   const found = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\s*$/.exec(source.slice(0, start));
   return found ? found[1].replace(/^\s*\* ?/gm, "").trim() : "";

@@ -1,4 +1,7 @@
-/** The main task of each view by keys alone and by a finger alone, in large text, enlarged, in forced colours, with less motion. */
+/**
+ * The main task of each view with only the keyboard and with only one finger: in large text, zoomed, in forced colours,
+ * with reduced motion.
+ */
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { walksIn } from "../../clips";
@@ -21,13 +24,13 @@ beforeAll(async () => {
 });
 
 const WIDE = { width: 1440, height: 900 };
-/** Drawings over time, columns and tables: they mean something in two dimensions only. */
+/** Drawings over time, columns and tables, which need two dimensions. */
 const TWO_DIMENSIONAL = ["walk-plan", "compare-body", "matrix", "learn-figures", "equation"];
 
 interface Condition {
   name: string;
   size: { width: number; height: number };
-  /** The lesson that is worked on: a bet is placed once. */
+  /** The lesson of the test: a bet is placed only once. */
   lesson: string;
   begin?: () => Promise<unknown>;
   end?: () => Promise<unknown>;
@@ -83,7 +86,7 @@ describe.for(CONDITIONS)("$name", ({ name, size, lesson, begin, end, hands }) =>
 
   const person = () => ({ page, hands: hands() });
 
-  /** Nothing is cut off, and nothing is scrolled in two directions that need not be. */
+  /** Checks that nothing is cut off, and nothing needs unnecessary scrolling in two directions. */
   async function fits(view: string): Promise<void> {
     await transitionsEnded(page);
     await screenshot(page, `access-${name}-${view}`);

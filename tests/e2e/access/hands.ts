@@ -1,24 +1,27 @@
-/** The ways in which a person operates the page: keys alone, one finger alone, a mouse. None of them is helped by the test. */
+/** Input methods of a user: only the keyboard, only one finger, a mouse. The test uses no shortcut. */
 import type { CDPSession, Locator, Page } from "playwright-core";
 import { expect } from "vitest";
 import { drag, middleOf, type Place } from "../browser";
 
-/** How far something is moved: to the right and down, pixels; keys are pressed that far in steps. */
+/** Distance of a movement: to the right and down, pixels. Keys move in steps. */
 export type Way = Place;
 
-/** What a person does with a control, having got to it first. */
+/** User actions on a control, which must be reached first. */
 export interface Hands {
   press(control: Locator): Promise<void>;
   /** Moves a handle or a slider. */
   move(handle: Locator, by: Way): Promise<void>;
 }
 
-/** Tab stops of a page at most: who has not found a control by then is in a trap. */
+/** Greatest number of tab stops of a page: more are a keyboard trap. */
 const MOST_STOPS = 150;
-/** Pixels that the press of an arrow key stands for. */
+/** Pixels per press of an arrow key. */
 const KEY_PX = 10;
 
-/** Keys alone: Tab to the control, then Enter, Space or arrows. `onFocus` is told of each control that was found. */
+/**
+ * Only the keyboard: Tab to the control, then Enter, Space or arrows. `onFocus` is called with each control that was
+ * reached.
+ */
 export class Keys implements Hands {
   constructor(
     readonly page: Page,
@@ -52,17 +55,17 @@ export class Keys implements Hands {
   }
 }
 
-/** What brings a control to where it can be seen, as a wheel or a swipe does it at a place. */
+/** Scrolls at a point like a wheel or a swipe, to bring a control into view. */
 type Scroll = (at: Place, by: Way) => Promise<void>;
 
-/** Turns of the wheel or swipes at most. */
+/** Greatest number of wheel turns or swipes. */
 const MOST_SWIPES = 150;
 
-/** Scrolls what holds a control, by a wheel or by swipes, until its middle can be hit. */
+/** Scrolls a control's container with a wheel or with swipes until the control's middle can be hit. */
 async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Place> {
   await control.waitFor();
   let before: Place | undefined;
-  /** Looks in a row at which the control had not moved. */
+  /** Number of successive checks in which the control had not moved. */
   let still = 0;
   let last = "";
   for (let turn = 0; turn < MOST_SWIPES; turn++) {
@@ -70,9 +73,9 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
     if (found) {
       const { at, hit, by, places, over } = found;
       still = before?.x === at.x && before.y === at.y ? still + 1 : 0;
-      // The page may still be on its way.
+      // The page may still be scrolling.
       if (hit && still >= 2) return at;
-      // Where nothing moves, the next place is tried.
+      // If nothing moves, the next point is tried.
       const from = places[still % places.length]!;
       if (!hit) await scroll(from, by);
       before = at;
@@ -84,19 +87,20 @@ async function reach(page: Page, control: Locator, scroll: Scroll): Promise<Plac
 }
 
 /**
- * In the page: the middle of a control, whether a press there hits it, how far to scroll for it, from which places, and what is
- * over it. Nothing for a control that another has replaced since it was found, as a drawing does when it is drawn anew.
+ * Runs in the page. Returns the middle of a control, whether a press there hits it, how far to scroll, from which
+ * points, and which element covers it. Returns nothing for a control that was replaced since it was found, for example
+ * in a redrawn drawing.
  */
 function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: Place[]; over: string } | undefined {
   if (!control.isConnected) return undefined;
   const parentOf = (e: Element) => e.parentElement ?? (e.getRootNode() as ShadowRoot).host ?? undefined;
-  /** What is at a place, within figures too. */
+  /** Returns the element at a point, also within shadow roots. */
   const elementAt = (root: Document | ShadowRoot, { x, y }: Place): Element | null => {
     const found = root.elementFromPoint(x, y);
-    // Where nothing of a figure is at the place, its root answers with the figure's own element.
+    // If no element of a figure is at the point, its root returns the figure's own element.
     return found?.shadowRoot && found.shadowRoot !== root ? elementAt(found.shadowRoot, { x, y }) : found;
   };
-  /** What of the box that scrolls a control along an axis is on the screen. */
+  /** Returns the visible part of the box that scrolls a control along an axis. */
   const viewOf = (axis: "x" | "y") => {
     const scrolls = (e: Element) =>
       axis === "x"
@@ -124,14 +128,15 @@ function whereIs(control: Element): { at: Place; hit: boolean; by: Way; places: 
   const by = sideways ? { x: at.x - view.x, y: 0 } : { x: 0, y: at.y - view.y };
   const refuses = sideways ? /^(none|pan-y)$/ : /^(none|pan-x)$/;
   const pans = ({ x, y }: Place) => {
-    // The wheel means something else over a 3-D picture and a knob, and nothing over a note, which goes after a while.
+    // The wheel has another function over a 3D picture and a knob, and none over a note, which disappears after a
+    // while.
     const top = elementAt(document, { x, y });
     if (top?.closest("canvas, .knob, .toast")) return false;
     for (let e: Element | undefined = top ?? undefined; e; e = parentOf(e))
       if (refuses.test(getComputedStyle(e).touchAction)) return false;
     return true;
   };
-  // Where a person puts the finger: somewhere that is not a drawing that is dragged.
+  // Points for the finger, outside of draggable drawings.
   const shares = [0.5, 0.75, 0.25, 0.9, 0.1, 0.97, 0.03];
   const places = shares
     .flatMap((across) =>
@@ -167,7 +172,9 @@ export class Mouse implements Hands {
   }
 }
 
-/** Chromium gives no click for some taps that come within 200 ms after a drag over what does not scroll, milliseconds. */
+/**
+ * Chromium omits the click of some taps within 200 ms after a drag over an element that does not scroll, milliseconds.
+ */
 const BEFORE_TAP_MS = 250;
 
 /** One finger: taps, swipes and drags. */
@@ -189,31 +196,31 @@ export class Finger implements Hands {
   }
 
   #reach(control: Locator): Promise<Place> {
-    // A swipe up moves the page down.
+    // A swipe up scrolls the page down.
     return reach(this.page, control, ({ x, y }, by) =>
       this.#stroke(between({ x, y }, this.#swiped(x - by.x, y - by.y))),
     );
   }
 
-  /** The place on the screen that is next to another. */
+  /** Returns the nearest point on the screen. */
   #swiped(x: number, y: number): Place {
     const { width, height } = this.page.viewportSize()!;
     return { x: Math.min(width - 2, Math.max(2, x)), y: Math.min(height - 2, Math.max(2, y)) };
   }
 
-  /** Puts the finger down at the first place, moves it over the others, and lifts it. */
+  /** Puts the finger down at the first point, moves it over the others, and lifts it. */
   async #stroke([first, ...others]: readonly Place[]): Promise<void> {
     const send = (type: "touchStart" | "touchMove" | "touchEnd", touchPoints: Place[]) =>
       this.session.send("Input.dispatchTouchEvent", { type, touchPoints });
     await send("touchStart", [first!]);
     for (const place of others) await send("touchMove", [place]);
-    // A finger that is lifted while it moves throws the page on.
+    // A finger that is lifted while moving lets the page scroll on.
     if (others.length > 0) await this.page.waitForTimeout(60);
     await send("touchEnd", []);
   }
 }
 
-/** Places on the way from one to another, both included. */
+/** Returns points between two points, both included. */
 function between(from: Place, to: Place): Place[] {
   const steps = 8;
   return Array.from({ length: steps + 1 }, (_, i) => ({
@@ -222,7 +229,7 @@ function between(from: Place, to: Place): Place[] {
   }));
 }
 
-/** Whether what has the keyboard looks otherwise than without it: the picture around it is compared. */
+/** Checks that the focused control looks different from the unfocused one, by its surrounding picture. */
 export async function expectFocusVisible(page: Page, control: Locator): Promise<void> {
   const { x, y } = await middleOf(control);
   const box = (await control.boundingBox())!;

@@ -1,7 +1,10 @@
-/** What does not fit: texts that are cut off, and boxes that are scrolled sideways. */
+/** Detection of overflow: texts that are cut off, and boxes that scroll horizontally. */
 import type { Page } from "playwright-core";
 
-/** Texts that are cut off: wider or higher than what holds them and hides the rest. Names of files may end in dots. */
+/**
+ * Returns texts that are cut off: wider or higher than a container that hides the overflow. File names may end in an
+ * ellipsis.
+ */
 export const cutOff = (page: Page) =>
   page.evaluate(() =>
     [...document.querySelectorAll<HTMLElement>("#app *")]
@@ -27,7 +30,7 @@ export const cutOff = (page: Page) =>
       }),
   );
 
-/** Boxes, the page among them, that a person scrolls sideways; drawings over time and tables may need it. */
+/** Returns boxes, including the page, that scroll horizontally, which only drawings over time and tables may. */
 export const scrolledSideways = (page: Page, but: readonly string[]) =>
   page.evaluate(
     (but) =>

@@ -1,4 +1,4 @@
-/** The main task of each view, as a person does it with whatever hands they have. */
+/** The main task of each view, with any input method. */
 import type { Page } from "playwright-core";
 import { expect } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
@@ -7,13 +7,13 @@ import type { Hands } from "./hands";
 
 declare const window: { strut: StrutHook };
 
-/** A person at the page. */
+/** A user at the page. */
 export interface Person {
   page: Page;
   hands: Hands;
 }
 
-/** A file that is chosen. */
+/** A file to choose. */
 export interface NamedClip {
   name: string;
   content: string;
@@ -21,7 +21,7 @@ export interface NamedClip {
 
 const state = (page: Page) => page.evaluate(() => window.strut.state);
 
-/** Opens a view by its tab, or by the menu that stands for the tabs on a narrow screen. */
+/** Opens a view by its tab, or by the menu that replaces the tabs on a narrow screen. */
 async function open({ page, hands }: Person, view: string): Promise<void> {
   const tab = page.getByRole("link", { name: view, exact: true });
   if (await tab.isVisible()) return hands.press(tab);
@@ -29,18 +29,18 @@ async function open({ page, hands }: Person, view: string): Promise<void> {
   await hands.press(page.locator("#menu").getByRole("button", { name: view, exact: true }));
 }
 
-/** Presses what saves a file, and gives the file's name. */
+/** Presses a control that saves a file, and returns the file's name. */
 async function savedBy(page: Page, press: Promise<void>): Promise<string> {
   const [download] = await Promise.all([page.waitForEvent("download"), press]);
   return download.suggestedFilename();
 }
 
-/** Play: another style, saved as BVH. */
+/** Play: changes the style and saves as BVH. */
 export async function play({ page, hands }: Person): Promise<void> {
   await visit(page, "play=0&frame=60&styles=proud:0.6,old:0.1,childlike:0.3");
   const weights = async () => (await state(page)).styles.map(({ weight }) => weight);
   await eventually(weights).toEqual([0.6, 0.1, 0.3]);
-  // The built-in database, whatever was open before.
+  // The built-in database, regardless of the database before.
   await page.locator('.vertex[data-style="childlike"]').waitFor();
   await page.waitForFunction(() => window.strut.analysed);
   await hands.move(page.getByRole("slider", { name: "Style", exact: true }), { x: 0, y: 30 });
@@ -51,7 +51,7 @@ export async function play({ page, hands }: Person): Promise<void> {
   expect(await savedBy(page, hands.press(item))).toMatch(/\.bvh$/);
 }
 
-/** Walk: a block is chosen, made shorter and another style, and the walk is saved. */
+/** Walk: selects a block, shortens it and changes its style, and saves the walk. */
 export async function walk(person: Person): Promise<void> {
   const { page, hands } = person;
   await open(person, "Walk");
@@ -68,7 +68,7 @@ export async function walk(person: Person): Promise<void> {
   expect(await savedBy(page, hands.press(save))).toBe("walk.bvh");
 }
 
-/** Walk: who scrolls with the finger on a slider sets nothing. */
+/** Walk: scrolling with the finger on a slider must not change it. */
 export async function scrollPast({ page, hands }: Person): Promise<void> {
   await visit(page, "view=walk&play=0&block=1&walk=1_3_2~neutral:1,old:0,sexy:0;1_4_2~proud:1,old:0,sexy:0");
   const intensity = page.locator(".walk-panel").getByRole("slider", { name: "Intensity", exact: true });
@@ -82,7 +82,7 @@ export async function scrollPast({ page, hands }: Person): Promise<void> {
   expect(await intensity.inputValue()).toBe(before);
 }
 
-/** Key-style: the point is moved, a key is set there, and the motion is saved. */
+/** Key-style: moves the point, sets a key there, and saves the motion. */
 export async function keyStyle(person: Person): Promise<void> {
   const { page, hands } = person;
   await open(person, "Key-style");
@@ -100,7 +100,7 @@ export async function keyStyle(person: Person): Promise<void> {
   );
 }
 
-/** Data: clips are chosen, built into a database, and that is opened. */
+/** Data: chooses clips, builds a database of them, and opens it. */
 export async function data(person: Person, clips: readonly NamedClip[]): Promise<void> {
   const { page, hands } = person;
   await open(person, "Data");
@@ -121,11 +121,11 @@ export async function data(person: Person, clips: readonly NamedClip[]): Promise
   await eventually(async () => (await state(page)).view).toBe("play");
 }
 
-/** The part of a lesson that is shown, and the buttons that show each, from 1 on. */
+/** Returns the visible part of a lesson; buttons select the parts, from 1 on. */
 const lessonPart = (page: Page) => page.locator(".learn-part:not([hidden])");
 const partButton = (page: Page, n: number) => page.locator(".learn-steps button").nth(n - 1);
 
-/** The bet of a lesson, which shows what the bet was about. */
+/** Places the bet of a lesson, which shows its topic. */
 async function placeBet({ page, hands }: Person, lesson: string): Promise<void> {
   await visit(page, `view=learn&play=0&lesson=${lesson}`);
   await eventually(() => page.locator(".lessons select").inputValue()).toBe(lesson);
@@ -136,7 +136,7 @@ async function placeBet({ page, hands }: Person, lesson: string): Promise<void> 
   await eventually(() => shown.locator(".reveal").textContent()).toMatch(/\w/);
 }
 
-/** Learn: a bet is placed, and an exercise is begun and answered. */
+/** Learn: places a bet, starts an exercise and answers it. */
 export async function learn(person: Person, lesson: string): Promise<void> {
   await placeBet(person, lesson);
   const { page, hands } = person;
@@ -146,7 +146,7 @@ export async function learn(person: Person, lesson: string): Promise<void> {
   await moveInFigure(person, ".playhead");
 }
 
-/** The lesson on poses: a limb of the figure is turned. */
+/** The lesson on poses: turns a limb of the figure. */
 export async function pose(person: Person): Promise<void> {
   await placeBet(person, "pose");
   await person.hands.press(partButton(person.page, 3));

@@ -1,4 +1,4 @@
-/** What a control is for is shown without a mouse: by the keyboard's focus, and by a finger that rests. */
+/** Tooltips are shown without a mouse: on keyboard focus, and on a long press. */
 import type { Page } from "playwright-core";
 import { beforeAll, expect, it } from "vitest";
 import { eventually, middleOf, openSite, screenshot, visit } from "../browser";

@@ -1,4 +1,4 @@
-/** In a low window, as one of 1280 × 1024 pixels is at 400 %, what the page says covers nothing for good. */
+/** In a low window, such as 1280 × 1024 pixels at 400 %, messages cover nothing permanently. */
 import type { Page } from "playwright-core";
 import { beforeAll, beforeEach, describe, expect, it } from "vitest";
 import { dropFile, eventually, openSite, screenshot, visit } from "../browser";
@@ -16,7 +16,7 @@ beforeEach(() => dismissAll(page));
 
 const person = () => ({ page, hands: new Mouse(page) });
 
-/** An error that stays until it is dismissed. */
+/** Shows an error that stays until it is dismissed. */
 async function fail(): Promise<void> {
   await dropFile(page, "notes about the motions.txt", "no motion");
   await eventually(() => page.locator(".toast.error").count()).toBe(1);

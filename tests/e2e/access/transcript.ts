@@ -1,7 +1,7 @@
-/** What a screen reader has to say of a page: Chromium's accessibility tree in order, a line for each thing. */
+/** Transcript of a page for a screen reader: Chromium's accessibility tree in order, one line per item. */
 import type { CDPSession, Page } from "playwright-core";
 
-/** A node of the tree as the DevTools protocol gives it. */
+/** A node of the tree in the DevTools protocol. */
 interface Node {
   nodeId: string;
   backendDOMNodeId?: number;
@@ -14,7 +14,7 @@ interface Node {
   childIds?: string[];
 }
 
-/** Something that is heard, with what is in it. */
+/** A spoken item, with its children. */
 interface Heard {
   role: string;
   name: string;
@@ -22,9 +22,9 @@ interface Heard {
   inside: Heard[];
 }
 
-/** Text without a role of its own. */
+/** Text without its own role. */
 const TEXT = "text";
-/** Roles that are not spoken: what is in them is heard as if they were not there. */
+/** Roles that are not spoken: only their children are. */
 const SILENT = new Set([
   "generic",
   "none",
@@ -44,9 +44,9 @@ const SILENT = new Set([
   "RootWebArea",
   "group",
 ]);
-/** Roles that are heard whole: their texts are one. */
+/** Roles whose texts are joined. */
 const WHOLE = new Set(["paragraph", "term", "definition", "caption", "cell", "rowheader", "columnheader"]);
-/** Roles of which a screen reader says the name, not what they are made of. */
+/** Roles of which a screen reader speaks the name, not the contents. */
 const NAMED_BY_CONTENT = new Set([
   "button",
   "link",
@@ -64,7 +64,7 @@ const NAMED_BY_CONTENT = new Set([
   "spinbutton",
   "progressbar",
 ]);
-/** Regions in which something is said once it changes. */
+/** Live regions, which are announced when they change. */
 const LIVE = new Set(["status", "alert", "log"]);
 /** States that are spoken. */
 const STATES = [
@@ -79,22 +79,22 @@ const STATES = [
   "live",
   "current",
 ];
-/** Roles whose value in words, or place among others, is in attributes alone: the protocol does not give it. */
+/** Roles whose value text or current state is only in attributes, which the protocol does not return. */
 const WITH_ATTRIBUTES = new Set(["slider", "spinbutton", "link", "button", "listitem"]);
 
-/** Measured values, which differ from machine to machine, and what the transcript has in their place. */
+/** Measured values, which differ between machines, and their replacements in the transcript. */
 const MEASURED: readonly (readonly [RegExp, string])[] = [
   [/−?\b[\d.]+ (ms|fps)\b/g, "… $1"],
   [/trained in [\d.]+ s/g, "trained in … s"],
-  // These are there once pictures were counted for a while.
+  // Present only after frames were counted for a while.
   [/(term “(?:Rate|Walking|Drawing|Drawn by)”\n *definition) “.*”/g, "$1 “…”"],
   [/text “[^”\n]*(grid 1 m)”/g, "text “… $1”"],
 ];
 
-/** What the page announced last, in the region at its end: it depends on what ended when. */
+/** The last announcement of the page, in the region at its end: it depends on timing. */
 const ANNOUNCED = /\n {2}status \(live polite\)\n {4}text “[^”]*”$/;
 
-/** The transcript of a page, masked; one level of nesting is two spaces. */
+/** Returns the transcript of a page, masked. A level of nesting is two spaces. */
 export async function transcriptOf(session: CDPSession): Promise<string> {
   const { nodes } = (await session.send("Accessibility.getFullAXTree")) as { nodes: Node[] };
   const byId = new Map(nodes.map((node) => [node.nodeId, node]));
@@ -112,7 +112,7 @@ export async function transcriptOf(session: CDPSession): Promise<string> {
   return `${MEASURED.reduce((masked, [measured, mask]) => masked.replace(measured, mask), text)}\n`;
 }
 
-/** {@link transcriptOf} once nothing is added or changed any more. */
+/** Returns {@link transcriptOf} once it no longer changes. */
 export async function settledTranscript(page: Page): Promise<string> {
   const session = await page.context().newCDPSession(page);
   await session.send("Accessibility.enable");
@@ -127,7 +127,7 @@ export async function settledTranscript(page: Page): Promise<string> {
   return before;
 }
 
-/** Controls of a transcript that have the same role, name and description as another one, or no name at all. */
+/** Returns controls of a transcript without a name, or with the same role, name and description as another one. */
 export function ambiguous(transcript: string): string[] {
   const control =
     /^ *((?:button|link|checkbox|radio|slider|combobox|textbox|spinbutton|switch)\b(?: “[^”]*”)?).*?( — .*)?$/;
@@ -138,7 +138,7 @@ export function ambiguous(transcript: string): string[] {
   return [...new Set(all.filter((one, i) => !one.includes("“") || all.indexOf(one) !== i))];
 }
 
-/** Adds the value in words, and whether it is the present one, to the properties of a node. */
+/** Adds the value text and the current state to the properties of a node. */
 async function addAttributes(session: CDPSession, node: Node): Promise<void> {
   const { node: element } = await session.send("DOM.describeNode", { backendNodeId: node.backendDOMNodeId! });
   const { attributes = [] } = element;
@@ -172,14 +172,14 @@ function heard(node: Node, byId: ReadonlyMap<string, Node>): Heard[] {
   return [{ role, name, rest: restOf(node, name), inside: kept }];
 }
 
-/** Value, states and description of a node. */
+/** Returns value, states and description of a node. */
 function restOf({ value, description, properties = [] }: Node, name: string): string {
   const of = (property: string) => properties.find((one) => one.name === property)?.value.value;
   const spoken = plain(String(of("valuetext") || (value?.value ?? "")));
   const states = STATES.flatMap((state) => {
     const is = of(state);
     const said = is !== undefined && is !== false && is !== "false" && is !== "off" && is !== "";
-    // What is not pressed or checked is spoken too.
+    // The states "not pressed" and "not checked" are spoken, too.
     const both = state === "checked" || state === "pressed" || state === "expanded";
     if (!said) return both && is !== undefined ? [`not ${state}`] : [];
     return [is === true || is === "true" ? state : `${state} ${is}`];
@@ -192,7 +192,7 @@ function restOf({ value, description, properties = [] }: Node, name: string): st
   ].join("");
 }
 
-/** Neighbouring texts as one. */
+/** Joins neighbouring texts. */
 function joined(all: readonly Heard[]): Heard[] {
   const list: Heard[] = [];
   for (const one of all) {
@@ -204,5 +204,5 @@ function joined(all: readonly Heard[]): Heard[] {
   return list;
 }
 
-/** Text in a line, its spaces single. */
+/** Returns text on one line with single spaces. */
 const plain = (text: string | undefined) => (text ?? "").replace(/[\s\u00a0\u202f]+/g, " ").trim();

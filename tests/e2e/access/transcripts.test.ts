@@ -1,6 +1,6 @@
 /**
- * What a screen reader has to say of each view, in order, beside what a person has read and found good (`transcripts/`).
- * `npx vitest run tests/e2e/access/transcripts.test.ts -u` writes those anew that differ: read them as one who hears them.
+ * Transcripts of each view for a screen reader, compared with those that a person has approved (`transcripts/`). `npx
+ * vitest run tests/e2e/access/transcripts.test.ts -u` replaces those that differ: read them as a listener would.
  */
 import type { Page } from "playwright-core";
 import { beforeAll, describe, expect, it } from "vitest";
@@ -19,7 +19,7 @@ interface Case {
   view: string;
   /** State of the view; all are paused. */
   hash?: string;
-  /** Waits until all that the view shows is there. */
+  /** Waits until the view is complete. */
   ready: () => Promise<unknown>;
 }
 
@@ -46,7 +46,7 @@ const CASES: readonly Case[] = [
   {
     view: "learn",
     hash: "lesson=style&beat=4&task=A",
-    // A figure says its sentence when it has rested for a second.
+    // A figure announces its sentence after it has been unchanged for a second.
     ready: () =>
       page.waitForFunction(() => {
         const figures = [...document.querySelectorAll("strut-figure:not([hidden])")];
@@ -58,7 +58,7 @@ const CASES: readonly Case[] = [
   { view: "data", ready: () => first(".catalogue li button:enabled") },
 ];
 
-/** Takes away notes, which go by themselves after a while. */
+/** Removes notes, which otherwise disappear after a while. */
 const dismissNotes = () =>
   page.evaluate(() => {
     for (const close of document.querySelectorAll<HTMLElement>(".toast .plain, .toast button:last-child"))

@@ -1,4 +1,4 @@
-/** Databases that are built, and models that are trained, while something goes wrong: clips and settings stay. */
+/** Faults while databases are built or models are trained: clips and settings are kept. */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -39,7 +39,7 @@ const buildButton = () => page.getByRole("button", { name: "Build the database" 
 const goTo = (name: string) => page.getByRole("link", { name, exact: true }).click();
 const isRead = () => page.locator('.data[aria-busy="false"]').waitFor();
 
-/** Chooses files of the tests' folder, as the first clips. */
+/** Chooses files of the tests' folder as the first clips. */
 async function choose(...paths: string[]): Promise<void> {
   const clear = page.getByRole("button", { name: "Clear", exact: true });
   if (await clear.isVisible()) await clear.click();
@@ -93,7 +93,7 @@ describe("the worker that builds ends", () => {
 });
 
 describe("a build that is cancelled", () => {
-  /** Has a call never be heard, so that it can be cancelled however fast the machine is. */
+  /** Blocks a call, so that it can be cancelled however fast the machine is. */
   async function cancelled(method: string, root: string, act: () => Promise<unknown>): Promise<void> {
     await failNextCall(page, method, "never hears");
     await act();
@@ -135,7 +135,7 @@ describe("a file that was changed on the disk", () => {
     await choose(...paths);
     await eventually(heading).toBe("3 clips, 3 styles");
     await isRead();
-    // A file is known by its time and its size.
+    // A file is identified by its time and its size.
     writeFileSync(paths[2]!, `${walks.proud}\n`);
     await page.getByLabel("Name of the database").fill("changed");
     await buildButton().click();

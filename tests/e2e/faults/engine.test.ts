@@ -1,4 +1,7 @@
-/** Workers that end at any stage, WebAssembly that is refused, memory that runs out: a sentence, nothing lost, a way on. */
+/**
+ * Workers that end at any stage, WebAssembly that is blocked, memory that runs out: a message is shown, nothing is
+ * lost, and work can continue.
+ */
 import type { Page } from "playwright-core";
 import { afterEach, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
@@ -37,7 +40,7 @@ const alert = () => page.getByRole("alert").textContent();
 const notes = () => page.locator(".toasts [role=status]").textContent();
 const RESTARTED = /The engine crashed and was restarted. Your settings are kept./;
 
-/** Expects the style, the frame and the pose of before, and that the character moves. */
+/** Expects the former style, frame and pose, and that the character moves. */
 async function expectGoesOn(before: number[]): Promise<void> {
   expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
   await page.keyboard.press("Space");
@@ -118,7 +121,7 @@ describe("a worker of a view ends", () => {
 });
 
 describe("at the start", () => {
-  /** Opens the page anew, in a state that needs the whole engine. */
+  /** Reloads the page in a state that needs the whole engine. */
   async function open(): Promise<void> {
     await page.goto("about:blank");
     await page.goto(`${site}#${STILL}`);
@@ -156,7 +159,7 @@ describe("at the start", () => {
   });
 
   it("memory runs out with a large file: the one before stays, and a smaller one opens", async () => {
-    // All that a module can address is taken when the file comes; none of it is touched.
+    // The module's whole address space is allocated when the file arrives; none of it is used.
     const spend = () => {
       const memories: WebAssembly.Memory[] = [];
       const Made = WebAssembly.Instance;

@@ -1,12 +1,12 @@
-/** Faults that a test puts into an open page: workers that end or answer nothing, timers that fire early. */
+/** Faults that a test injects into an open page: workers that end or do not answer, timers that fire early. */
 import type { Page } from "playwright-core";
 
-/** What becomes of a worker that is given a call: it ends with an error, ends without a word, or never gets the call. */
+/** Effect of a call on a worker: it ends with an error, ends silently, or never receives the call. */
 export type WorkerFault = "fails" | "vanishes" | "never hears";
 
 declare const window: { workerFaults?: Map<string, WorkerFault> };
 
-/** Has the next call of a method to any worker of the page meet a fault. */
+/** Injects a fault into the next call of a method to any worker of the page. */
 export function failNextCall(page: Page, method: string, fault: WorkerFault): Promise<void> {
   return page.evaluate(
     ({ method, fault }) => {
@@ -32,15 +32,15 @@ export function failNextCall(page: Page, method: string, fault: WorkerFault): Pr
   );
 }
 
-/** Resolves when the fault of a method was met. */
+/** Resolves when the fault of a method has occurred. */
 export async function faultMet(page: Page, method: string): Promise<void> {
   await page.waitForFunction((method) => !window.workerFaults!.has(method), method);
 }
 
-/** How long a note stays, which is long enough to be read. */
+/** How long a note stays, long enough to be read. */
 const NOTE_MS = 6000;
 
-/** Has all other things that wait for seconds wait for a twentieth of that time. */
+/** Shortens all other waits of seconds to a twentieth. */
 export function hurryTimers(page: Page): Promise<void> {
   return page.evaluate((noteMs) => {
     const later = globalThis.setTimeout;
@@ -49,7 +49,7 @@ export function hurryTimers(page: Page): Promise<void> {
   }, NOTE_MS);
 }
 
-/** Errors in the page's console but those of files that did not come. */
+/** Returns errors in the page's console, except those about missing files. */
 export function consoleErrors(page: Page): string[] {
   const errors: string[] = [];
   page.on("console", (message) => {
@@ -59,21 +59,21 @@ export function consoleErrors(page: Page): string[] {
   return errors;
 }
 
-/** Takes away what the page has said, so that what it says next can be waited for. */
+/** Removes the page's messages, so that the next one can be awaited. */
 export function dismissAll(page: Page): Promise<void> {
   return page.locator(".toast").evaluateAll((toasts) => {
     for (const toast of toasts) toast.querySelector<HTMLElement>("button:last-of-type")!.click();
   });
 }
 
-/** A database as a test puts it into the browser's storage. */
+/** A database that a test puts into the browser's storage. */
 export interface KeptDatabase {
   name: string;
   styles: string[];
   bytes: Uint8Array;
 }
 
-/** Keeps a database in the page's browser, as the page does when it has built one. */
+/** Stores a database in the page's browser, as the page does after a build. */
 export function keepDatabase(page: Page, { name, styles, bytes }: KeptDatabase): Promise<void> {
   return page.evaluate(
     ({ name, styles, content }) =>
@@ -92,7 +92,7 @@ export function keepDatabase(page: Page, { name, styles, bytes }: KeptDatabase):
   );
 }
 
-/** Names of the databases that the page's browser keeps. */
+/** Returns the names of the stored databases in the page's browser. */
 export function keptNames(page: Page): Promise<IDBValidKey[]> {
   return page.evaluate(
     () =>

@@ -1,4 +1,4 @@
-/** What happens to a page that lives long: it is put to sleep, clocks jump, the screen changes, graphics are taken away. */
+/** Events in the life of a page: it is suspended, clocks jump, the screen changes, the WebGL context is lost. */
 import type { CDPSession, Page } from "playwright-core";
 import { afterEach, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
@@ -20,7 +20,7 @@ beforeAll(async () => {
   page = opened.page;
   errors = consoleErrors(page);
   session = await page.context().newCDPSession(page);
-  // A clock that a test can move, as the system does when the machine was asleep or its clock is set.
+  // A clock that a test can change, as when the machine was asleep or its clock is set.
   await page.addInitScript(() => {
     let shift = 0;
     const { now } = Date;
@@ -44,14 +44,14 @@ afterEach(() => expect(errors.splice(0)).toEqual([]));
 const alert = () => page.getByRole("alert").textContent();
 const inputFrame = () => page.evaluate(() => window.strut.frame!.inputFrame);
 
-/** Stops the page as browsers do with one out of sight, for a while by its clocks, and shows it again. */
+/** Stops the page as browsers do in the background, for a while by its clocks, and shows it again. */
 async function sleep(ms: number): Promise<void> {
   await session.send("Page.setWebLifecycleState", { state: "frozen" });
   await page.evaluate((ms) => window.shiftClock(ms), ms);
   await session.send("Page.setWebLifecycleState", { state: "active" });
 }
 
-/** The largest advance of the input between two frames that follow each other. */
+/** Returns the largest advance of the input between two successive frames. */
 function largestAdvance(): Promise<number> {
   return page.evaluate(async () => {
     const advances: number[] = [];
@@ -71,7 +71,7 @@ describe("an hour out of sight", () => {
     await visit(page, "play=1&styles=proud:1,old:0,depressed:0");
     await eventually(inputFrame).toBeGreaterThan(5);
     await sleep(HOUR_MS);
-    // A tenth of a second at most, which the style may stretch.
+    // At most a tenth of a second, which the style may stretch.
     expect(await largestAdvance()).toBeLessThan(12);
     expect(await alert()).toBe("");
     expect(await page.locator(".toasts [role=status]").textContent()).toBe("");
@@ -139,21 +139,24 @@ describe("a page that another one took the place of", () => {
   });
 });
 
-/** Width of the stage's canvas, in its own pixels for each of the page's. */
+/** Returns the stage's canvas pixels per CSS pixel. */
 const density = () =>
   page.locator(".stage canvas").evaluate((element) => {
     const canvas = element as HTMLCanvasElement;
     return canvas.width / canvas.clientWidth;
   });
 
-/** How many different values a small copy of the picture has, of a frame in which it is drawn: one colour alone has four. */
+/**
+ * Returns the number of different values in a small copy of the picture, read in a frame in which it is drawn; a single
+ * colour has four.
+ */
 const picture = () =>
   page.locator(".stage canvas").evaluate(async (element) => {
     const copy = document.createElement("canvas");
     [copy.width, copy.height] = [64, 64];
     const context = copy.getContext("2d")!;
     let values = 0;
-    // What stands still is drawn again when the pointer moves over it; a canvas shows nothing between two drawings.
+    // A paused picture is redrawn when the pointer moves over it; a canvas can only be read during a frame.
     for (let pictures = 0; pictures < 30 && values <= 4; pictures++) {
       element.dispatchEvent(new PointerEvent("pointermove", { bubbles: true }));
       await new Promise(requestAnimationFrame);

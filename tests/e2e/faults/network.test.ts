@@ -1,4 +1,4 @@
-/** Files of the site that do not come, or come damaged: what is on screen goes on, and a click tries again. */
+/** Files of the site that are missing or damaged: the page continues with what it has, and a click retries. */
 import type { Page } from "playwright-core";
 import { beforeAll, beforeEach, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";

@@ -1,4 +1,7 @@
-/** What the browser keeps: full, damaged, slow, refused, or used by another tab. What was open stays, and a sentence says why. */
+/**
+ * Browser storage: full, damaged, slow, refused, or used by another tab. What was open is kept, and a message gives the
+ * reason.
+ */
 import type { Page } from "playwright-core";
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
@@ -37,7 +40,7 @@ const styles = () =>
 const listed = () => page.locator(".stored li:not(.deleted) bdi").allTextContents();
 const buildButton = () => page.getByRole("button", { name: "Build the database" });
 
-/** Goes to the Data view by way of Play, so that it lists anew what is kept. */
+/** Opens the Data view from Play, so that it lists the stored databases again. */
 async function goToData(): Promise<void> {
   await visit(page, "play=0");
   await page.waitForFunction(() => document.getElementById("app")!.dataset.view === "play");
@@ -59,7 +62,7 @@ async function choose(clips: Readonly<Record<string, string>>): Promise<void> {
   await eventually(() => buildButton().isEnabled()).toBe(true);
 }
 
-/** Another tab of the same browser, without a view: it only uses the storage. */
+/** Opens another tab of the same browser, without a view: it only uses the storage. */
 async function otherTab(): Promise<Page> {
   const other = await page.context().newPage();
   await other.route("**/other-tab", (route) => route.fulfill({ contentType: "text/html", body: "<title>Tab</title>" }));
@@ -91,7 +94,7 @@ describe("a kept database", () => {
       IDBObjectStore.prototype.put = function (this: IDBObjectStore, ...args: Parameters<typeof put>) {
         IDBObjectStore.prototype.put = put;
         const request = put.apply(this, args);
-        // Written in part, and then there was no room.
+        // A partial write, followed by a full disk.
         request.addEventListener("success", () => this.transaction.abort());
         const full = new DOMException("full", "QuotaExceededError");
         Object.defineProperty(this.transaction, "error", { get: () => full });
@@ -141,7 +144,7 @@ describe("a kept database", () => {
     expect(await styles()).toEqual(before);
     await visit(page, "play=0");
     await page.evaluate(() => window.releaseDisk!());
-    // The engine answers in order: were the late database opened, it would be there before what is asked for after it.
+    // The engine answers in order: if the late database were opened, it would be there before the next answer.
     await visit(page, "play=0&frame=30");
     await page.waitForFunction(
       () => window.strut.analysed && window.strut.upToDate && window.strut.frame!.inputFrame === 30,

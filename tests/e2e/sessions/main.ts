@@ -1,15 +1,15 @@
-/** A page that has nothing but the client: three sessions in one worker, over one database and two motions. */
+/** A page with only the client: three sessions in one worker, with one database and two motions. */
 import { EngineClient, type EngineRestart } from "../../../web/client/engine_client";
 import type { ClientSession } from "../../../web/client/handles";
 
-/** Where a session stands. */
+/** Position of a session. */
 export interface Place {
   inputFrame: number;
   pose: number[];
 }
 
 export interface SessionsHook {
-  /** Opens the sessions, each somewhere else. */
+  /** Opens the sessions, each at another position. */
   begin(): Promise<Place[]>;
   /** Makes a call, waits until the worker was replaced, and shows the sessions again. */
   comeBack(): Promise<{ code: string; lost: number; places: Place[] }>;

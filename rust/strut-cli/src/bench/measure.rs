@@ -7,14 +7,14 @@ use strut_core::humanoid::Pose;
 use strut_core::transfer::{Model, Options, Stage, StageClock, Stylizer};
 use strut_demo::benchmark::Query;
 
-/// Labels of the input that the engine is given, and how many classes take part.
+/// Labels of the input that are set, and which classes are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
-    /// Action and style of the input are known: one class.
+    /// Action and style of the input are known: one class is used.
     Labelled,
-    /// Nothing is known; classes that cannot matter are passed over.
+    /// No label is known; classes with a negligible weight are skipped.
     Unlabelled,
-    /// Nothing is known; every class takes part.
+    /// No label is known; every class is used.
     All,
 }
 
@@ -63,7 +63,7 @@ impl Row {
         Self::of("native", stage, mode, frames, classes, samples_ms)
     }
 
-    /// Of an engine.
+    /// Creates a row of an engine.
     pub(crate) fn of(
         engine: &'static str,
         stage: &'static str,
@@ -78,20 +78,20 @@ impl Row {
     }
 }
 
-/// The value that this share of the samples does not exceed; NaN without samples.
+/// Returns the value that this share of the samples does not exceed; NaN without samples.
 pub(crate) fn percentile(sorted: &[f64], share: f64) -> f64 {
     let rank = (share * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.max(1) - 1).copied().unwrap_or(f64::NAN)
 }
 
-/// Frames of every query that are measured.
+/// Number of measured frames of each query.
 const FRAMES_OF_QUERY: usize = 80;
-/// Frames at the beginning of a query that are not: the search has no frame before to learn from.
+/// Number of unmeasured frames at the start of a query, in which the search cannot use the previous frame.
 const WARM_UP: usize = 20;
-/// Frames between two at which a search starts cold.
+/// Number of frames between two cold starts of the search.
 const COLD_STRIDE: usize = 20;
 
-/// The times of one mode over several queries.
+/// Times of one mode over several queries.
 pub(crate) struct Run<'a> {
     model: &'a Arc<Model>,
     mode: Mode,
@@ -107,8 +107,8 @@ impl<'a> Run<'a> {
         Self { model, mode, frame: Vec::new(), stages, cold_search: Vec::new(), first_search: Vec::new() }
     }
 
-    /// Styles a query: once for the whole frames, once with a look at every stage, and here and there from a
-    /// cold start: with a whole window, and with a first frame. The target is the neutral style, as good as any.
+    /// Styles a query: once for the whole frames, once with the times of every stage, and at some frames from a cold
+    /// start, with a whole window and with a first frame. The target is the neutral style; the choice does not matter.
     pub(crate) fn add(&mut self, query: &Query) {
         let Ok(stylizer) = Stylizer::new(Arc::clone(self.model), self.mode.options(query)) else {
             return; // No class has these labels.
@@ -135,7 +135,7 @@ impl<'a> Run<'a> {
             stylizer.push_timed(pose, &mut clock);
             clock.stages_ms[Stage::Search as usize]
         };
-        // New labels of the input reset the search.
+        // Changed labels of the input reset the search.
         let other = if self.mode == Mode::Labelled { Mode::Unlabelled } else { Mode::Labelled };
         for i in (WARM_UP..poses.len()).step_by(COLD_STRIDE) {
             self.first_search.push(search_ms(stylizer.clone(), &poses[i]));
@@ -149,7 +149,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// One row for the frame, the stages and the cold starts.
+    /// Returns rows for the frame, the stages and the cold starts.
     pub(crate) fn rows(self) -> Vec<Row> {
         let db = self.model.catalogue();
         let row = |stage, samples| Row::new(stage, self.mode.name(), db.frames(), db.classes().len(), samples);

@@ -1,4 +1,4 @@
-//! `strut bench`: the engine's time for a frame, stage by stage.
+//! `strut bench`: time per frame, stage by stage.
 
 mod measure;
 mod recall;
@@ -54,8 +54,8 @@ struct Report {
     gpu: Vec<Comparison>,
 }
 
-/// Most frames whose database is also written and opened, and whose index is copied: more would not fit beside their own
-/// file.
+/// Greatest number of frames of a database that is also written, opened and its index copied. Larger ones would not fit
+/// in memory together with their file.
 const MOST_TO_OPEN: usize = 500_000;
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -83,13 +83,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(outputs.commit()?)
 }
 
-/// Measures on a database, prints the tables and adds their rows.
+/// Measures a database, prints the tables and adds their rows.
 fn measure_on(database: Database, queries: &[Query], yardstick: Option<&Yardstick>, report: &mut Report) {
     let rows = &mut report.rows;
     let first = rows.len();
     let write = || strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
     let file = (database.frames() <= MOST_TO_OPEN).then(write);
-    // Opened from its file where there is one, as users do.
+    // Opened from its file if there is one, as in normal use.
     let started = Instant::now();
     let opened = file.and_then(|bytes| {
         let Contents { database, plan } = strutdb::read(&bytes).ok()?;
@@ -125,7 +125,7 @@ fn measure_on(database: Database, queries: &[Query], yardstick: Option<&Yardstic
     }
 }
 
-/// Name of the processor and number of its threads.
+/// Returns the name of the processor and the number of its threads.
 fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let cpu = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {

@@ -1,4 +1,4 @@
-//! Recall and time of kd-trees, beside the exact search.
+//! Recall and time of kd-trees, compared with the exact search.
 
 use super::measure::{ms_since, percentile};
 use serde::Serialize;
@@ -11,14 +11,14 @@ use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
 use strut_demo::benchmark::Query;
 use strut_tasks::search::Search;
 
-/// Neighbours that are looked for in every class.
+/// Number of neighbours per class.
 pub(super) const K: usize = 40;
-/// Candidates of a kd-tree.
+/// Numbers of candidates of a kd-tree.
 const CANDIDATES: [usize; 4] = [40, 80, 160, 320];
-/// Frames between two that are searched.
+/// Distance between searched frames.
 const STRIDE: usize = 5;
 
-/// One way to search: what it finds of the [`K`] nearest windows of every class, from a cold start.
+/// Results of one search method: the share of the [`K`] nearest windows of every class that it finds from a cold start.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct SearchRow {
     search: Search,
@@ -26,12 +26,12 @@ pub(crate) struct SearchRow {
     classes: usize,
     /// Share of the nearest windows that are found.
     recall: f64,
-    /// Milliseconds for all classes.
+    /// Median time for all classes, milliseconds.
     median_ms: f64,
     p95_ms: f64,
 }
 
-/// The exact search and kd-trees of several sizes on the same windows.
+/// Measures the exact search and kd-trees of several sizes on the same windows.
 pub(super) fn measure(db: &Catalogue, index: &Index, windows: &[QueryWindow]) -> Vec<SearchRow> {
     let (nearest, times) = search(index, windows);
     let row = |search: Search, found: &[Vec<Neighbours>], mut times: Vec<f64>| {
@@ -51,7 +51,7 @@ pub(super) fn measure(db: &Catalogue, index: &Index, windows: &[QueryWindow]) ->
     std::iter::once(exact).chain(trees).collect()
 }
 
-/// A line each.
+/// Returns one line per method.
 pub(super) fn text(rows: &[SearchRow]) -> String {
     let mut out = format!("\n{:<13}{:>10}{:>19}\n", "cold search", "recall", "ms, all classes");
     for row in rows {
@@ -68,7 +68,7 @@ pub(super) fn text(rows: &[SearchRow]) -> String {
     out
 }
 
-/// Windows of motions, here and there.
+/// Returns windows of motions at a fixed stride.
 pub(super) fn all_windows(db: &Catalogue, queries: &[Query]) -> Vec<QueryWindow> {
     queries.iter().flat_map(|query| windows(db, query)).collect()
 }
@@ -82,7 +82,7 @@ fn windows(db: &Catalogue, query: &Query) -> Vec<QueryWindow> {
     all.skip(STRIDE).step_by(STRIDE).collect()
 }
 
-/// What is found in every class for every window, from a cold start, and the milliseconds that each window took.
+/// Searches every class for every window from a cold start. Returns the neighbours, and the milliseconds per window.
 pub(super) fn search(index: &Index, windows: &[QueryWindow]) -> (Vec<Vec<Neighbours>>, Vec<f64>) {
     let mut search = ClassSearch::default();
     let one = |window| {

@@ -1,16 +1,16 @@
-//! Timings as a table, beside the paper's.
+//! Timings as a table, next to the paper's.
 
 use super::measure::{Mode, Row};
 use std::fmt::Write;
 
-/// Of [`PAPER_MS`].
+/// The search time of [`PAPER_MS`].
 pub(super) const PAPER_SEARCH_MS: f64 = 7.31;
-/// Milliseconds of Table 2 of Xia et al. 2015, at 79,829 frames; the search ran on a graphics card. Its
-/// post-processing is what we call footplant.
+/// Times of Table 2 of Xia et al. 2015, milliseconds, at 79,829 frames; the search ran on a GPU. Its post-processing
+/// corresponds to our footplant.
 const PAPER_MS: [(&str, f64); 4] =
     [("frame", 18.1), ("search", PAPER_SEARCH_MS), ("regression", 9.7), ("footplant", 1.09)];
 
-/// A line a stage, median and 95th percentile in every mode.
+/// Returns one line per stage, with median and 95th percentile in every mode.
 pub(super) fn text(rows: &[Row], frames: usize, classes: usize) -> String {
     let mut out = format!("\n{frames} frames, {classes} classes; milliseconds, median and 95th percentile\n\n");
     let mut line = |stage: &str, cells: [String; 3], paper: &str| {
@@ -36,7 +36,7 @@ pub(super) fn text(rows: &[Row], frames: usize, classes: usize) -> String {
     out
 }
 
-/// Milliseconds with four digits or so.
+/// Formats milliseconds with about four digits.
 pub(super) fn short(ms: f64) -> String {
     let decimals = if ms < 1.0 {
         4

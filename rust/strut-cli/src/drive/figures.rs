@@ -1,4 +1,4 @@
-//! Figures of a drive: how near it kept to its path, how soon it did what was asked, and how well it moved meanwhile.
+//! Measurements of a drive: accuracy on the path, response to controls, and quality of the motion.
 
 use super::orders::Orders;
 use serde::Serialize;
@@ -13,17 +13,17 @@ use strut_core::pose_vector::Placement;
 use strut_core::stream::{LiveFigure, Place};
 use strut_core::transfer::StyledFrame;
 
-/// Distances from a path count from here on, seconds: the beginning is no part of it.
+/// Distances from a path are measured from this time on, seconds, without the start.
 const UNDER_WAY_SECS: f32 = 2.0;
-/// Frames after a transition belong to it for so long, seconds.
+/// Duration after a transition that counts as part of it, seconds.
 const TRANSITION_SECS: f32 = 0.15;
-/// Somebody stands who is slower than this, m/s.
+/// Speed below which the character counts as standing, m/s.
 const STILL: f32 = 0.1;
-/// A heading is reached within so many degrees, by somebody who walks and by one who stands.
+/// A heading counts as reached within this angle, degrees: while walking, and while standing.
 const WALKING_DEGREES: f32 = 15.0;
 const STANDING_DEGREES: f32 = 10.0;
 
-/// What was driven, one entry a frame.
+/// The driven motion, one entry per frame.
 #[derive(Default)]
 pub(super) struct Log {
     pub(super) poses: Vec<Pose>,
@@ -31,11 +31,11 @@ pub(super) struct Log {
     pub(super) roots: Vec<Placement>,
     /// Speeds of the root, m/s.
     pub(super) speeds: Vec<f32>,
-    /// Whether another row was taken.
+    /// Whether a transition to another row occurred.
     pub(super) switched: Vec<bool>,
-    /// Whether a move played.
+    /// Whether an action played.
     pub(super) acted: Vec<bool>,
-    /// What the driver took, microseconds.
+    /// Time of the driver, microseconds.
     pub(super) driver_us: Vec<f32>,
 }
 
@@ -50,30 +50,30 @@ impl Log {
     }
 }
 
-/// Figures of a drive.
+/// Measurements of a drive.
 #[derive(Serialize)]
 pub(super) struct Report {
     pub(super) frames: usize,
     pub(super) secs: f32,
-    /// Rows and clips to choose from, takes and mirror images included.
+    /// Number of candidate rows and clips, takes and mirror images included.
     rows: usize,
     clips: usize,
-    /// Switches to another row than the next one, a second.
+    /// Transitions to another row than the next one, per second.
     pub(super) transitions_per_sec: f32,
-    /// Distance of the styled hips from the path, from two seconds on and up to its end, metres.
+    /// Distance of the styled hips from the path, from two seconds after the start to the path's end, metres.
     pub(super) path_error_m: Option<PathError>,
-    /// Sliding of planted feet, m/s.
+    /// Mean speed of planted feet, m/s.
     skate: Skate,
-    /// Greatest distance of the neutral character whose feet are planted from where it is driven, metres.
+    /// Greatest distance of the footplanted neutral character from the driven root, metres.
     wander_m: f32,
-    /// 99.9th percentile and greatest of the acceleration of the styled hips over the ground, m/s².
+    /// 99.9th percentile and maximum of the horizontal acceleration of the styled hips, m/s².
     hips_acceleration: Peak,
-    /// 99th percentile of the joints' acceleration just after transitions, and in the clips, m/s².
+    /// 99th percentile of the joints' acceleration, m/s²: just after transitions, and in the clips.
     transition_acceleration: f32,
     clip_acceleration: f32,
-    /// Microseconds a frame of the driver.
+    /// Time of the driver per frame, microseconds.
     driver_us: Cost,
-    /// What came of each control of a log.
+    /// Response to each control of a log.
     orders: Vec<Response>,
 }
 
@@ -83,7 +83,8 @@ pub(super) struct PathError {
     p95: f32,
 }
 
-/// As the driver gives it and after the feet were planted, by the clips' contacts; of the finished motion, by its own.
+/// Foot skate of the driver's output and after footplant, both with the clips' contacts; and of the finished motion,
+/// with its own contacts.
 #[derive(Serialize)]
 struct Skate {
     driven: f32,
@@ -103,32 +104,32 @@ struct Cost {
     p95: f32,
 }
 
-/// What came of a control until the next one.
+/// Response to a control until the next one.
 #[derive(Serialize)]
 struct Response {
     time: f32,
     gait: f32,
-    /// Asked turn, degrees.
+    /// Requested turn, degrees.
     turn: Option<f32>,
-    /// Frames until the root had turned by a degree towards it, and until the styled hips had.
+    /// Number of frames until the root had turned by one degree in that direction, and until the styled hips had.
     first_degree_frames: Option<usize>,
     first_styled_degree_frames: Option<usize>,
-    /// Seconds until the heading was reached, within 15 degrees walking and 10 on the spot.
+    /// Seconds until the heading was reached, within 15 degrees while walking and 10 while standing.
     heading_secs: Option<f32>,
     /// Seconds until 50 and 90 % of the change of speed.
     half_speed_secs: Option<f32>,
     speed_secs: Option<f32>,
-    /// Seconds and metres until it stood, where that was asked.
+    /// Seconds and metres until the character stood, for a control that stops it.
     stop_secs: Option<f32>,
     stop_m: Option<f32>,
-    /// Distance of the last place from the first, metres.
+    /// Distance of the last position from the first, metres.
     moved_m: f32,
-    /// Seconds until a move began, and how long it played.
+    /// Seconds until an action began, and its duration.
     action_secs: Option<f32>,
     acted_secs: f32,
 }
 
-/// The figures of a drive whose styled frames are `styled`, and the motion that became of them.
+/// Returns the measurements of a drive with its styled frames and the finished motion.
 pub(super) fn report(
     clips: &DrivingClips,
     speeds: [f32; 2],
@@ -168,7 +169,7 @@ pub(super) fn report(
     }
 }
 
-/// Mean and 95th percentile of the distances of places from a line.
+/// Returns mean and 95th percentile of the distances of positions from a line.
 fn path_error(path: &[Vec2], places: &[Vec2]) -> PathError {
     let distance = |place: Vec2| {
         let to = |piece: &[Vec2]| {
@@ -193,7 +194,7 @@ fn ground(pose: &Pose) -> Vec2 {
     Vec2::new(pose.root.x, pose.root.z)
 }
 
-/// The neutral character as it is shown: with its feet planted.
+/// Returns the displayed neutral character, with footplant.
 fn planted(clips: &DrivingClips, log: &Log) -> Vec<Pose> {
     let mut ghost = LiveFigure::new(&clips.proportions, clips.rate_hz, Place::Follow, true);
     let frames = log.poses.iter().zip(&log.contacts);
@@ -221,7 +222,7 @@ fn is_of_transition(log: &Log, rate_hz: f32, frame: usize) -> bool {
     log.switched[frame.saturating_sub(before)..=frame].contains(&true)
 }
 
-/// Acceleration of every joint in the chosen frames, m/s².
+/// Returns the acceleration of every joint in the chosen frames, m/s².
 fn accelerations(clips: &DrivingClips, poses: &[Pose], chosen: impl Fn(usize) -> bool) -> Vec<f32> {
     let joints: Vec<[Vec3; JOINTS]> =
         poses.iter().map(|pose| world_from_local(&clips.proportions, pose).positions).collect();
@@ -234,7 +235,7 @@ fn accelerations(clips: &DrivingClips, poses: &[Pose], chosen: impl Fn(usize) ->
     (1..joints.len().saturating_sub(1)).filter(|&i| chosen(i)).flat_map(of).collect()
 }
 
-/// The 99th percentile of the database's own locomotion, as they go through the world.
+/// Returns the 99th percentile of the joints' world acceleration in the database's own locomotion.
 fn clip_acceleration(clips: &DrivingClips) -> f32 {
     let mut all = Vec::new();
     let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion && !clip.mirrored);

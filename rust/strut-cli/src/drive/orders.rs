@@ -1,4 +1,4 @@
-//! What a character is told: the CSV files of `strut drive`.
+//! Paths and controls of a character: the CSV files of `strut drive`.
 
 use crate::failure::{Failure, Outcome};
 use std::path::Path;
@@ -7,22 +7,22 @@ use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
 use strut_tasks::files;
 
-/// Largest file of orders, bytes.
+/// Greatest size of a file, bytes.
 const MAX_BYTES: usize = 16 << 20;
 
-/// Where to go.
+/// A path or a list of controls.
 pub(super) enum Orders {
-    /// Along points, each with the gait there and the length of the line up to it.
+    /// Points of a path, each with its gait and the length of the line up to it.
     Path { points: Vec<Vec2>, gaits: Vec<[f32; 2]> },
-    /// By controls, each from its time on, seconds.
+    /// Controls, each with the time from which it applies, seconds.
     Log(Vec<(f32, Control)>),
 }
 
 impl Orders {
-    /// Those of one of two files.
+    /// Reads one of two files.
     ///
     /// # Errors
-    /// A sentence that names the file, the line and what was expected.
+    /// A message with the file, the line and the expected content.
     pub(super) fn read(path: Option<&Path>, controls: Option<&Path>, gait: f32) -> Outcome<Self> {
         match (path, controls) {
             (Some(file), _) => read_path(file, gait),
@@ -31,7 +31,7 @@ impl Orders {
         }
     }
 
-    /// The line to follow, if there is one.
+    /// Returns the line to follow, if there is one.
     pub(super) fn path(&self) -> Option<&[Vec2]> {
         match self {
             Self::Path { points, .. } => Some(points),
@@ -39,7 +39,7 @@ impl Orders {
         }
     }
 
-    /// What is asked at a time, for somebody who is so far along the path.
+    /// Returns the control at a time, and at a distance along the path.
     pub(super) fn at(&self, secs: f32, progress: Option<f32>) -> Control {
         match self {
             Self::Path { gaits, .. } => {
@@ -51,7 +51,7 @@ impl Orders {
         }
     }
 
-    /// The controls of a log, each with the time from which on it is asked, seconds; none for a path.
+    /// Returns the controls of a log, each with the time from which it applies, seconds; empty for a path.
     pub(super) fn log(&self) -> &[(f32, Control)] {
         match self {
             Self::Path { .. } => &[],
@@ -59,7 +59,7 @@ impl Orders {
         }
     }
 
-    /// Whether nothing further is asked.
+    /// Returns whether no further orders remain.
     pub(super) fn is_over(&self, secs: f32, driver: &Driver) -> bool {
         match self {
             Self::Path { .. } => driver.has_arrived(),
@@ -96,7 +96,7 @@ fn read_log(file: &Path) -> Outcome<Orders> {
             Some(Move::named(action).ok_or_else(|| Failure::in_file(file, unknown()))?)
         };
         let [time, gait, heading] = [row[0], row[1], row[2]].map(Option::unwrap_or_default);
-        // Heading 0 is +Z, as the positive turn is to the left, +X.
+        // Heading 0 is +Z, and a positive turn is to the left, towards +X.
         let (x, z) = sin_cos(heading.to_radians());
         let wish = if gait > 0.0 { Vec2::new(x, z) } else { Vec2::ZERO };
         log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians), action }));
@@ -110,7 +110,7 @@ fn read_log(file: &Path) -> Outcome<Orders> {
     Ok(Orders::Log(log))
 }
 
-/// Numbers by column, where optional columns may be absent or empty, and the text of a further column.
+/// Numbers by column, where optional columns may be absent or empty, and the text of another column.
 struct Table {
     rows: Vec<(Vec<Option<f32>>, String)>,
 }

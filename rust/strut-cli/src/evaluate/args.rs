@@ -122,7 +122,7 @@ pub(crate) struct Args {
 }
 
 impl Args {
-    /// What is asked for, as it was typed in `command`.
+    /// Returns the request, with the command line as it was typed.
     pub(super) fn request(&self, command: String) -> Request {
         Request {
             data: self.data.clone(),

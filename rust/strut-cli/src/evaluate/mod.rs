@@ -32,7 +32,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(())
 }
 
-/// The arguments as typed, recorded with results and checkpoints.
+/// Returns the arguments as typed, which are recorded with results and checkpoints.
 fn command_line() -> String {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     format!("strut {}", arguments.join(" "))

@@ -1,4 +1,4 @@
-//! The clips of the prototype, and which of them are held out (`docs/methods/somn.md` §2).
+//! The prototype's clips, and the held-out part of them (`docs/methods/somn.md` §2).
 
 use crate::failure::{Failure, Outcome};
 use std::path::PathBuf;
@@ -6,15 +6,15 @@ use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, SEE
 use strut_tasks::progress::unwatched;
 use strut_tasks::recordings::read_recordings;
 
-/// Components of all models.
+/// Number of components of all models.
 const COMPONENTS: usize = 16;
 
 /// How clips are held out.
 #[derive(Clone, Copy, Debug)]
 enum Held {
-    /// Every fourth block of so many frames, the clips one after the other.
+    /// Every fourth block of this many frames of the concatenated clips.
     Blocks(usize),
-    /// The first clips of every so many.
+    /// The first clips of every group of `of` clips.
     Clips { first: usize, of: usize },
 }
 
@@ -26,15 +26,15 @@ pub(super) struct Plan {
     pub(super) clips: &'static str,
     axes: &'static str,
     folder: &'static str,
-    /// Beginnings of the files' names and the last take of each.
+    /// Prefixes of the file names, with the last take of each.
     files: &'static [&'static str],
     takes: usize,
     held: Held,
     /// Whether it is one of the main data sets, of which more is measured.
     pub(super) is_shown: bool,
-    /// Errors in degrees and centimetres that the prototype reached: SOMN and EM.
+    /// Errors of the prototype, degrees and centimetres: SOMN and EM.
     pub(super) published: [[f64; 2]; 2],
-    /// The prototype's differences between requested and measured styles.
+    /// Differences between requested and measured styles of the prototype.
     pub(super) published_control: &'static str,
 }
 
@@ -104,7 +104,7 @@ pub(super) const ALL: [Plan; 5] = [
     },
 ];
 
-/// Clips to learn from, and others.
+/// Training clips and test clips.
 pub(super) struct DataSet {
     pub(super) plan: &'static Plan,
     pub(super) axes: Vec<Measure>,
@@ -113,7 +113,7 @@ pub(super) struct DataSet {
 }
 
 impl DataSet {
-    /// From folders that contain the plan's folder, or are it.
+    /// Reads the set from folders that contain the plan's folder, or are it.
     pub(super) fn read(plan: &'static Plan, folders: &[PathBuf]) -> Outcome<Self> {
         let names: Vec<String> = plan
             .files
@@ -146,24 +146,24 @@ impl DataSet {
         Ok(Self { plan, axes, training, test })
     }
 
-    /// A model of the training clips.
+    /// Trains a model on the training clips.
     pub(super) fn train(&self, learning: Learning, components: usize, seed: u64) -> Result<KeyStyleModel, TrainError> {
         let options = Options { components: Some(components), seed, learning };
         train(&self.training.iter().collect::<Vec<_>>(), &self.axes, options)
     }
 
-    /// The model that is shown: as the page and the command make it, but of 16 components.
+    /// Trains the displayed model: as the page and the command do, but with 16 components.
     pub(super) fn model(&self) -> Outcome<KeyStyleModel> {
         self.train(Learning::Som, COMPONENTS, SEED).map_err(Failure::new)
     }
 
-    /// One for each seed.
+    /// Trains one model per seed.
     pub(super) fn models(&self, learning: Learning, seeds: u64) -> Outcome<Vec<KeyStyleModel>> {
         (0..seeds).map(|seed| self.train(learning, COMPONENTS, seed).map_err(Failure::new)).collect()
     }
 }
 
-/// Every fourth block of clips one after the other, apart from the rest.
+/// Separates every fourth block of the concatenated clips from the rest.
 fn blocks(recordings: &[Recording], frames: usize) -> (Vec<Recording>, Vec<Recording>) {
     let (mut training, mut test) = (Vec::new(), Vec::new());
     let mut before = 0;

@@ -1,4 +1,5 @@
-//! Keys against recorded motion, and a walk that goes round in a circle (`docs/methods/somn.md` §8 and §10).
+//! Keys compared with recorded motion, and a walk with a style that moves in a circle (`docs/methods/somn.md` §8 and
+//! §10).
 
 use super::data::DataSet;
 use super::tables::{AS_LEARNT, nearest, observed, roughness};
@@ -13,15 +14,15 @@ use strut_core::metrics::foot_skate;
 use strut_core::somn::evaluation::{Observed, pose_error};
 use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Row, Style, Synthesis};
 
-/// Frames from key to key.
+/// Distances between keys, frames.
 const EVERY: [usize; 6] = [4, 8, 10, 12, 15, 20];
 const EVERY_IN_BLOCKS: [usize; 3] = [4, 6, 18];
-/// The circle: its radius in standard deviations, frames a turn, and turns.
+/// The circle: its radius in standard deviations, frames per turn, and turns.
 const RADIUS: f64 = 1.35;
 const TURN: usize = 35;
 const TURNS: usize = 10;
 
-/// The prototype's errors: key frames, key styles monotone and Catmull-Rom, hybrid.
+/// Errors of the prototype: key-framing, key-styling monotone and Catmull-Rom, hybrid.
 const PUBLISHED: [(&str, usize, [&str; 4]); 8] = [
     ("walk", 4, ["0.92° / 0.29 cm / 4.1", "2.50° / 1.29 cm / 8.7", "2.46° / 1.26 cm / 8.4", "0.72° / 0.31 cm / 8.7"]),
     ("walk", 8, ["2.91° / 1.44 cm / 1.3", "3.52° / 1.99 cm / 11.0", "3.25° / 1.80 cm / 9.5", "2.09° / 1.12 cm / 9.5"]),
@@ -41,7 +42,7 @@ const PUBLISHED: [(&str, usize, [&str; 4]); 8] = [
     ("punch", 18, ["7.28° / 3.41 cm / 0.0", "", "7.89° / 3.95 cm / 5.3", "7.19° / 3.39 cm / 5.3"]),
 ];
 
-/// Errors and dynamics by the distance of the keys.
+/// Writes errors and dynamics by the distance of the keys.
 pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcome {
     text.push_str(
         "## Keys\n\nKeys are taken from held-out motion every *n* frames, and the motion between them is compared with the recorded one. \
@@ -93,7 +94,7 @@ pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcom
     Ok(())
 }
 
-/// The poses between the keys of a run; none where it has no two.
+/// Returns the poses between the keys of a run, or `None` for fewer than two keys.
 fn made(
     of: &Observed,
     n: usize,
@@ -107,7 +108,7 @@ fn made(
     Some((0..=last).map(|t| styling.row(synthesis, t as f64, method)).collect())
 }
 
-/// A walk made by turning the style in a circle.
+/// Writes a walk that is made by moving the style in a circle.
 pub(super) fn circle(text: &mut String, set: &DataSet) -> Outcome {
     let model = Arc::new(set.model()?);
     let style = |frame: usize| -> Style {

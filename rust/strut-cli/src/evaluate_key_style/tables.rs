@@ -11,22 +11,23 @@ use strut_core::somn::{
     Style, Synthesis, train,
 };
 
-/// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames from one to the next.
+/// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames between two of these
+/// styles.
 const LINES: usize = 100;
 const LINES_A_DRAW: usize = 10;
 const STYLES_EACH: usize = 6;
 const FRAMES_EACH: usize = 45;
-/// The mixture as it was learnt.
+/// The mixture as it was trained.
 pub(super) const AS_LEARNT: Mode = temperature(1.0);
-/// Poses that are timed.
+/// Number of timed poses.
 const POSES: usize = 20_000;
 
-/// Held-out recordings with their measured styles.
+/// Returns held-out recordings with their measured styles.
 pub(super) fn observed(model: &KeyStyleModel, recordings: &[Recording]) -> Vec<Observed> {
     recordings.iter().map(|recording| Observed::new(model, recording)).collect()
 }
 
-/// Mean error of poses predicted from their styles.
+/// Returns the mean error of poses predicted from their styles.
 fn mean_error(model: &KeyStyleModel, of: &[Observed], mut row: impl FnMut(&Style) -> Row) -> [f64; 2] {
     let (mut sums, mut count) = ([0.0; 2], 0.0);
     for (x, style) in of.iter().flat_map(|o| o.rows.iter().zip(&o.styles)) {
@@ -41,7 +42,7 @@ fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
     values.clone().sum::<f64>() / values.count() as f64
 }
 
-/// Likelihood and error of every way of learning.
+/// Writes likelihood and error of every training method.
 pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome {
     let _ = writeln!(
         text,
@@ -108,7 +109,7 @@ fn published_pair([degrees, centimetres]: [f64; 2]) -> String {
     }
 }
 
-/// Baselines without a model.
+/// Writes baselines without a model.
 pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
         "## What needs no mixture\n\nThese are the mean pose, one linear map (least squares) and the recorded pose of the nearest \
@@ -139,7 +140,7 @@ const fn temperature(temperature: f64) -> Mode {
     Mode::Smooth { temperature, blur: 0.0 }
 }
 
-/// How far joints jump while a style is dragged.
+/// Writes how far joints jump while a style is dragged.
 pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
     let _ = writeln!(
         text,
@@ -210,7 +211,7 @@ pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
     Ok(())
 }
 
-/// Pseudorandom numbers, the same in every run.
+/// Returns a pseudorandom number generator with a fixed seed.
 fn random() -> impl FnMut(usize) -> usize {
     let mut seed = 1_u64;
     move |end| {
@@ -234,7 +235,7 @@ fn between(a: &Style, b: &Style, frame: usize) -> Style {
     std::array::from_fn(|j| a[j] + share * (b[j] - a[j]))
 }
 
-/// Control accuracy: requested against measured style.
+/// Writes the control accuracy: requested and measured style.
 pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
         "## Control\n\nColumns are the mean difference between the held-out style that is asked for and what is measured on the \
@@ -266,9 +267,9 @@ pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     Ok(())
 }
 
-/// Distance to the nearest recorded pose, by the distance of the style to the nearest recorded style.
+/// Writes the distance to the nearest recorded pose, by the distance of the style to the nearest recorded style.
 pub(super) fn support(text: &mut String, sets: &[&DataSet]) -> Outcome {
-    /// Styles that are tried, and how far from the mean, in standard deviations.
+    /// Number of sampled styles, and their greatest distance from the mean in standard deviations.
     const TRIED: usize = 1500;
     const WIDEST: f64 = 4.0;
     const BINS: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
@@ -304,14 +305,14 @@ pub(super) fn support(text: &mut String, sets: &[&DataSet]) -> Outcome {
     Ok(())
 }
 
-/// Mean angle between the joints of a pose and of the recorded pose that is nearest in all numbers, degrees.
+/// Returns the mean joint angle between a pose and the nearest recorded pose, by all numbers, degrees.
 pub(super) fn nearest(model: &KeyStyleModel, recorded: &[Row], row: &Row) -> f64 {
     let square = |x: &Row| -> f64 { x.iter().zip(row).map(|(a, b)| (a - b) * (a - b)).sum() };
     let nearest = recorded.iter().map(|x| (square(x), x)).reduce(|a, b| if b.0 < a.0 { b } else { a });
     nearest.map_or(f64::NAN, |(_, x)| pose_error(&model.space, x, row)[0])
 }
 
-/// Training and synthesis times, and file sizes.
+/// Writes training and synthesis times, and file sizes.
 pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
     text.push_str(
         "## Cost\n\n| data | frames | learning | a dragged pose | model file |\n| --- | ---: | ---: | ---: | ---: |\n",
@@ -341,7 +342,7 @@ pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
     Ok(())
 }
 
-/// Mean magnitude of third differences over runs of poses, in thousandths of a radian.
+/// Returns the mean magnitude of third differences over runs of poses, thousandths of a radian.
 pub(super) fn roughness<'a>(runs: impl Iterator<Item = &'a [Row]>) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for run in runs {

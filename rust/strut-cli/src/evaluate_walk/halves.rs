@@ -7,7 +7,7 @@ use strut_core::humanoid::Proportions;
 use strut_tasks::threads::ThreadPool;
 use strut_tasks::walks::Walk;
 
-/// Appends how well a model of the first half of every take predicts its second half.
+/// Writes how well a model of the first half of every take predicts the second half.
 pub(super) fn write(
     text: &mut String,
     name: &str,
@@ -15,7 +15,7 @@ pub(super) fn write(
     takes: &[Walk],
 ) -> Result<(), TrainError> {
     let halves: Vec<(String, [Track; 2])> = takes.iter().map(|w| (name_of(w), w.track.halves())).collect();
-    // A style per take, of those whose first half has steps of both feet.
+    // One style per take, for takes with steps of both feet in the first half.
     let has_both = |track: &Track| {
         let steps = steps_of(track);
         [Side::Left, Side::Right].iter().all(|side| steps.iter().any(|step| step.side == *side))
@@ -61,7 +61,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// A model of some clips and of every style's first take, which is a style of its own.
+/// Trains a model on some clips and on every style's first take, which becomes a separate style.
 pub(super) fn with_first_takes(
     (body, clips): (&Proportions, &[LabelledClip<'_>]),
     takes: &[Walk],
@@ -73,7 +73,7 @@ pub(super) fn with_first_takes(
     train(body, &all, Options { refined: true }, &ThreadPool)
 }
 
-/// A take as a style of its own.
+/// Returns the name of a take that is a separate style.
 fn name_of(walk: &Walk) -> String {
     format!("{} {}", walk.style, walk.take)
 }

@@ -1,4 +1,4 @@
-//! Robustness of styles to weakening, exaggeration and negation.
+//! Robustness of styles to attenuation, exaggeration and negation.
 
 use super::mixture::{STEPS, weights};
 use std::fmt::Write;
@@ -6,9 +6,9 @@ use std::sync::Arc;
 use strut_core::hsmm::evaluation::{Bearing, GaitStatistics, bearing, strengths};
 use strut_core::hsmm::{RuntimeWalkModel, WalkModel, WeightsError};
 
-/// Intensities that are measured.
+/// Measured intensities.
 const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
-/// Intensities between which the gait's statistics should change monotonically, in steps of [`MONOTONE_STEP`].
+/// Intensities over which the gait's statistics should be monotonic, in steps of [`MONOTONE_STEP`].
 const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
 const MONOTONE_STEP: f32 = 0.25;
 
@@ -21,7 +21,7 @@ pub(super) const INTRODUCTION: &str = "## Intensity\n\nThe first table counts th
      direction as the whole, and the styles all of whose increments do. The last column is the greatest increment that does not, \
      as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
 
-/// Appends the tables of a model.
+/// Writes the tables of a model.
 pub(super) fn write(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     failures(text, model, runtime)?;
     monotony(text, model, runtime)

@@ -1,4 +1,4 @@
-//! Addresses: `127.0.0.1:39539`, `localhost:39539`, or a port of this computer alone.
+//! Addresses: `127.0.0.1:39539`, `localhost:39539`, or a port of this computer.
 
 use crate::failure::{Failure, Outcome};
 use std::fmt::{self, Display};
@@ -10,18 +10,18 @@ use std::str::FromStr;
 pub(crate) struct Address(pub(super) SocketAddr);
 
 impl Address {
-    /// A port of this computer.
+    /// Returns the address of a port of this computer.
     pub(super) fn on_this_computer(port: u16) -> Self {
         Self(SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), port))
     }
 
-    /// Whether who listens here hears what is sent there.
+    /// Returns whether a listener on this address receives packets that are sent to `target`.
     pub(super) fn hears(&self, target: &Self) -> bool {
         let is_all = self.0.ip().is_unspecified() && target.0.ip().is_loopback();
         self.0.port() == target.0.port() && (is_all || self.0.ip() == target.0.ip())
     }
 
-    /// Refuses other computers unless they are allowed.
+    /// Refuses addresses other than loopback unless they are allowed.
     pub(super) fn check(&self, allow_network: bool) -> Outcome {
         if allow_network || self.0.ip().is_loopback() {
             return Ok(());

@@ -1,39 +1,39 @@
-//! Figures of a stream.
+//! Statistics of a stream.
 
 use serde::Serialize;
 use std::fmt::{self, Display};
 
-/// Width of the bins of latencies, and their number: half a second.
+/// Width of the latency bins, seconds, and their number: half a second in total.
 const BIN_SECS: f64 = 1e-4;
 const BINS: usize = 5000;
 
-/// How a stream goes.
+/// Statistics of a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub(super) struct Figures {
     pub(super) secs: f64,
-    /// Frames taken from the performer, and how many a second while there were some.
+    /// Number of frames received from the performer, and their rate while frames arrived.
     pub(super) frames_in: u64,
     pub(super) hz: f64,
-    /// Styled frames sent.
+    /// Number of styled frames sent.
     pub(super) frames_out: u64,
-    /// Share of the frames that came after their time.
+    /// Percentage of the frames that were late.
     pub(super) late_percent: f64,
-    /// Share of the frames that never came whole.
+    /// Percentage of the frames that never arrived complete.
     pub(super) lost_percent: f64,
-    /// Frames of the present performer that were dropped because a part of them was lost.
+    /// Number of frames of the present performer that were dropped because a part was lost.
     pub(super) frames_partial: u64,
-    /// Times that the performer was lost.
+    /// Number of times that the performer was lost.
     pub(super) losses: u64,
-    /// Packets that were not Open Sound Control or beyond its limits, messages with wrong arguments, and packets of others
-    /// than the performer.
+    /// Number of packets that were invalid Open Sound Control or beyond its limits, of messages with wrong arguments,
+    /// and of packets from other performers.
     pub(super) packets_refused: u64,
     pub(super) messages_dropped: u64,
     pub(super) packets_of_others: u64,
-    /// How long frames wait.
+    /// Delay of the buffer.
     pub(super) buffer_ms: f64,
-    /// From when a frame could have been shown at the earliest until it was sent on.
+    /// Time from the earliest moment at which a frame could have been displayed until it was sent.
     pub(super) latency_ms: Spread,
-    /// Of which computing a frame.
+    /// Part of it for the computation of a frame.
     pub(super) computing_ms: Spread,
 }
 
@@ -54,7 +54,7 @@ impl Display for Figures {
     }
 }
 
-/// Counts times by their length: percentiles of any number of them in the same memory.
+/// Counts durations in bins: percentiles of any number of them in constant memory.
 pub(super) struct Histogram {
     counts: Vec<u64>,
 }
@@ -66,18 +66,18 @@ impl Default for Histogram {
 }
 
 impl Histogram {
-    /// Counts a time, seconds; longer ones than there are bins for are in the last one.
+    /// Counts a duration, seconds. Durations beyond the bins are counted in the last one.
     pub(super) fn count(&mut self, secs: f64) {
         let bin = ((secs.max(0.0) / BIN_SECS) as usize).min(BINS - 1);
         self.counts[bin] += 1;
     }
 
-    /// Percentiles in milliseconds; 0 without times.
+    /// Returns percentiles in milliseconds; 0 without samples.
     pub(super) fn spread(&self) -> Spread {
         Spread { p50: self.below(0.5), p95: self.below(0.95) }
     }
 
-    /// The middle of the bin in which a share of all times lies below.
+    /// Returns the middle of the bin up to which this share of all durations lies.
     fn below(&self, share: f64) -> f64 {
         let wanted = share * self.counts.iter().sum::<u64>() as f64;
         let mut sum = 0;

@@ -1,4 +1,4 @@
-//! Packets on their way out.
+//! Outgoing packets.
 
 use super::address::Address;
 use crate::failure::{Failure, Outcome};
@@ -11,7 +11,7 @@ pub(super) struct Output {
 }
 
 impl Output {
-    /// To these addresses. Whether anybody listens there is not known.
+    /// Opens a socket for these addresses. Whether a program listens on them is unknown.
     pub(super) fn open(targets: &[Address]) -> Outcome<Self> {
         let open = |address: &Address| {
             let from: IpAddr = match (address.0.ip(), address.0.ip().is_loopback()) {
@@ -29,7 +29,7 @@ impl Output {
         Ok(Self { targets: targets.iter().map(open).collect::<Outcome<_>>()? })
     }
 
-    /// Sends a packet to all of them. What cannot be sent now is lost, as on any network.
+    /// Sends a packet to all addresses. A packet that cannot be sent now is lost, as on any network.
     pub(super) fn send(&mut self, packet: &[u8]) {
         for (socket, address) in &self.targets {
             let _ = socket.send_to(packet, address.0);

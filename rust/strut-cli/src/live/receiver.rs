@@ -1,4 +1,4 @@
-//! Packets as they arrive: a thread waits for them, so that the time of arrival is exact whatever else is done.
+//! Incoming packets. A separate thread receives them, so that the arrival time is exact regardless of other work.
 
 use super::address::Address;
 use crate::failure::{Failure, Outcome};
@@ -9,25 +9,25 @@ use std::thread;
 use std::time::{Duration, Instant};
 use strut_formats::vmc::MAX_PACKET_BYTES;
 
-/// Packets that may wait; more are dropped, as the network drops them.
+/// Greatest number of waiting packets; more are dropped.
 const MOST_WAITING: usize = 1024;
 
-/// After an error that may stay the socket is left alone for so long.
+/// Pause after an error that may persist.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Whether an error says nothing of the next packet.
+/// Returns whether an error does not affect the next packet.
 fn is_of_the_moment(error: ErrorKind) -> bool {
     matches!(error, ErrorKind::ConnectionRefused | ErrorKind::ConnectionReset | ErrorKind::Interrupted)
 }
 
-/// A packet with its time of arrival on the receiver's clock.
+/// A packet with its arrival time on the receiver's clock.
 pub(super) struct Packet {
     pub(super) bytes: Vec<u8>,
     pub(super) from: SocketAddr,
     pub(super) arrived_secs: f64,
 }
 
-/// Listens to an address.
+/// Listens on an address.
 pub(super) struct Receiver {
     packets: mpsc::Receiver<Packet>,
     address: SocketAddr,
@@ -35,7 +35,7 @@ pub(super) struct Receiver {
 }
 
 impl Receiver {
-    /// Begins to listen; port 0 is any free one.
+    /// Starts to listen; port 0 is any free port.
     pub(super) fn listen(address: &Address) -> Outcome<Self> {
         let fail = |error: std::io::Error| match error.kind() {
             ErrorKind::AddrInUse => {
@@ -48,14 +48,15 @@ impl Receiver {
         let address = socket.local_addr().map_err(fail)?;
         let (sender, packets) = mpsc::sync_channel(MOST_WAITING);
         let start = Instant::now();
-        // It ends with the process, or with the first packet after the receiver has gone.
+        // The thread ends with the process, or with the first packet after the receiver was dropped.
         thread::spawn(move || {
             let mut bytes = vec![0; MAX_PACKET_BYTES + 1];
             loop {
                 let (length, from) = match socket.recv_from(&mut bytes) {
                     Ok(packet) => packet,
                     Err(error) => {
-                        // A reset says that nobody listens on the port that was sent to: receiving goes on. Other errors may last.
+                        // A reset means that no program listens on the target port: receiving continues. Other errors
+                        // may persist.
                         if !is_of_the_moment(error.kind()) {
                             thread::sleep(PAUSE);
                         }
@@ -72,17 +73,17 @@ impl Receiver {
         Ok(Self { packets, address, start })
     }
 
-    /// Where it listens.
+    /// Returns the address that it listens on.
     pub(super) fn address(&self) -> SocketAddr {
         self.address
     }
 
-    /// The time on the clock of arrivals, seconds.
+    /// Returns the time on the clock of arrivals, seconds.
     pub(super) fn now_secs(&self) -> f64 {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// The next packet, if one comes within a time.
+    /// Returns the next packet if one arrives within a time.
     pub(super) fn next(&self, within: Duration) -> Outcome<Option<Packet>> {
         match self.packets.recv_timeout(within) {
             Ok(packet) => Ok(Some(packet)),

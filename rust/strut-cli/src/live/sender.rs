@@ -1,4 +1,4 @@
-//! `strut live --send`: a file as a performer.
+//! `strut live --send`: sends a file as a performer does.
 
 use super::output::Output;
 use super::stop;
@@ -11,10 +11,10 @@ use strut_core::retarget::to_humanoid;
 use strut_formats::vmc::{self, Frame, Message, Performer};
 use strut_tasks::clip::read_clip;
 
-/// Most frames a second.
+/// Greatest frame rate.
 const MAX_RATE_HZ: f32 = 60.0;
 
-/// Sends the motion of a file as it goes on, once, or over and over for so many seconds.
+/// Sends the motion of a file in real time, once, or looped for a number of seconds.
 pub(super) fn send(file: &Path, output: &mut Output, secs: Option<f64>) -> Outcome {
     let clip = read_clip(file)?;
     let mut motion = to_humanoid(&clip.motion, &clip.binding, &clip.binding.proportions);

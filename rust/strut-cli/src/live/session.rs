@@ -1,4 +1,4 @@
-//! A stream from packets to packets: without sockets and clocks, whose times are arguments.
+//! A stream from received packets to sent packets, without sockets and clocks: times are arguments.
 
 use super::figures::{Figures, Histogram};
 use std::net::SocketAddr;
@@ -9,23 +9,23 @@ use strut_core::stream::{Delay, JitterBuffer, LiveFloor, LiveStylizer, Play};
 use strut_core::transfer::Model;
 use strut_formats::vmc::{self, Calibration, Frame, FrameReader, Message, Performer};
 
-/// After so many frames in a row with the bones of another body the performer has another avatar.
+/// Number of successive frames with the bones of another body after which the avatar counts as changed.
 const MOST_OTHERS: u32 = 3;
-/// A performer who is silent for so long may be followed by another, seconds.
+/// Silence of a performer after which another one is accepted, seconds.
 const SILENT_SECS: f64 = 1.0;
-/// Messages that wait to be passed on; more are dropped.
+/// Greatest number of messages that wait to be passed on; more are dropped.
 const MOST_PASSED: usize = 1024;
 /// Longest recording, seconds.
 const MAX_RECORDED_SECS: f64 = 3600.0;
 
-/// What a session is told.
+/// Settings of a session.
 pub(super) struct Settings {
     pub(super) delay: Delay,
     pub(super) calibrate_secs: Option<f64>,
     pub(super) records: bool,
 }
 
-/// Poses on the database's body, one a tick.
+/// Poses on the database's body, one per tick.
 #[derive(Default)]
 pub(super) struct Recorded {
     pub(super) styled: Vec<Pose>,
@@ -44,9 +44,9 @@ pub(super) struct Session {
     passed: Vec<Message>,
     messages: Vec<Message>,
     recorded: Recorded,
-    /// When what the last tick showed could have been shown.
+    /// Time at which the last tick's frame could have been displayed.
     due_secs: Option<f64>,
-    /// Ticks that a performer was there for.
+    /// Number of ticks with a performer.
     frames_out: u64,
     now_secs: f64,
     latency: Histogram,
@@ -56,34 +56,34 @@ pub(super) struct Session {
     packets_of_others: u64,
 }
 
-/// The performer who is heard.
+/// The active performer.
 struct Source {
     address: SocketAddr,
     heard_secs: f64,
     reader: FrameReader,
-    /// Whether it sends times: then a frame without one lost it.
+    /// Whether the performer sends times; then a frame without a time has lost it.
     sends_times: bool,
     calibration: Option<(Calibration, f64)>,
     body: Option<Body>,
 }
 
-/// The performer's body beside the database's.
+/// The performer's body, and the conversion between it and the database's.
 struct Body {
     performer: Performer,
-    /// To the database's body and back.
+    /// Conversions to the database's body and back.
     there: BetweenBodies,
     back: BetweenBodies,
     floor: LiveFloor,
     /// Height of the ground under the last frame, metres.
     floor_metres: f32,
-    /// Frames in a row that are of another body.
+    /// Number of successive frames with another body.
     others: u32,
     /// The last frame.
     last: Frame,
 }
 
 impl Session {
-    /// Before anything has come.
+    /// Creates a session without packets.
     pub(super) fn new(model: Arc<Model>, live: LiveStylizer, weights: Vec<f32>, settings: Settings) -> Self {
         Self {
             model,
@@ -106,22 +106,22 @@ impl Session {
         }
     }
 
-    /// Frames a second.
+    /// Returns the frame rate, frames per second.
     pub(super) fn rate_hz(&self) -> f32 {
         self.model.catalogue().rate_hz
     }
 
-    /// The database's body.
+    /// Returns the database's body.
     pub(super) fn proportions(&self) -> Proportions {
         self.model.catalogue().proportions
     }
 
-    /// What was recorded.
+    /// Returns the recordings.
     pub(super) fn recorded(&self) -> &Recorded {
         &self.recorded
     }
 
-    /// Takes a packet that arrived at a time, seconds. Of two performers the first is heard until it is silent.
+    /// Processes a packet with its arrival time, seconds. Of two performers the first one is used until it is silent.
     pub(super) fn receive(&mut self, bytes: &[u8], from: SocketAddr, arrived_secs: f64) {
         let is_other = |source: &Source| source.address != from;
         if self.source.as_ref().is_some_and(|s| is_other(s) && arrived_secs - s.heard_secs < SILENT_SECS) {
@@ -154,7 +154,7 @@ impl Session {
         self.messages = messages;
     }
 
-    /// The packets to send at a tick, seconds.
+    /// Returns the packets to send at a tick, seconds.
     pub(super) fn tick(&mut self, now_secs: f64) -> Vec<Vec<u8>> {
         self.now_secs = now_secs;
         self.end_in_silence(now_secs);
@@ -180,7 +180,7 @@ impl Session {
         vmc::encode(&out)
     }
 
-    /// Counts that the packets of a tick were begun and sent at these times, seconds.
+    /// Records when the computation of a tick's packets began and when they were sent, seconds.
     pub(super) fn sent(&mut self, begun_secs: f64, sent_secs: f64) {
         if let Some(due_secs) = self.due_secs {
             self.latency.count(sent_secs - due_secs);
@@ -188,7 +188,7 @@ impl Session {
         }
     }
 
-    /// How the stream goes.
+    /// Returns the statistics of the stream.
     pub(super) fn figures(&self) -> Figures {
         let stats = self.buffer.stats();
         let percent = |part: u64, of: u64| 100.0 * part as f64 / of.max(1) as f64;
@@ -220,7 +220,7 @@ impl Session {
         self.take(frame.as_ref());
     }
 
-    /// Puts a frame into the buffer, on the database's body.
+    /// Adds a frame to the buffer, on the database's body.
     fn take(&mut self, frame: Option<&Frame>) {
         let (Some(frame), Some(source)) = (frame, &mut self.source) else { return };
         source.sends_times |= frame.sent_secs.is_some();
@@ -265,7 +265,7 @@ impl Source {
         }
     }
 
-    /// The body, from the first frame on that is not one of the calibration; another one where the avatar changes.
+    /// Returns the body, from the first frame after the calibration on. It is replaced when the avatar changes.
     fn body_of(&mut self, frame: &Frame, calibrate_secs: Option<f64>, of_database: &Proportions) -> Option<&mut Body> {
         if let Some(body) = &mut self.body {
             body.others = if body.performer.has_body_of(frame) { 0 } else { body.others + 1 };
@@ -313,7 +313,7 @@ mod tests {
         Arc::clone(MODEL.get_or_init(|| Arc::new(Model::new(walks()))))
     }
 
-    /// How late frames are: never, but every third.
+    /// Returns the lateness of a frame: 0, except for every third frame.
     fn lateness_secs(i: usize) -> f64 {
         [0.0, 0.0, LATEST_SECS][i % 3]
     }
@@ -341,7 +341,7 @@ mod tests {
         vmc::encode(&messages)
     }
 
-    /// The frame of packets, if they have one.
+    /// Returns the frame in packets, if they have one.
     fn frame_of(packets: &[Vec<u8>]) -> Option<Frame> {
         let (mut messages, mut frame) = (Vec::new(), Frame::default());
         for packet in packets {
@@ -357,7 +357,7 @@ mod tests {
         messages.contains(&Message::Loaded(true)).then_some(frame)
     }
 
-    /// Acceptance §11.6 of `../shared/spec/live-driving.md`, through packets, buffer, both bodies and back.
+    /// Tested through packets, buffer, both bodies and back.
     #[test]
     fn the_neutral_style_without_a_share_gives_the_input() {
         let mut session = session(Options { footplant: false, ..Options::DEFAULT }, 0.0, false);
@@ -381,7 +381,7 @@ mod tests {
         assert!(compared > 590 && metres < 5e-4 && degrees < 0.1, "{compared} frames: {metres} m, {degrees}°");
     }
 
-    /// Sends frames to a session, and gives the poses that come back on the performer's body.
+    /// Sends frames to a session, and returns the resulting poses on the performer's body.
     fn perform(session: &mut Session, performer: &Performer, poses: &[Pose], from_secs: f64) -> Vec<Pose> {
         let tick = |(i, pose): (usize, &Pose)| {
             let secs = from_secs + i as f64 * PERIOD_SECS;
@@ -406,7 +406,7 @@ mod tests {
         let below = of(poses.iter().map(|pose| Pose { root: pose.root - Vec3::Y * 0.93, ..*pose }).collect());
         let rootless = of(poses.iter().map(|pose| Pose { root: Vec3::ZERO, ..*pose }).collect());
         assert!(on_ground.len() > 290 && below.len() == on_ground.len() && rootless.len() == on_ground.len());
-        // After a second the ground is known; the knee says whether the body crouches.
+        // After a second the ground is known; the knee shows whether the body crouches.
         let knee = |pose: &Pose| pose.rotations[Role::LeftLowerLeg.index()].angle().to_degrees();
         for (i, clean) in on_ground.iter().enumerate().skip(70) {
             assert!((below[i].root.y + 0.93 - clean.root.y).abs() < 0.03, "{i}: {} {}", below[i].root.y, clean.root.y);
@@ -439,7 +439,7 @@ mod tests {
         let mut heard = Vec::new();
         for (i, pose) in motion.poses.iter().cycle().take(300).enumerate() {
             let secs = i as f64 * PERIOD_SECS;
-            // The second one is 5 m beside the first, who stops after a second.
+            // The second performer is 5 m from the first, which stops after a second.
             let beside = Pose { root: pose.root + Vec3::X * 5.0, ..*pose };
             for (port, pose, sends) in [(1, pose, i < 60), (2, &beside, true)] {
                 for packet in packets(&performer, pose, &Frame::default(), secs) {
@@ -454,7 +454,7 @@ mod tests {
         assert!(heard[..115].iter().all(|port| *port == Some(1)) && heard[125..].iter().all(|port| *port == Some(2)));
         let figures = session.figures();
         assert!(figures.losses == 1 && figures.packets_of_others > 100, "{figures:?}");
-        // The styled figure stays where it was.
+        // The styled figure does not jump.
         let farthest = |poses: &[Pose]| poses.windows(2).map(|w| w[0].root.distance(w[1].root)).fold(0.0, f32::max);
         let recorded = session.recorded();
         assert!(farthest(&recorded.input) > 4.0 && farthest(&recorded.styled) < 0.06, "{}", farthest(&recorded.styled));

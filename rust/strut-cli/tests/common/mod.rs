@@ -1,5 +1,5 @@
-//! Running the command, and files to run it on.
-#![allow(dead_code)] // Each test file uses its part.
+//! Running of the command, and test files.
+#![allow(dead_code)] // Each test file uses a part of it.
 
 #[path = "../../../strut-formats/tests/mocap/mod.rs"]
 pub(crate) mod mocap;
@@ -18,7 +18,7 @@ pub(crate) fn strut(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_strut")).current_dir(folder).args(args).output().expect("strut starts")
 }
 
-/// Runs `strut`, which must succeed; what it printed.
+/// Runs `strut`, which must succeed, and returns its output.
 pub(crate) fn strut_ok(folder: &Path, args: &[&str]) -> String {
     let output = strut(folder, args);
     assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
@@ -36,7 +36,7 @@ pub(crate) fn assert_refused(folder: &Path, args: &[&str], expected: &str) {
     assert_eq!(names(folder), before, "{args:?} left a file");
 }
 
-/// Names of the files in a folder.
+/// Returns the names of the files in a folder.
 pub(crate) fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).unwrap();
     let mut names: Vec<String> = entries.map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
@@ -44,7 +44,7 @@ pub(crate) fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// The built-in database as a file.
+/// Returns the built-in database as a file.
 pub(crate) fn demo_database() -> &'static [u8] {
     static FILE: OnceLock<Vec<u8>> = OnceLock::new();
     FILE.get_or_init(|| {
@@ -53,24 +53,24 @@ pub(crate) fn demo_database() -> &'static [u8] {
     })
 }
 
-/// Two seconds of the built-in walk as BVH text.
+/// Returns two seconds of the built-in walk as BVH text.
 pub(crate) fn demo_walk() -> String {
     let mut motion = strut_demo::input_clips().remove(0).motion;
     motion.poses.truncate(120);
     bvh::write_text(&bvh::Bvh::from_humanoid(&motion).unwrap())
 }
 
-/// Whether tests on real clips take all of them instead of a sample.
+/// Returns whether tests on real clips use all of them instead of a sample.
 pub(crate) fn all_clips() -> bool {
     std::env::var_os("STRUT_ALL_CLIPS").is_some()
 }
 
-/// A file that must be BVH.
+/// Reads a file that must be valid BVH.
 pub(crate) fn read_bvh(path: &Path) -> bvh::Bvh {
     bvh::parse(&std::fs::read(path).unwrap()).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// A motion as a humanoid of its own proportions.
+/// Returns a motion as a humanoid of its own proportions.
 pub(crate) fn body_of(motion: &Motion) -> HumanoidMotion {
     let binding = Binding::detect(motion).unwrap();
     to_humanoid(motion, &binding, &binding.proportions)

@@ -1,4 +1,4 @@
-//! Pictures of a graphics processor beside the kernel's twin and the engine's own.
+//! Pictures of a GPU, compared with the CPU twin of the kernel and with the engine's own.
 
 use super::*;
 use crate::kernels::atlas::picture;
@@ -18,7 +18,7 @@ fn drawn(painter: &mut Painter, queries: &[PackedQuery]) -> Vec<u32> {
     pollster::block_on(painter.draw(rows.as_flattened(), windows.as_flattened())).unwrap()
 }
 
-/// The greatest difference of two pictures of so many lines, as a share of the bound.
+/// Returns the greatest difference of two pictures of `height` lines, relative to the bound.
 fn greatest_difference(a: &[u32], b: &[u32], table: &PackedWindows, queries: &[PackedQuery], height: usize) -> f32 {
     let greatest = table.classes.iter().fold(0.0, |greatest: f32, class| greatest.max(class.greatest));
     let mut share: f32 = 0.0;
@@ -57,7 +57,7 @@ fn pictures_are_those_of_the_twin() {
             let difference = greatest_difference(&found, &twin, table, &queries, height);
             prop_assert!(difference <= 1.0, "{} times the bound", difference);
 
-            // Lines of one more window are another picture.
+            // Lines that are shifted by one window give another picture.
             let mut shifted = lines.clone();
             shifted.rotate_right(1);
             if height > 1 && picture(table, &queries, &shifted, height) != twin {
@@ -70,12 +70,12 @@ fn pictures_are_those_of_the_twin() {
         .unwrap();
 }
 
-/// Grey level of a D: from the least of the column to 3.2 times its root.
+/// Returns the grey level of D: from the least of the column to 3.2 times its root.
 fn grey(d: f32, least: f32) -> f32 {
     ((d / least).sqrt() - 1.0) / 2.2 * 255.0
 }
 
-/// Columns of the engine's own picture.
+/// Returns the columns of the engine's own picture.
 fn of_the_engine(atlas: &mut Atlas, index: &Index) -> Vec<f32> {
     let height = atlas.view().height;
     let mut all = vec![0.0; atlas.columns() * height];
@@ -148,6 +148,6 @@ fn arrays_that_do_not_fit_each_other_are_refused() {
     let draw = |painter: &mut Painter, rows: &[f32], windows: &[u32]| pollster::block_on(painter.draw(rows, windows));
     assert!(draw(&mut painter, &rows.as_flattened()[60..], windows.as_flattened()).is_err());
     assert!(draw(&mut painter, rows.as_flattened(), &windows.as_flattened()[1..]).is_err());
-    // Nothing is on a line.
+    // No window is on a line.
     assert_eq!(draw(&mut painter, rows.as_flattened(), windows.as_flattened()).unwrap(), [EMPTY]);
 }

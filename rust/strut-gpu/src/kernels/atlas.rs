@@ -1,14 +1,15 @@
-//! The least D of every pixel of a picture; twin of `atlas.wgsl`.
+//! The least D of every pixel of a picture; CPU twin of `atlas.wgsl`.
 
 #[cfg(test)]
 use strut_core::search::{PackedQuery, PackedWindows};
 
 pub(crate) const SHADER: &str = concat!(include_str!("sums.wgsl"), include_str!("atlas.wgsl"));
 
-/// What a pixel without windows has: the bits of infinity.
+/// Value of a pixel without windows: the bits of infinity.
 pub(crate) const EMPTY: u32 = f32::INFINITY.to_bits();
 
-/// Bits of the least D of each line of each query's column. `lines` has the line of each window, padding included.
+/// Returns the bits of the least D of each line of each query's column. `lines` has the line of each window, padding
+/// included.
 #[cfg(test)]
 pub(crate) fn picture(table: &PackedWindows, queries: &[PackedQuery], lines: &[u32], height: usize) -> Vec<u32> {
     let mut picture = vec![EMPTY; queries.len() * height];

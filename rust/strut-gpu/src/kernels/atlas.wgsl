@@ -1,18 +1,18 @@
-// The least D of every pixel of a picture. A query is a column; windows are on lines, ascending by ones. No D is stored.
-// Follows sums.wgsl. Twin: atlas.rs.
+// The least D of every pixel of a picture. A query is a column; windows are on lines, ascending by ones. No D is
+// stored. Requires sums.wgsl. CPU twin: atlas.rs.
 
-// The first tile of windows, and lines of the picture.
+// The first tile of windows, and the number of lines of the picture.
 struct View { tile: u32, height: u32, unused: vec2u }
 
-// Of each window; the largest number for none.
+// Line of each window; the largest number for none.
 @group(0) @binding(4) var<storage, read> lines: array<u32>;
-// Bits of D, a column after the other: they order numbers that are not negative.
+// Bits of D, column by column. The bits of nonnegative numbers have the same order as the numbers.
 @group(0) @binding(5) var<storage, read_write> picture: array<atomic<u32>>;
 @group(0) @binding(6) var<uniform> view: View;
 
 const NONE = 0xffffffffu;
 
-// The least of each query and line.
+// The least D of each query and line.
 var<workgroup> best: array<atomic<u32>, 1024>;
 // The first line of the tile.
 var<workgroup> first_line: u32;
@@ -32,7 +32,7 @@ fn main(@builtin(workgroup_id) tile: vec3u, @builtin(local_invocation_id) thread
     }
     first_line = first;
   }
-  // Its barriers are behind these stores.
+  // Its barriers come after these stores.
   var sums = sums_of(q0, w0, thread, lane);
   for (var i = 0u; i < 4u; i++) {
     let row = thread.y + 8u * i;

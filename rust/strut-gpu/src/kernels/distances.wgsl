@@ -1,4 +1,4 @@
-// Every D between queries and windows, a row of all windows for each query. Follows sums.wgsl. Twin: distances.rs.
+// Every D between queries and windows, a row of all windows for each query. Requires sums.wgsl. CPU twin: distances.rs.
 
 @group(0) @binding(4) var<storage, read_write> distances: array<f32>;
 

@@ -1,4 +1,4 @@
-//! Shaders, each beside its twin for the processor.
+//! Shaders, each with its CPU twin.
 
 pub(crate) mod atlas;
 pub(crate) mod distances;

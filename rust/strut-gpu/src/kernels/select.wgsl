@@ -1,15 +1,15 @@
-// Of each class and query: the windows that are no farther than the k-th nearest and a margin. 256 threads for each.
-// Twin: select.rs.
+// Candidates of each class and query: the windows within the distance of the k-th nearest plus a margin, found by 256
+// threads. CPU twin: select.rs.
 
-// Where a class is in a row of distances, its windows, and k, at least 1 where there are windows.
+// Range of a class in a row of distances, its number of windows, and k, at least 1 if there are windows.
 struct Class { first: u32, count: u32, wanted: u32, unused: u32 }
 
 // Bits of distances, a row of `stride` for each query.
 @group(0) @binding(0) var<storage, read> distances: array<u32>;
 @group(0) @binding(1) var<storage, read> classes: array<Class>;
-// For each query, of every class.
+// Margin of each query and class.
 @group(0) @binding(2) var<storage, read> margins: array<f32>;
-// For each query and class: how many there are, and the first 128 in any order.
+// For each query and class: the number of candidates, and the first 128 in any order.
 @group(0) @binding(3) var<storage, read_write> found: array<u32>;
 @group(0) @binding(4) var<uniform> stride: vec4u;
 
@@ -18,7 +18,7 @@ const PLACES = 128u;
 
 var<workgroup> counts: array<atomic<u32>, 2048>;
 var<workgroup> sums: array<u32, THREADS>;
-// Leading bits of the k-th least distance, and which of those that share them it is.
+// Leading bits of the k-th least distance, and its rank among the distances with these bits.
 var<workgroup> prefix: u32;
 var<workgroup> rank: u32;
 var<workgroup> taken: atomic<u32>;
@@ -33,7 +33,7 @@ fn main(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) la
     rank = class_.wanted;
     atomicStore(&taken, 0u);
   }
-  // The bits of a distance, of which the first is 0: eleven, ten and ten.
+  // The bits of a distance, of which the first is 0, in groups of eleven, ten and ten.
   var shift = 31u;
   for (var level = 0u; level < 3u; level++) {
     let bits = select(10u, 11u, level == 0u);

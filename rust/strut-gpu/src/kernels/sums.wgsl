@@ -1,5 +1,6 @@
-// The sums of 32 queries and 32 windows, of which D is made: put in front of the kernels that need D. A workgroup of 8 by 8
-// has a tile, a thread four queries by four windows of it. Twin: strut-core's search/packed.rs.
+// The sums of 32 queries and 32 windows from which D is computed, included before the kernels that need D. A workgroup
+// of 8 × 8 threads processes a tile, a thread four queries by four windows of it. CPU twin: strut-core's
+// search/packed.rs.
 
 struct Window { travel: array<vec4f, 2>, norm: f32, end: u32, unused: vec2u }
 
@@ -15,18 +16,18 @@ const PARTS = 5u;
 
 // The tile's heights of one frame, or its x and then its z: vector 32 p + i is part p of query i.
 var<workgroup> a: array<vec4f, 320>;
-// The same of its windows.
+// The same for its windows.
 var<workgroup> b: array<vec4f, 320>;
 
-// Of a thread's queries (y + 8 i) and windows (x + 8 j) without what they travel: products of heights, and both parts of
-// those on the ground.
+// Sums for a thread's queries (y + 8 i) and windows (x + 8 j), without their translation: products of heights, and both
+// components of the ground products.
 struct Sums { h: array<vec4f, 4>, re: array<vec4f, 4>, im: array<vec4f, 4> }
 
 fn four_dots(v: vec4f, at: u32) -> vec4f {
   return vec4f(dot(v, b[at]), dot(v, b[at + 8u]), dot(v, b[at + 16u]), dot(v, b[at + 24u]));
 }
 
-// The whole workgroup takes part. q0 and w0 are the tile's first query and window.
+// Must be called by the whole workgroup. q0 and w0 are the tile's first query and window.
 fn sums_of(q0: u32, w0: u32, thread: vec3u, lane: u32) -> Sums {
   let x = thread.x;
   let y = thread.y;
@@ -71,6 +72,6 @@ fn distance_of(q: u32, w: u32, h: f32, re: f32, im: f32) -> f32 {
   let g = vec2f(re + dot(qx, wx) + dot(qz, wz), im + dot(qx, wz) - dot(qz, wx));
   // A root of 0 need not be accurate.
   let turned = sqrt(max(g.x * g.x + g.y * g.y, 1e-30));
-  // Bits order numbers that are not negative; -0 would come last.
+  // The bits of nonnegative numbers have the same order as the numbers; -0 would come last.
   return abs(max(queries[q].norm + windows[w].norm - 2.0 * (h + turned), 0.0));
 }

@@ -1,4 +1,4 @@
-//! The twins against what they are defined by.
+//! The CPU twins, compared with their definitions.
 
 use super::{distances, select};
 use crate::rounding;
@@ -10,7 +10,8 @@ use strut_core::search::{
     RawPoints, WINDOW,
 };
 
-/// D of two windows in double precision, straight from the positions: both centred, Σ|y − y'|² + |z|² + |z'|² − 2|⟨z, z'⟩|.
+/// D of two windows in double precision, directly from the positions: both centred, Σ|y − y'|² + |z|² + |z'|² − 2|⟨z,
+/// z'⟩|.
 fn definition(a: &[RawPoints], b: &[RawPoints]) -> f64 {
     let weights = Index::joint_weights();
     let centred = |frames: &[RawPoints]| -> Vec<(f64, [f64; 3])> {
@@ -29,7 +30,7 @@ fn definition(a: &[RawPoints], b: &[RawPoints]) -> f64 {
     (sum - 2.0 * (re * re + im * im).sqrt()).max(0.0)
 }
 
-/// The greatest error of the twin's distances from a batch of windows to an index's, as a share of its bound.
+/// Returns the greatest error of the twin's distances from a batch of windows to an index's, relative to its bound.
 fn greatest_error(index: &Index, table: &PackedWindows, windows: &[QueryWindow], batch: &Batch) -> f64 {
     let mut greatest: f64 = 0.0;
     for (q, window) in windows.iter().enumerate() {
@@ -47,7 +48,7 @@ fn greatest_error(index: &Index, table: &PackedWindows, windows: &[QueryWindow],
     greatest
 }
 
-/// Takes back the centring of rows.
+/// Reverses the centring of rows.
 fn without_centring<'a>(rows: impl Iterator<Item = &'a mut Row>, positions: impl Iterator<Item = RawPoints>) {
     let weights = Index::joint_weights();
     for (row, positions) in rows.zip(positions) {

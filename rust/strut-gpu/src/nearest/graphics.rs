@@ -1,4 +1,4 @@
-//! The kernels on a graphics processor: buffers, dispatches, readback.
+//! The kernels on a GPU: buffers, dispatches, readback.
 
 use crate::context::{Adapter, Context};
 use crate::error::GpuError;
@@ -6,11 +6,11 @@ use crate::kernels::{distances, select};
 use crate::windows::{Batch, query_words, words};
 use strut_core::search::{PACKED_TILE as TILE, PackedQuery, PackedRow, PackedWindow, PackedWindows, WINDOW};
 
-/// Most queries of a slice, each of which is one submission: a whole number of tiles. More would keep a graphics processor
-/// from drawing for long.
+/// Greatest number of queries of a slice, which is one submission: a whole number of tiles. A longer submission would
+/// block drawing.
 const SLICE: usize = 256;
 
-/// The kernels, compiled.
+/// The compiled kernels.
 #[derive(Clone, Debug)]
 pub(super) struct Kernels {
     pub(super) context: Context,
@@ -26,13 +26,13 @@ impl Kernels {
     }
 }
 
-/// A table on a graphics processor.
+/// A table on a GPU.
 #[derive(Debug)]
 pub(super) struct Graphics {
     pub(super) kernels: Kernels,
     rows: wgpu::Buffer,
     windows: wgpu::Buffer,
-    /// Made for the slice at hand, and kept for as large ones.
+    /// Buffers of the present slice, kept for slices of the same size.
     slice: Option<Slice>,
 }
 
@@ -69,7 +69,7 @@ impl Graphics {
         self.kernels.context.adapter()
     }
 
-    /// Candidates of every class for every query, [`select::WORDS`] each.
+    /// Returns the candidates of every class for every query, [`select::WORDS`] each.
     pub(super) async fn select(
         &mut self,
         table: &PackedWindows,
@@ -91,7 +91,7 @@ impl Graphics {
         Ok(found)
     }
 
-    /// Queries whose distances fit a binding, in whole tiles.
+    /// Returns the number of queries whose distances fit in a binding, in whole tiles.
     fn slice_of(&self, table: &PackedWindows) -> usize {
         let of_a_query = 4 * table.windows.len() as u64;
         let most = (self.kernels.context.binding_limit() / of_a_query) as usize;
@@ -125,7 +125,7 @@ impl Graphics {
         context.run(&passes, [&slice.found, &slice.reading], found).await
     }
 
-    /// Every distance, a row of all windows for each query of a batch that was searched last and fits one slice.
+    /// Returns every distance, a row of all windows per query, of the last batch, which must fit in one slice.
     #[cfg(test)]
     pub(super) fn distances(&mut self, table: &PackedWindows, batch: &Batch) -> Result<Vec<f32>, GpuError> {
         pollster::block_on(self.select(table, batch, 1))?;
@@ -141,14 +141,15 @@ impl Graphics {
         Ok(found.into_iter().map(f32::from_bits).collect())
     }
 
-    /// Buffers for so many queries. What pads the last tile holds what was there before, and nobody reads its distances.
+    /// Creates buffers for a number of queries. The padding of the last tile keeps old contents; its distances are
+    /// never read.
     fn make_slice(&self, table: &PackedWindows, queries: usize) -> Result<Slice, GpuError> {
         use wgpu::BufferUsages as Usage;
         let context = &self.kernels.context;
         let storage = |words: usize| context.buffer(4 * words as u64, Usage::STORAGE | Usage::COPY_DST);
         let classes = table.classes.len();
         let rows = storage(queries * WINDOW * size_of::<PackedRow>() / 4)?;
-        // Padding refers to rows that are there.
+        // Padding refers to existing rows.
         let windows = context.storage(bytemuck::cast_slice(&words(vec![PackedWindow::PADDING; queries])))?;
         let (margins, class_table) = (storage(queries * classes)?, storage(classes * 4)?);
         let distance_bytes = 4 * (queries * table.windows.len()) as u64;

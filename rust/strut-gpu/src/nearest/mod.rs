@@ -12,43 +12,43 @@ use graphics::{Graphics, Kernels};
 use std::ops::Deref;
 use strut_core::search::{Index, Metric, Neighbour, Neighbours, PackedWindows, Query, QueryWindow};
 
-/// Greatest margin, m², for which the candidates of a graphics processor are taken. It is never reached by people; beyond
-/// it numbers come near those that cannot be represented.
+/// Greatest margin, m², for which a GPU's candidates are used. Human motion never reaches it; larger numbers approach
+/// the limit of the number format.
 const GREATEST_MARGIN: f32 = 1e6;
 
-/// The exhaustive search of an index, which is borrowed or shared: to the bit what [`Index::nearest`] finds.
+/// The exhaustive search of an index, which is borrowed or shared. Results are bit-identical to [`Index::nearest`].
 #[derive(Debug)]
 pub struct Searcher<I> {
     index: I,
     table: PackedWindows,
-    /// None: the kernels' twins.
+    /// `None` uses the CPU twins of the kernels.
     graphics: Option<Graphics>,
 }
 
-/// What is found for several windows.
+/// Results for several windows.
 #[derive(Clone, Debug, Default)]
 pub struct Found {
-    /// For each window, of every class: the nearest by the full-body metric.
+    /// For each window, for every class: the nearest windows by the full-body metric.
     pub neighbours: Vec<Vec<Neighbours>>,
-    /// Windows that were compared again exactly.
+    /// Number of windows that were compared again exactly.
     pub candidates: usize,
-    /// How many times the index searched a class: more windows seemed near than there are places for, or numbers are too
-    /// large.
+    /// Number of classes that the index searched instead, because there were more candidates than places, or numbers
+    /// were too large.
     pub searched_by_index: usize,
 }
 
 impl<I: Deref<Target = Index>> Searcher<I> {
-    /// By a graphics processor.
+    /// Creates a searcher on a GPU.
     ///
     /// # Errors
-    /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long, or do not fit the graphics processor.
+    /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long, or do not fit on the GPU.
     pub fn new(index: I, context: Context) -> Result<Self, GpuError> {
         let table = table(&index)?;
         let graphics = Some(Graphics::new(Kernels::new(context)?, &table)?);
         Ok(Self { index, table, graphics })
     }
 
-    /// By the kernels' twins, on the processor.
+    /// Creates a searcher with the kernels' twins, on the CPU.
     ///
     /// # Errors
     /// If windows are not [`WINDOW`](strut_core::search::WINDOW) frames long.
@@ -56,30 +56,30 @@ impl<I: Deref<Target = Index>> Searcher<I> {
         Ok(Self { table: table(&index)?, index, graphics: None })
     }
 
-    /// The graphics processor that searches.
+    /// Returns the GPU.
     pub fn adapter(&self) -> Option<&Adapter> {
         self.graphics.as_ref().map(Graphics::adapter)
     }
 
-    /// The index.
+    /// Returns the index.
     pub fn index(&self) -> &Index {
         &self.index
     }
 
-    /// [`Searcher::search`], and waits for it.
+    /// Runs [`Searcher::search`], and waits for it.
     ///
     /// # Errors
-    /// See there.
+    /// Those of [`Searcher::search`].
     #[cfg(not(target_family = "wasm"))]
     pub fn nearest(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
         pollster::block_on(self.search(windows, k))
     }
 
-    /// The `k` windows of every class that are nearest to each of several, of which none is empty.
+    /// Returns the `k` windows of every class that are nearest to each of several windows, none of which is empty.
     ///
     /// # Errors
-    /// If a window is empty or has another length than the index's, or the graphics processor fails. After
-    /// [`GpuError::Lost`] it always does.
+    /// If a window is empty or has another length than the index's, or the GPU fails. After [`GpuError::Lost`] it
+    /// always fails.
     pub async fn search(&mut self, windows: &[QueryWindow], k: usize) -> Result<Found, GpuError> {
         let queries: Vec<Prepared<'_>> =
             windows.iter().map(|window| (window, self.index.prepare(window, Metric::FullBody))).collect();
@@ -88,7 +88,7 @@ impl<I: Deref<Target = Index>> Searcher<I> {
         Ok(self.rank(&queries, &batch.margins, &selected, k))
     }
 
-    /// Candidates of every class for every query, [`select::WORDS`] each.
+    /// Returns the candidates of every class for every query, [`select::WORDS`] each.
     async fn select(&mut self, batch: &Batch, k: usize) -> Result<Vec<u32>, GpuError> {
         let Self { table, graphics, .. } = self;
         if let Some(graphics) = graphics {
@@ -100,7 +100,7 @@ impl<I: Deref<Target = Index>> Searcher<I> {
         Ok(queries.flat_map(one).collect())
     }
 
-    /// The nearest of the candidates by the processor's D.
+    /// Returns the nearest candidates by the CPU's D.
     fn rank(&self, queries: &[Prepared<'_>], margins: &[f32], selected: &[u32], k: usize) -> Found {
         let classes = self.table.classes.len();
         let (mut found, mut scratch) = (Found::default(), self.index.scratch(k));
@@ -127,5 +127,5 @@ impl<I: Deref<Target = Index>> Searcher<I> {
     }
 }
 
-/// A window and the same made ready for the index.
+/// A window, and the same window prepared for the index.
 type Prepared<'a> = (&'a QueryWindow, Query<'a>);

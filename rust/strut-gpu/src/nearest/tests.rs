@@ -1,4 +1,4 @@
-//! Both ways of the exhaustive search against the index.
+//! Both variants of the exhaustive search, compared with the index.
 
 use super::{Found, Graphics, Kernels, Prepared, Searcher};
 use crate::error::GpuError;
@@ -11,7 +11,7 @@ use strut_core::search::{Index, Metric, Neighbours, PackedWindows, QueryWindow};
 
 const K: usize = 40;
 
-/// A searcher by the graphics processor, if there is one.
+/// Returns a searcher on the GPU, if there is one.
 fn with_graphics(index: &Index) -> Option<Searcher<&Index>> {
     let mut searcher = Searcher::without_graphics(index).unwrap();
     searcher.graphics = Some(Graphics::new(kernels()?, &searcher.table).unwrap());
@@ -26,7 +26,7 @@ fn prepared<'a>(index: &Index, windows: &'a [QueryWindow]) -> Vec<Prepared<'a>> 
     windows.iter().map(|window| (window, index.prepare(window, Metric::FullBody))).collect()
 }
 
-/// The sets that are not those of the index.
+/// Returns the number of sets that differ from those of the index.
 fn differing(index: &Index, windows: &[QueryWindow], found: &Found) -> usize {
     let (mut scratch, mut expected, mut differing) = (index.scratch(K), Neighbours::default(), 0);
     for ((_, query), of_query) in prepared(index, windows).iter().zip(&found.neighbours) {
@@ -38,7 +38,7 @@ fn differing(index: &Index, windows: &[QueryWindow], found: &Found) -> usize {
     differing
 }
 
-/// What a searcher finds if the graphics processor's order is believed.
+/// Returns the results of a searcher that trusts the GPU's order.
 fn without_margin(searcher: &mut Searcher<&Index>, windows: &[QueryWindow]) -> Found {
     let queries = prepared(searcher.index, windows);
     let mut batch = Batch::new(&searcher.table, searcher.index, &queries).unwrap();
@@ -47,7 +47,7 @@ fn without_margin(searcher: &mut Searcher<&Index>, windows: &[QueryWindow]) -> F
     searcher.rank(&queries, &batch.margins, &selected, K)
 }
 
-/// Sets of a searcher are the index's, and for few windows more than there are neighbours.
+/// Checks that the sets of a searcher are the index's, with only a few more candidates than neighbours.
 fn check_sets(mut searcher: Searcher<&Index>) {
     let (index, windows) = (searcher.index, test_data::foreign_windows());
     let found = searcher.nearest(&windows, K).unwrap();
@@ -57,14 +57,14 @@ fn check_sets(mut searcher: Searcher<&Index>) {
     assert_eq!(neighbours, windows.len() * index.classes() * K);
     let share = found.candidates as f64 / neighbours as f64;
     assert!((1.0..=1.2).contains(&share), "{share} candidates a neighbour");
-    // One alone, and none.
+    // One window, and none.
     let one = searcher.nearest(&windows[3..4], K).unwrap();
     assert_eq!(differing(index, &windows[3..4], &one), 0);
     assert!(searcher.nearest(&[], K).unwrap().neighbours.is_empty());
     assert_eq!(searcher.nearest(&[QueryWindow::default()], K).unwrap_err(), GpuError::WindowLength(0));
 }
 
-/// Windows that differ by micrometres are found only with the margin.
+/// Checks that windows that differ by micrometres are found only with the margin.
 fn check_near_copies(index: &Index, mut searcher: Searcher<&Index>) {
     let windows = test_data::foreign_windows();
     let found = searcher.nearest(&windows, K).unwrap();
@@ -73,7 +73,7 @@ fn check_near_copies(index: &Index, mut searcher: Searcher<&Index>) {
     assert!(differing(index, &windows, &without_margin(&mut searcher, &windows)) > 0);
 }
 
-/// An index of near copies, as many as there are places for.
+/// Returns an index of near copies, as many as there are places.
 fn near_copies() -> Index {
     Index::build(&test_data::trembling(&[select::PLACES]))
 }
@@ -111,12 +111,12 @@ fn the_index_searches_where_more_seem_near_than_there_are_places_for() {
         let found = searcher.nearest(windows, K).unwrap();
         assert_eq!(differing(&many, windows, &found), 0);
         assert_eq!(found.searched_by_index, windows.len());
-        // A class may have fewer windows than are asked for.
+        // A class may have fewer windows than requested.
         assert_eq!(found.neighbours[0][1].as_slice().len(), 5);
     }
 }
 
-/// Distances of a graphics processor beside the twin's; the greatest difference as a share of the bound.
+/// Returns the greatest difference between a GPU's distances and the twin's, relative to the bound.
 fn greatest_difference(graphics: &mut Graphics, table: &PackedWindows, batch: &Batch) -> f32 {
     let found = graphics.distances(table, batch).unwrap();
     let mut greatest: f32 = 0.0;
@@ -145,7 +145,7 @@ fn kernels_compute_what_their_twins_compute() {
             let difference = greatest_difference(&mut graphics, &table, &batch);
             prop_assert!(difference <= 1.0, "{} times the bound", difference);
 
-            // Selection is exact for the distances that it is given.
+            // Selection is exact for the given distances.
             let selected = pollster::block_on(graphics.select(&table, &batch, k)).unwrap();
             let all = graphics.distances(&table, &batch).unwrap();
             for (q, all) in all.chunks_exact(table.windows.len()).enumerate() {

@@ -1,4 +1,4 @@
-"""What functions return as several arrays."""
+"""Results that consist of several arrays."""
 
 from typing import NamedTuple
 
@@ -7,22 +7,22 @@ from numpy.typing import NDArray
 
 
 class Arrays(NamedTuple):
-    """A motion at an even rate."""
+    """A motion at a constant rate."""
 
     poses: NDArray[np.float32]
     """n × 87, in the layout of `Motion.poses`."""
     input_frame: NDArray[np.float64]
-    """For each pose the fractional frame of the input it comes from."""
+    """Fractional frame of the input for each pose."""
     rate_hz: float
     """Frames per second."""
 
 
 class Styled(NamedTuple):
-    """What `Stylizer.push` made of its poses."""
+    """Result of `Stylizer.push` for its poses."""
 
     poses: NDArray[np.float32]
     """n × 87, in the layout of `Motion.poses`."""
     time_out: NDArray[np.float64]
-    """When each is due since the reset, seconds."""
+    """Output time of each pose since the reset, seconds."""
     planted: NDArray[np.uint8]
     """n × 2: whether the left and the right foot is held in place."""

@@ -4,17 +4,17 @@ from typing import Literal
 
 
 class StrutError(Exception):
-    """What is wrong with a file or an argument, in a sentence.
+    """An error of a file or an argument, with a message of one sentence.
 
-    Where the system cannot read or write, an `OSError` is raised instead.
+    For I/O errors an `OSError` is raised instead.
     """
 
     code: Literal["bad-file", "bad-input", "cancelled", "fault"]
-    """Kind of the error."""
+    """Code of the error."""
     message: str
-    """The sentence."""
+    """The message, one sentence."""
     hint: str | None
-    """What to do about it."""
+    """How to solve the problem."""
 
     def __init__(self, message: str, code: Literal["bad-file", "bad-input", "cancelled", "fault"] = "fault", hint: str | None = None) -> None:
         super().__init__(message, code, hint)

@@ -1,4 +1,4 @@
-"""Many motions."""
+"""Styling of many motions."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Unpack
@@ -17,9 +17,9 @@ def stylize_many(
     threads: int = 0,
     **options: Unpack[Options],
 ) -> Iterator[StyledMotion | StrutError]:
-    """Gives motions another style, several at once, in their order.
+    """Changes the style of motions, several at once, in their order.
 
-    A motion that cannot be styled has its error in its place. `threads` is one a processor for 0; the results do not depend on
-    it. Few motions are held at a time, so they may come from a generator that opens them.
+    A motion that cannot be styled is replaced by its error. With `threads` 0 there is one thread per processor; the results do
+    not depend on the number. Few motions are held in memory at a time, so they may come from a generator that opens them.
     """
     return StyledMotions(motions, db, styles, parts=parts, threads=threads, **options)

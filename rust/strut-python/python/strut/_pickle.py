@@ -1,4 +1,4 @@
-"""How pickled objects are made again."""
+"""Restoring of pickled objects."""
 
 import os
 from typing import Any
@@ -8,12 +8,12 @@ from ._strut import Database, Plan
 
 
 def open_database(source: str | os.PathLike[str] | bytes, sha256: str) -> Database:
-    """Opens the database that was pickled; another file at its path is refused."""
+    """Opens a pickled database; another file at its path is refused."""
     return Database.open(source, sha256=sha256)
 
 
 def open_plan(arguments: tuple[Any, ...], keywords: dict[str, Any], sha256: str) -> Plan:
-    """Makes the plan that was pickled; one that would write other outputs is refused."""
+    """Restores a pickled plan; one that would write other outputs is refused."""
     plan = Plan(*arguments, **keywords)
     if plan.sha256 != sha256:
         message = "the database, the table of variants or the version of Strut is another than when the batch was planned"

@@ -12,7 +12,7 @@ _TYPES = {"U8": "<u1", "I8": "<i1", "U16": "<u2", "I16": "<i2", "U32": "<u4", "I
 
 
 def tensor(file: bytes, name: str) -> NDArray[Any]:
-    """The tensor of this name."""
+    """Returns the tensor with this name."""
     begin = 8 + int.from_bytes(file[:8], "little")
     entries = json.loads(file[8:begin])
     entries.pop("__metadata__", None)

@@ -5,15 +5,15 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Literal, TypedDict
 
 Styles = str | Mapping[str, float]
-"""Weights by style, or a text such as `proud=0.7,old=0.2`. What lacks to a sum of 1 is neutral."""
+"""Weights by style, or a text such as `proud=0.7,old=0.2`. What the weights lack to a sum of 1 is neutral."""
 
 Track = Iterable[tuple[float, Styles]]
-"""Styles over time: pairs of a time in the input, seconds, and styles. In between they are mixed."""
+"""Styles over time: pairs of a time in the input, seconds, and styles. They are interpolated between these times."""
 
 PathLike = str | os.PathLike[str]
 
 Progress = Callable[[str, int, int], object]
-"""Called about twenty times a second with what is done, and how many steps of how many. An exception cancels."""
+"""Called about twenty times a second with the current work, the finished and the total number of steps. An exception cancels."""
 
 
 class Options(TypedDict, total=False):
@@ -35,12 +35,12 @@ class Options(TypedDict, total=False):
 
 
 class Note(TypedDict):
-    """What may be wrong in how a file was read or styled."""
+    """A warning about how a file was read or styled."""
 
     code: str
-    """What it is about; docs/reading.md lists the codes."""
+    """Code of the note; docs/reading.md lists the codes."""
     text: str
-    """The sentence."""
+    """Message of the note."""
 
 
 class TraceLine(TypedDict):
@@ -51,23 +51,23 @@ class TraceLine(TypedDict):
     time_in: float
     """Seconds since the first frame of the input."""
     time_out: float
-    """When the frame is due, seconds."""
+    """Output time of the frame, seconds."""
     dt: float
-    """Seconds of output since the frame before."""
+    """Output time since the previous frame, seconds."""
     class_weights: dict[str, float]
-    """Weight of every class that took part, by "action/style"."""
+    """Weight of every class that was used, by "action/style"."""
     neighbours: list[tuple[str, int, float]]
-    """Clip, frame in it and distance (metres) of the heaviest class's neighbours, nearest first."""
+    """Clip, frame in the clip and distance (metres) of the neighbours in the class with the greatest weight, nearest first."""
     bias: float
     """Largest bias of a degree of freedom, standard deviations."""
     contact: tuple[float, float]
-    """Likelihood that the left and right foot is planted."""
+    """Probability of contact of the left and the right foot."""
     cost_us: dict[str, float]
     """Microseconds by stage."""
 
 
 class EvaluateOptions(TypedDict, total=False):
-    """The long options of `strut evaluate` with `_` for `-`; of lists all combinations are measured."""
+    """The long options of `strut evaluate` with `_` for `-`. All combinations of the values in lists are measured."""
 
     pattern: str | None
     actions: Sequence[str] | str | None

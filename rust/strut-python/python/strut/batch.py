@@ -1,13 +1,13 @@
-"""Many clips in many styles, exactly once each, by any number of processes.
+"""Styles many clips in many styles, exactly once each, with any number of processes.
 
-One process makes a `Plan`, hands its pending jobs to workers, and records how they end. A plan can be pickled:
+One process creates a `Plan`, passes its pending jobs to workers, and records how they end. A plan can be pickled:
 
 >>> plan = strut.batch.Plan("clips/", "out/", "styles.strutdb", {"old": "elderly", "half": {"elderly": 0.5}})
 >>> with multiprocessing.Pool(initializer=start, initargs=(plan,)) as workers:
 ...     for record in workers.imap_unordered(perform, plan.pending()):
 ...         plan.record([record])
 
-The files, their keys and the manifest are those of `strut stylize-batch`: each goes on where the other was stopped.
+The files, their keys and the manifest are those of `strut stylize-batch`: a batch of either can be continued by the other.
 """
 
 from typing import Literal, TypedDict
@@ -22,7 +22,7 @@ class Job(TypedDict):
     """An input in a variant."""
 
     job: str
-    """Path of the output in the folder of the outputs, which names the job."""
+    """Path of the output, relative to the output folder. It names the job."""
     input: str
     """Path of the input."""
     variant: str
@@ -30,11 +30,11 @@ class Job(TypedDict):
 
 
 class Record(TypedDict):
-    """How a job ended: a line of the manifest."""
+    """Record of how a job ended: a line of the manifest."""
 
     job: str
     key: str | None
-    """SHA-256 of all that the output depends on; None if the input could not be read."""
+    """SHA-256 of everything that the output depends on; None if the input could not be read."""
     input: str
     input_sha256: str | None
     variant: str
@@ -43,12 +43,12 @@ class Record(TypedDict):
     bytes: int | None
     frames: int | None
     repaired: int | None
-    """Unusable frames of the input that were replaced."""
+    """Number of unusable input frames that were replaced."""
     notes: list[Note]
-    """What may be wrong with the output."""
+    """Warnings about the output."""
     status: Literal["done", "skipped", "failed"]
     code: Literal["bad-file", "bad-input", "io", "fault"] | None
     message: str | None
     version: str
     time_ms: int
-    """When it ended, milliseconds since 1970; the plan that records it sets it."""
+    """When the job ended, milliseconds since 1970; set by the plan that records it."""

@@ -1,4 +1,4 @@
-//! Starts of jobs that have not ended: who brings the program down three times is not started a fourth.
+//! Crash counter: a job is skipped after three starts without an end.
 
 use crate::digest::sha256_hex;
 use crate::error::{Outcome, TaskError};
@@ -6,25 +6,25 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Starts without an end after which a job has failed.
+/// Number of starts without an end after which a job counts as failed.
 pub(super) const MOST: usize = 3;
 
-/// A folder with a file for every job that has begun; it has a line for every start, with the key.
+/// A folder with one file for each started job. The file has one line for each start, with the key.
 pub(super) struct Attempts {
     folder: PathBuf,
 }
 
-/// What was there before a start.
+/// A noted start, with the content of the job's file before it.
 pub(super) struct Started {
     path: PathBuf,
     before: Vec<u8>,
 }
 
 impl Attempts {
-    /// In the folder of the outputs.
+    /// Opens the folder of attempts in the folder of the outputs.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the folder cannot be created.
     pub(super) fn open(outputs: &Path) -> Outcome<Self> {
         let folder = outputs.join(".attempts");
         fs::create_dir_all(&folder).map_err(|e| TaskError::io(&folder, &e))?;
@@ -35,15 +35,15 @@ impl Attempts {
         self.folder.join(&sha256_hex(job.as_bytes())[..32])
     }
 
-    /// Whether a start of the job has not ended.
+    /// Returns whether a start of the job has not ended.
     pub(super) fn is_suspect(&self, job: &str) -> bool {
         self.path(job).exists()
     }
 
-    /// Notes a start; `None` if as many with this key have not ended as are allowed.
+    /// Notes a start. Returns `None` if the limit of unended starts with this key is reached.
     ///
     /// # Errors
-    /// What the system says.
+    /// If the file cannot be read or written.
     pub(super) fn start(&self, job: &str, key: &str) -> Outcome<Option<Started>> {
         let path = self.path(job);
         let fail = |e: io::Error| TaskError::io(&path, &e);
@@ -59,18 +59,18 @@ impl Attempts {
         Ok(Some(Started { path, before }))
     }
 
-    /// Forgets the starts of a job: it has ended.
+    /// Removes the starts of a job that has ended.
     pub(super) fn end(&self, job: &str) {
-        // One that stays is one start more, no harm.
+        // A file that remains counts as one more start, which does no harm.
         let _ = fs::remove_file(self.path(job));
     }
 }
 
 impl Started {
-    /// Takes a start back that was cancelled.
+    /// Undoes a start that was cancelled.
     pub(super) fn take_back(self) {
         let Self { path, before } = self;
-        // As above.
+        // A failure does no harm, as above.
         let _ = if before.is_empty() { fs::remove_file(path) } else { fs::write(path, before) };
     }
 }

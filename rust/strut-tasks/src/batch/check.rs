@@ -1,4 +1,4 @@
-//! Which jobs are not done yet.
+//! Selection of the jobs that are not done yet.
 
 use super::attempts::Attempts;
 use super::jobs::Job;
@@ -13,7 +13,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 
-/// What there is to know before the first job.
+/// Inputs of the selection.
 pub(super) struct Check<'a> {
     pub(super) request: &'a BatchRequest,
     pub(super) sources: &'a [Source],
@@ -22,9 +22,9 @@ pub(super) struct Check<'a> {
 }
 
 impl Check<'_> {
-    /// The jobs to do, in their order; those that may have brought a process down come last.
+    /// Returns the pending jobs in their order. Jobs that may have crashed a process come last.
     pub(super) fn pending<'a>(&self, jobs: &'a [Job], on_progress: &OnProgress<'_>) -> Outcome<Vec<&'a Job>> {
-        // Inputs of jobs without a record are read once, when they are styled.
+        // Inputs of jobs without a record are read only when they are styled.
         let recorded: BTreeSet<usize> =
             jobs.iter().filter(|job| self.known.contains_key(&job.output)).map(|job| job.source).collect();
         let recorded: Vec<usize> = recorded.into_iter().collect();
@@ -43,7 +43,7 @@ impl Check<'_> {
         let (mut pending, mut suspects) = (Vec::new(), Vec::new());
         for (job, is_pending) in jobs.iter().zip(states) {
             if !is_pending {
-                // A process that was killed after it had recorded a job left the job's start behind.
+                // A process that was killed after it recorded a job leaves the job's start behind.
                 attempts.end(&job.output);
             } else if attempts.is_suspect(&job.output) {
                 suspects.push(job);
@@ -65,7 +65,7 @@ impl Check<'_> {
         }
     }
 
-    /// Whether the output of a job that is done is still what was written.
+    /// Returns whether the output of a finished job is still the file that was written.
     fn is_there(&self, record: &Record) -> Outcome<bool> {
         let path = self.request.output.join(&record.output);
         let size = fs::metadata(&path).ok().filter(fs::Metadata::is_file).map(|file| file.len());

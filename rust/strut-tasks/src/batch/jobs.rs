@@ -1,4 +1,4 @@
-//! The jobs of a batch: every input in every variant, each with a place of its own for its output.
+//! The jobs of a batch: every input in every variant, each with its own output path.
 
 use super::shard::Shard;
 use super::variants::Variant;
@@ -10,7 +10,7 @@ use std::path::{Component, Path};
 /// An input in a variant.
 #[derive(Clone, Debug)]
 pub(super) struct Job {
-    /// Path of the output with `/` below the folder of the outputs, which names the job.
+    /// Path of the output, relative to the output folder, with `/`. It names the job.
     pub(super) output: String,
     /// Index of the input.
     pub(super) source: usize,
@@ -18,20 +18,20 @@ pub(super) struct Job {
     pub(super) variant: usize,
 }
 
-/// The jobs of a share, by the order of the inputs.
+/// Returns the jobs of a shard, in the order of the inputs.
 ///
 /// # Errors
-/// If two outputs would have one name, or one would lie elsewhere.
+/// If two outputs have the same name, or one lies outside its folder.
 pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Outcome<Vec<Job>> {
     let mut jobs = Vec::new();
-    // One variant stands for all, since all have the same files.
+    // Checking one variant is enough, since all variants have the same files.
     let mut places: HashMap<String, &Source> = HashMap::new();
     for (source, of) in sources.iter().enumerate() {
         let place = place(&of.below).ok_or_else(|| {
             let expected = "a path in the archive without '..' was expected";
             TaskError::in_file(Path::new(&of.path), expected)
         })?;
-        // Some systems take names for the same that differ in capitals alone.
+        // Some file systems ignore the case of names.
         if let Some(other) = places.insert(place.to_lowercase(), of) {
             let reason = format_args!("its output has the same name as that of {}", other.path);
             return Err(TaskError::in_file(Path::new(&of.path), reason).with_hint("give the folder that holds both"));
@@ -46,7 +46,7 @@ pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Ou
     Ok(jobs)
 }
 
-/// Path of an output below its variant's folder; `None` if it would lead elsewhere.
+/// Returns the path of an output below its variant's folder, or `None` if the path leaves the folder.
 pub(super) fn place(below: &str) -> Option<String> {
     let is_below = Path::new(below).components().all(|part| matches!(part, Component::Normal(_)));
     let stem = below.get(..below.len().checked_sub(".bvh".len())?)?;
@@ -80,7 +80,7 @@ mod tests {
         let refused = jobs(&sources, &variants, Shard::WHOLE).unwrap_err().to_string();
         assert!(refused.contains("its output has the same name as that of "), "{refused}");
 
-        // On a system that tells capitals apart.
+        // On a case-sensitive file system.
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("walk.bvh"), "").unwrap();
         std::fs::write(folder.path().join("Walk.bvh"), "").unwrap();

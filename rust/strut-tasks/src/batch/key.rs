@@ -1,9 +1,9 @@
-//! What an output depends on, as a number.
+//! Hash of everything that an output depends on.
 
 use crate::digest::sha256_hex;
 use strut_formats::GENERATOR;
 
-/// What all outputs of a variant depend on.
+/// Digests of what all outputs of a variant depend on.
 #[derive(Clone, Debug)]
 pub(super) struct Digests {
     database: String,
@@ -11,12 +11,13 @@ pub(super) struct Digests {
 }
 
 impl Digests {
-    /// Of a database's digest and the [canonical text](crate::stylize::StyleSettings::canonical) of the settings.
+    /// Combines a database's digest and the [canonical text](crate::stylize::StyleSettings::canonical) of the settings.
     pub(super) fn new(database: &str, settings: &str) -> Self {
         Self { database: database.to_owned(), settings: settings.to_owned() }
     }
 
-    /// The key of the job with an input of this digest. It holds the version of the program too, whose outputs may differ.
+    /// Returns the key of the job with this input digest. It includes the program's version, since outputs may differ
+    /// between versions.
     pub(super) fn key(&self, input: &str) -> String {
         sha256_hex([GENERATOR, &self.database, &self.settings, input].join("\n").as_bytes())
     }

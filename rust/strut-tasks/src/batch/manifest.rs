@@ -1,7 +1,7 @@
-//! The manifest: lines of JSON that say how each job ended.
+//! The manifest: JSON lines that record how each job ended.
 //!
-//! `manifest.jsonl` has one writer, who holds a lock; shares of a batch have files of their own, and readers merge all of a
-//! folder. Of a job the latest record counts. A last line that was cut off is left out.
+//! `manifest.jsonl` has one writer, which holds a lock. Shards of a batch have their own files, and readers merge all
+//! files of a folder. The latest record of a job counts. A truncated last line is ignored.
 
 use super::shard::Shard;
 use crate::error::{Outcome, TaskError};
@@ -14,14 +14,14 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Longest time until what was recorded is safe from a loss of power.
+/// Longest time until records are flushed to the disk.
 const FLUSH: Duration = Duration::from_secs(1);
 
 /// How a job ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// The output is written.
+    /// The output was written.
     Done,
     /// The input cannot be styled.
     Skipped,
@@ -30,27 +30,27 @@ pub enum Status {
 }
 
 impl Status {
-    /// All, and their names in manifests.
+    /// All statuses with their names in manifests.
     const NAMES: [(Self, &'static str); 3] =
         [(Self::Done, "done"), (Self::Skipped, "skipped"), (Self::Failed, "failed")];
 
-    /// Its name in manifests.
+    /// Returns the name in manifests.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(status, _)| *status == self).map_or("failed", |(_, name)| name)
     }
 
-    /// The status of a name.
+    /// Returns the status with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::NAMES.iter().find(|(_, known)| *known == name).map(|(status, _)| *status)
     }
 }
 
-/// How a job ended, with which key.
+/// Record of how a job ended, with its key.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
     /// Name of the job: the variant, and the path of the output in its folder.
     pub job: String,
-    /// What the output depends on, as SHA-256; `None` if the input could not be read.
+    /// SHA-256 of everything that the output depends on; `None` if the input could not be read.
     pub key: Option<String>,
     /// Path of the input.
     pub input: String,
@@ -62,24 +62,24 @@ pub struct Record {
     pub output: String,
     /// SHA-256 of the output.
     pub output_sha256: Option<String>,
-    /// Size of the output.
+    /// Size of the output, bytes.
     pub bytes: Option<u64>,
-    /// Frames of the output.
+    /// Number of frames of the output.
     pub frames: Option<u64>,
-    /// Unusable frames of the input that were replaced.
+    /// Number of unusable input frames that were replaced.
     pub repaired: Option<u64>,
-    /// What may be wrong with the output.
+    /// Warnings about the output.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<NoteReport>,
-    /// How it ended.
+    /// How the job ended.
     pub status: Status,
-    /// Kind of the error.
+    /// Code of the error.
     pub code: Option<String>,
-    /// What the error was.
+    /// Message of the error.
     pub message: Option<String>,
-    /// The program.
+    /// Name and version of the program.
     pub version: String,
-    /// When it ended, milliseconds since 1970: which of several records is the latest.
+    /// When the job ended, milliseconds since 1970. The latest of several records counts.
     pub time_ms: u64,
 }
 
@@ -88,11 +88,11 @@ pub(super) fn now_ms() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_millis() as u64)
 }
 
-/// The manifest of a share, with its only writer.
+/// The manifest of a shard, open for writing.
 pub(super) struct Manifest {
     path: PathBuf,
     file: File,
-    /// Held until it is dropped.
+    /// The lock, held until it is dropped.
     _lock: File,
     flushed: Instant,
 }
@@ -101,7 +101,7 @@ impl Manifest {
     /// Opens the manifest in a folder for writing.
     ///
     /// # Errors
-    /// If another process writes it, or the system does not let us.
+    /// If another process writes the manifest, or on an I/O error.
     pub(super) fn open(folder: &Path, shard: Shard) -> Outcome<Self> {
         let name = shard.manifest();
         let path = folder.join(format!("{name}.jsonl"));
@@ -118,7 +118,7 @@ impl Manifest {
     /// Adds a record.
     ///
     /// # Errors
-    /// What the system says.
+    /// On an I/O error.
     pub(super) fn add(&mut self, record: &Record) -> Outcome {
         let mut line = serde_json::to_string(record).map_err(|e| TaskError::of(crate::Code::Fault, e))?;
         line.push('\n');
@@ -126,25 +126,25 @@ impl Manifest {
         if self.flushed.elapsed() >= FLUSH { self.flush() } else { Ok(()) }
     }
 
-    /// Makes all records safe from a loss of power.
+    /// Flushes all records to the disk.
     ///
     /// # Errors
-    /// What the system says.
+    /// On an I/O error.
     pub(super) fn flush(&mut self) -> Outcome {
         self.flushed = Instant::now();
         self.file.sync_data().map_err(|e| TaskError::io(&self.path, &e))
     }
 }
 
-/// The lock of a manifest; `None` if another process has it.
+/// Locks a manifest. Returns `None` if another process holds the lock.
 fn try_lock(folder: &Path, manifest: &str) -> io::Result<Option<File>> {
-    // A file of its own: where locks are mandatory, others may still read the manifest.
+    // A separate lock file: where locks are mandatory, other processes may still read the manifest.
     let path = folder.join(format!(".{manifest}.lock"));
     let lock = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
     Ok(lock.try_lock_exclusive()?.then_some(lock))
 }
 
-/// Cuts off a last line without an end: its writer was stopped there.
+/// Removes an unterminated last line, which an interrupted writer leaves.
 fn cut_torn_line(path: &Path) -> io::Result<()> {
     let bytes = match fs::read(path) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -154,7 +154,7 @@ fn cut_torn_line(path: &Path) -> io::Result<()> {
     if whole < bytes.len() { OpenOptions::new().write(true).open(path)?.set_len(whole as u64) } else { Ok(()) }
 }
 
-/// Names of the manifests in a folder, without their ending.
+/// Returns the names of the manifests in a folder, without the extension.
 fn names(folder: &Path) -> io::Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -166,11 +166,11 @@ fn names(folder: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// The latest record of every job in all manifests of a folder. Lines that are no records are left out: their jobs are done
+/// Returns the latest record of every job in all manifests of a folder. Invalid lines are ignored: their jobs are done
 /// again.
 ///
 /// # Errors
-/// What the system says.
+/// On an I/O error.
 pub(super) fn latest(folder: &Path) -> Outcome<HashMap<String, Record>> {
     let mut latest: HashMap<String, Record> = HashMap::new();
     for name in names(folder).map_err(|e| TaskError::io(folder, &e))? {
@@ -186,15 +186,15 @@ pub(super) fn latest(folder: &Path) -> Outcome<HashMap<String, Record>> {
     Ok(latest)
 }
 
-/// Calls `sweep` with the name of each manifest of a folder that nobody writes, this process's own among them.
+/// Calls `sweep` with the name of each manifest of a folder that no other process writes, this process's own included.
 ///
 /// # Errors
-/// What the system says.
+/// On an I/O error.
 pub(super) fn for_each_idle(folder: &Path, own: Shard, mut sweep: impl FnMut(&str) -> Outcome) -> Outcome {
     let fail = |e: io::Error| TaskError::io(folder, &e);
     sweep(&own.manifest())?;
     for name in names(folder).map_err(fail)?.into_iter().filter(|name| *name != own.manifest()) {
-        // The lock is held while it is swept.
+        // The lock is held during the sweep.
         if let Some(_lock) = try_lock(folder, &name).map_err(fail)? {
             sweep(&name)?;
         }

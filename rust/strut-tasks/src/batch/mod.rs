@@ -1,8 +1,9 @@
-//! Many clips in many styles, exactly once each: what `strut stylize-batch` does.
+//! Styles many clips in many styles, exactly once each: `strut stylize-batch`.
 //!
-//! A job is an input in a variant. Its [key](key::Digests) says what its output depends on; a [manifest](manifest) in the
-//! folder of the outputs says which jobs ended how, with which key. A run does what is not done yet, so that one that was
-//! stopped, by whatever, is simply started again. Outputs are written beside their places and renamed.
+//! A job is an input in a variant. Its [key](key::Digests) identifies everything that its output depends on. A
+//! [manifest](manifest) in the output folder records how each job ended, with its key. A run does the jobs that are not
+//! done yet, so an interrupted batch is continued by starting it again. Outputs are written to temporary files next to
+//! their targets and then renamed.
 
 mod attempts;
 mod check;

@@ -1,4 +1,4 @@
-//! Outputs appear whole or not at all.
+//! Atomic writing of outputs: a file is complete or absent.
 
 use crate::digest::sha256_hex;
 use crate::error::{Outcome, TaskError};
@@ -6,13 +6,13 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Ending of temporary files.
+/// Extension of temporary files.
 const TEMPORARY: &str = ".tmp";
 
-/// Writes an output below a folder under a temporary name of a manifest's, and renames it.
+/// Writes an output below a folder to a temporary file that carries the manifest's name, and renames it.
 ///
 /// # Errors
-/// What the system says.
+/// On an I/O error.
 pub(super) fn write(folder: &Path, output: &str, manifest: &str, bytes: &[u8]) -> Outcome {
     let target = folder.join(output);
     let fail = |e: io::Error| TaskError::io(&target, &e);
@@ -24,7 +24,7 @@ pub(super) fn write(folder: &Path, output: &str, manifest: &str, bytes: &[u8]) -
         file.sync_all()
     });
     written.and_then(|()| fs::rename(&temporary, &target)).map_err(|e| {
-        // The failure is what there is to report.
+        // The earlier failure is the one to report.
         let _ = fs::remove_file(&temporary);
         fail(e)
     })
@@ -33,7 +33,7 @@ pub(super) fn write(folder: &Path, output: &str, manifest: &str, bytes: &[u8]) -
 /// Removes all temporary files of a manifest's writer below a folder.
 ///
 /// # Errors
-/// What the system says.
+/// On an I/O error.
 pub(super) fn sweep(folder: &Path, manifest: &str) -> Outcome {
     let ending = format!(".{manifest}{TEMPORARY}");
     let fail = |e: io::Error| TaskError::io(folder, &e);

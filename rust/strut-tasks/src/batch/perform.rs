@@ -15,7 +15,7 @@ use std::path::Path;
 use strut_formats::GENERATOR;
 use strut_formats::bvh;
 
-/// What all jobs of a batch share.
+/// Shared state of all jobs of a batch.
 pub(super) struct Performer<'a> {
     /// Folder of the outputs.
     pub(super) folder: &'a Path,
@@ -39,17 +39,17 @@ pub(super) struct Written {
     pub(super) notes: Vec<NoteReport>,
 }
 
-/// What is known of a job's input, however the job ends.
+/// Digests of a job's input, known even if the job fails.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Known {
     /// SHA-256 of the input.
     pub(super) input: Option<String>,
-    /// What the output depends on.
+    /// Key of the job.
     pub(super) key: Option<String>,
 }
 
 impl Performer<'_> {
-    /// Styles a source into an output, and says what is known of the source once it is.
+    /// Styles a source into an output. Sets `known` as soon as the source is read.
     ///
     /// # Errors
     /// If the input cannot be read or styled, the output cannot be written, or the caller cancels.
@@ -61,7 +61,7 @@ impl Performer<'_> {
         on_progress: &OnProgress<'_>,
     ) -> Outcome<Written> {
         let bytes = source.bytes()?;
-        // Of the bytes that are styled, whatever the file was before and will be.
+        // The digest is of the bytes that are styled, even if the file changes meanwhile.
         let input = sha256_hex(&bytes);
         let key = digests.key(&input);
         *known = Known { input: Some(input), key: Some(key.clone()) };
@@ -98,7 +98,7 @@ impl Performer<'_> {
     }
 }
 
-/// How a job ended just now: its output, input and variant, by name.
+/// Returns the record of a job that just ended: its output, input and variant by name.
 pub(super) fn record((output, input, variant): (&str, &str, &str), known: Known, ending: Ending<Written>) -> Record {
     let (status, written, error) = match ending {
         Ending::Done(written) => (Status::Done, Some(written), None),

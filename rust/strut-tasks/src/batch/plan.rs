@@ -1,4 +1,4 @@
-//! A batch whose jobs are done elsewhere: by other threads, processes or machines that share the files.
+//! A batch whose jobs are done by other threads, processes or machines that share the files.
 
 use super::attempts::Attempts;
 use super::check::Check;
@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use strut_core::transfer::Model;
 
-/// What a worker is told of a job.
+/// Description of a job for a worker.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PlannedJob {
     /// Name of the job: path of the output in the folder of the outputs.
@@ -33,22 +33,23 @@ pub struct PlannedJob {
     pub variant: String,
 }
 
-/// The sources of the archive that was read last.
+/// The archive that was read last, with its sources.
 type Archive = Option<(PathBuf, Arc<Vec<Source>>)>;
 
-/// A batch of one driver, who asks for the pending jobs and records how they ended, and of any number of workers, who perform
-/// them. Each has a plan of its own, with the same request and database.
+/// A batch with one driver, which asks for the pending jobs and records how they ended, and any number of workers,
+/// which perform them. Each has its own plan, with the same request and database.
 pub struct Plan {
     request: BatchRequest,
     stylings: Vec<VariantStyling>,
-    /// The driver's: open from the first use on.
+    /// Used by the driver; opened at the first use.
     manifest: Mutex<Option<Manifest>>,
-    /// A worker's.
+    /// Used by a worker.
     archive: Mutex<Archive>,
 }
 
 impl Plan {
-    /// A plan with the database of this SHA-256, which `open` opens for a kind of search. Nothing is read or written yet.
+    /// Creates a plan for the database with this SHA-256. `open` opens the database for a kind of search. Nothing is
+    /// read or written yet.
     ///
     /// # Errors
     /// If there are no variants, or the database lacks a style or an action, or cannot be opened.
@@ -60,16 +61,17 @@ impl Plan {
         Ok(Self { request, stylings, manifest: Mutex::default(), archive: Mutex::default() })
     }
 
-    /// SHA-256 of all that outputs depend on apart from the inputs: equal for a driver and its workers.
+    /// Returns the SHA-256 of everything that outputs depend on apart from the inputs. It is equal for a driver and its
+    /// workers.
     pub fn sha256(&self) -> String {
         let of = |variant: &VariantStyling| format!("{}\n{}", variant.name, variant.digests.key(""));
         sha256_hex(self.stylings.iter().map(of).collect::<Vec<_>>().join("\n").as_bytes())
     }
 
-    /// The jobs that are not done yet, for a driver; no other process may write the manifest from then on.
+    /// Returns the pending jobs, for a driver. From then on no other process may write the manifest.
     ///
     /// # Errors
-    /// As those of [`run`](super::run) before its first job.
+    /// Those of [`run`](super::run) before its first job.
     pub fn pending(&self, on_progress: &OnProgress<'_>) -> Outcome<Vec<PlannedJob>> {
         let Self { request, stylings, .. } = self;
         let sources = gather(&request.inputs)?;
@@ -87,11 +89,11 @@ impl Plan {
         Ok(pending.into_iter().map(planned).collect())
     }
 
-    /// Does a job, for a worker: writes the output, and says how it ended. An input that cannot be styled and a fault are endings;
-    /// the driver records them all.
+    /// Does a job, for a worker: writes the output and returns the record. An unusable input or a fault is recorded in
+    /// it, not returned as an error; the driver stores all records.
     ///
     /// # Errors
-    /// If the disk is full, the caller cancels, or the job is none of this plan's.
+    /// If the disk is full, the caller cancels, or the job is not in this plan.
     pub fn perform(&self, job: &PlannedJob, on_progress: &OnProgress<'_>) -> Outcome<Record> {
         let PlannedJob { job: output, input, variant } = job;
         let known_variants: Vec<&str> = self.stylings.iter().map(|styling| styling.name.as_str()).collect();
@@ -102,7 +104,7 @@ impl Plan {
             return Err(TaskError::usage(format_args!("'{output}' is no job of the variant '{variant}'")));
         }
         let folder = self.request.output.as_path();
-        // Whatever else writes the same output at the same time does not write into the same temporary file.
+        // A unique name, so that two writers of the same output never share a temporary file.
         let unique = RandomState::new().hash_one(output);
         let manifest = format!("{unique:016x}.{}", self.request.shard.manifest());
         let performer = Performer { folder, manifest, attempts: Attempts::open(folder)? };
@@ -115,20 +117,20 @@ impl Plan {
         Ok(record((output, input, variant), known, performed))
     }
 
-    /// Records how jobs ended, for the driver; the time is that of the record.
+    /// Records how jobs ended, for the driver. Each record gets the current time.
     ///
     /// # Errors
-    /// If another process writes the manifest, or the system does not let us.
+    /// If another process writes the manifest, or on an I/O error.
     pub fn record(&self, records: impl IntoIterator<Item = Record>) -> Outcome {
         let mut writer = self.manifest()?;
         for record in records {
-            // The driver's clock alone says which of several records is the latest.
+            // Only the driver's clock decides which of several records is the latest.
             writer.iter_mut().try_for_each(|manifest| manifest.add(&Record { time_ms: now_ms(), ..record.clone() }))?;
         }
         Ok(())
     }
 
-    /// The manifest, which is open then.
+    /// Returns the manifest, opened if needed.
     fn manifest(&self) -> Outcome<MutexGuard<'_, Option<Manifest>>> {
         let mut manifest = self.manifest.lock().unwrap_or_else(PoisonError::into_inner);
         if manifest.is_none() {
@@ -141,7 +143,7 @@ impl Plan {
         Ok(manifest)
     }
 
-    /// The source of this path, among those of its file or archive.
+    /// Returns the source with this path, among those of its file or archive.
     fn source(&self, path: &str) -> Outcome<(Arc<Vec<Source>>, usize)> {
         let Some(archive) = archive_of(Path::new(path)) else {
             return Ok((Arc::new(vec![Source::file(Path::new(path))]), 0));
@@ -161,7 +163,8 @@ impl Plan {
 impl Drop for Plan {
     fn drop(&mut self) {
         if let Some(manifest) = self.manifest.get_mut().unwrap_or_else(PoisonError::into_inner) {
-            // Nobody is left to be told; the records are written, only a loss of power could take the last second.
+            // A failure cannot be reported here. The records are written; only a power failure could lose the last
+            // second.
             let _ = manifest.flush();
         }
     }

@@ -1,4 +1,4 @@
-//! What a batch is asked for.
+//! The request of a batch.
 
 use super::manifest::Status;
 use super::shard::Shard;
@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// Which jobs that ended otherwise than done are done again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[allow(missing_docs)] // Their names say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The names are self-explanatory, and comments would appear in the help.
 pub enum Retry {
     Failed,
     Skipped,
@@ -27,32 +27,32 @@ impl Retry {
     }
 }
 
-/// What to do.
+/// Inputs, variants and options of a batch.
 #[derive(Clone, Debug)]
 pub struct BatchRequest {
-    /// BVH files, folders with all below them, archives.
+    /// BVH files, folders (recursively) and archives.
     pub inputs: Vec<PathBuf>,
     /// The database.
     pub database: PathBuf,
-    /// What every input becomes.
+    /// The variants in which every input is styled.
     pub variants: Vec<Variant>,
     /// Folder of the outputs.
     pub output: PathBuf,
-    /// The share of the jobs that is this run's.
+    /// The shard of the jobs that this run does.
     pub shard: Shard,
-    /// Threads that work; one a processor if `None`.
+    /// Number of worker threads; one per processor if `None`.
     pub threads: Option<NonZero<usize>>,
-    /// What did not work before and is done again.
+    /// Which unsuccessful jobs are done again.
     pub retry: Option<Retry>,
-    /// Whether outputs are compared with what was recorded by their content, not by their size alone.
+    /// Whether existing outputs are checked by their content, not only by their size.
     pub verify: bool,
 }
 
 impl BatchRequest {
-    /// A second run would take outputs for inputs.
+    /// Refuses an output folder inside an input folder: a second run would read outputs as inputs.
     pub(super) fn refuse_outputs_among_inputs(&self) -> Outcome {
         let absolute = std::path::absolute(&self.output).map_err(|e| TaskError::io(&self.output, &e))?;
-        // As much of it as there is.
+        // The part of the path that exists.
         let output = absolute.ancestors().find_map(|path| path.canonicalize().ok()).unwrap_or_default();
         for input in self.inputs.iter().filter(|input| input.is_dir()) {
             if output.starts_with(input.canonicalize().map_err(|e| TaskError::io(input, &e))?) {

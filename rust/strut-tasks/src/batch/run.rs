@@ -1,4 +1,4 @@
-//! A run of a batch: what is not done yet.
+//! A run of a batch, which does the pending jobs.
 
 use super::attempts::Attempts;
 use super::check::Check;
@@ -24,7 +24,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 use strut_formats::strutdb;
 
-/// Frames after which a job asks whether to go on.
+/// Number of frames between two checks for cancellation.
 const FRAMES_BETWEEN_CHECKS: usize = 32;
 
 /// A job without an output.
@@ -36,38 +36,38 @@ pub struct Problem {
     pub input: String,
     /// Skipped or failed.
     pub status: Status,
-    /// Kind of the error.
+    /// Code of the error.
     pub code: String,
-    /// What the error was.
+    /// Message of the error.
     pub message: String,
 }
 
-/// How things are after a run.
+/// State of the shard after a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BatchReport {
-    /// All jobs of the share.
+    /// Number of jobs of the shard.
     pub jobs: usize,
-    /// Jobs whose outputs are there.
+    /// Number of jobs whose outputs exist.
     pub done: usize,
-    /// Those of them that this run did.
+    /// Number of those that this run did.
     pub styled: usize,
-    /// Jobs whose input cannot be styled.
+    /// Number of jobs whose input cannot be styled.
     pub skipped: usize,
-    /// Jobs that the system or the program failed to do.
+    /// Number of jobs that failed because of the system or the program.
     pub failed: usize,
-    /// Frames that this run wrote.
+    /// Number of frames that this run wrote.
     pub frames: u64,
-    /// How long it took, seconds.
+    /// Duration of the run, seconds.
     pub seconds: f64,
     /// The jobs without an output, by name.
     pub problems: Vec<Problem>,
 }
 
-/// Does all jobs that are not done yet.
+/// Does all pending jobs.
 ///
 /// # Errors
-/// If the request cannot be carried out: inputs, variants or styles that do not exist, outputs that collide, another writer;
-/// if the disk is full; or if the caller cancels. What was done until then stays done.
+/// If the request cannot be carried out: missing inputs, variants or styles, colliding outputs, another writer; if the
+/// disk is full; or if the caller cancels. Jobs that were done until then stay done.
 pub fn run(request: &BatchRequest, on_progress: &OnProgress<'_>) -> Outcome<BatchReport> {
     let begin = Instant::now();
     let folder = request.output.as_path();
@@ -80,7 +80,7 @@ pub fn run(request: &BatchRequest, on_progress: &OnProgress<'_>) -> Outcome<Batc
         Ok(Arc::new(Opened::new(contents, search).model))
     })?;
     drop(database);
-    // Nothing is written before all that can be wrong with the request is known.
+    // The request is validated completely before anything is written.
     fs::create_dir_all(folder).map_err(|e| TaskError::io(folder, &e))?;
     let mut manifest = Manifest::open(folder, request.shard)?;
     manifest::for_each_idle(folder, request.shard, |name| outputs::sweep(folder, name))?;
@@ -99,7 +99,7 @@ pub fn run(request: &BatchRequest, on_progress: &OnProgress<'_>) -> Outcome<Batc
     Ok(report(&jobs, &pending, &manifest::latest(folder)?, begin.elapsed().as_secs_f64()))
 }
 
-/// An error that ends a batch, with what comes of the rest.
+/// Adds a hint with the number of finished jobs to an error that ends a batch.
 fn with_rest(error: TaskError, folder: &Path, jobs: &[Job]) -> TaskError {
     if !matches!(error.code, Code::Cancelled | Code::Io(_)) {
         return error;
@@ -112,7 +112,7 @@ fn is_done(known: &HashMap<String, Record>, job: &Job) -> bool {
     known.get(&job.output).is_some_and(|record| record.status == Status::Done)
 }
 
-/// A batch with something to do.
+/// A batch with pending jobs.
 struct Batch<'a> {
     request: &'a BatchRequest,
     sources: &'a [Source],
@@ -151,7 +151,7 @@ impl Batch<'_> {
     }
 }
 
-/// How things are, from the records.
+/// Returns the report of the records.
 fn report(jobs: &[Job], pending: &[&Job], known: &HashMap<String, Record>, seconds: f64) -> BatchReport {
     let records = || jobs.iter().filter_map(|job| known.get(&job.output));
     let count = |status| records().filter(|record| record.status == status).count();

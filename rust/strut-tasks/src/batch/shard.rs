@@ -1,16 +1,16 @@
-//! Shares of a batch, each for a process or a machine of its own.
+//! Shards of a batch, for separate processes or machines.
 
 use crate::digest::sha256;
 use std::fmt;
 use std::str::FromStr;
 
-/// Greatest number of shares.
+/// Greatest number of shards.
 const MAX_SHARDS: u32 = 100_000;
 
-/// A share of the jobs: `2/8` is the second of eight.
+/// A shard of the jobs: `2/8` is the second of eight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// From 1 to `of`.
+    /// Index, from 1 to `of`.
     index: u32,
     of: u32,
 }
@@ -19,14 +19,14 @@ impl Shard {
     /// All jobs.
     pub const WHOLE: Self = Self { index: 1, of: 1 };
 
-    /// Whether a job belongs to this share.
+    /// Returns whether a job belongs to this shard.
     pub(super) fn holds(self, job: &str) -> bool {
         let digest = sha256(job.as_bytes());
         let number = digest[..8].iter().fold(0_u64, |number, byte| number << 8 | u64::from(*byte));
         number % u64::from(self.of) == u64::from(self.index - 1)
     }
 
-    /// Name of the share's manifest, without its ending.
+    /// Returns the name of the shard's manifest, without the extension.
     pub(super) fn manifest(self) -> String {
         match self {
             Self::WHOLE => "manifest".to_owned(),

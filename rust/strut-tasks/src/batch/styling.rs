@@ -1,4 +1,4 @@
-//! What the jobs of a batch are done with.
+//! Open variants, which style the inputs of jobs.
 
 use super::key::Digests;
 use super::request::BatchRequest;
@@ -9,17 +9,17 @@ use crate::stylize::Styling;
 use std::sync::Arc;
 use strut_core::transfer::Model;
 
-/// A variant over an open database.
+/// A variant with an open database.
 pub(super) struct VariantStyling {
     /// Name of the variant.
     pub(super) name: String,
-    /// How inputs are styled.
+    /// The styling of the inputs.
     pub(super) styling: Styling,
-    /// What outputs depend on.
+    /// Digests of what outputs depend on.
     pub(super) digests: Digests,
 }
 
-/// All variants of a request over the database with this SHA-256, which `open` opens once for every kind of search.
+/// Opens all variants of a request with the database of this SHA-256. `open` is called once for every kind of search.
 ///
 /// # Errors
 /// If the database lacks a style or an action, or cannot be opened.

@@ -1,4 +1,4 @@
-//! Variants: styles and options with a name, of which every input is given each.
+//! Variants: named styles and options. Every input is styled in every variant.
 
 use crate::error::{Outcome, TaskError};
 use crate::files;
@@ -9,7 +9,7 @@ use std::path::{Component, Path};
 /// Greatest size of a table of variants, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;
 
-/// How inputs are styled, and the folder where that goes.
+/// Settings of a variant, and the name of its output folder.
 #[derive(Clone, Debug)]
 pub struct Variant {
     /// Name of the folder.
@@ -19,10 +19,10 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// A variant whose name is a folder's.
+    /// Creates a variant whose name is also a folder name.
     ///
     /// # Errors
-    /// If it is not, begins with a dot, or has several parts.
+    /// If the name is no valid folder name, begins with a dot, or has several parts.
     pub fn new(name: &str, settings: StyleSettings) -> Outcome<Self> {
         let mut parts = Path::new(name).components();
         let is_plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == name);
@@ -34,19 +34,20 @@ impl Variant {
         Ok(Self { name: name.to_owned(), settings })
     }
 
-    /// The variant of these styles as they were typed, whose name they are with `+` for the commas.
+    /// Creates a variant of styles as they were typed. Its name is that text with `+` in place of commas.
     ///
     /// # Errors
-    /// If that is no name of a folder.
+    /// If the name is not valid as a folder name.
     pub fn of_styles(typed: &str, settings: StyleSettings) -> Outcome<Self> {
         Self::new(&typed.replace(',', "+"), settings)
     }
 }
 
-/// The variants in a table with the columns `variant,style[,option…]`; an empty cell leaves an option as `settings` has it.
+/// Reads the variants in a table with the columns `variant,style[,option…]`. An empty cell keeps the value of
+/// `settings`.
 ///
 /// # Errors
-/// A sentence about the first faulty line.
+/// A message about the first faulty line.
 pub fn read_variants(path: &Path, settings: impl Fn(StyleWeights) -> Outcome<StyleSettings>) -> Outcome<Vec<Variant>> {
     let bytes = files::read(path, MAX_TABLE_BYTES)?;
     let fail = |reason: String| TaskError::in_file(path, reason);

@@ -1,4 +1,4 @@
-//! Jobs on several threads, each of which may fail without the others.
+//! Jobs on several threads. A job that fails does not stop the others.
 
 use crate::error::{Code, Outcome, TaskError};
 use std::any::Any;
@@ -12,7 +12,7 @@ use std::thread;
 /// How a job ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Ending<T> {
-    /// It is done.
+    /// The job is done.
     Done(T),
     /// The input cannot be styled.
     Skipped(TaskError),
@@ -20,11 +20,11 @@ pub(super) enum Ending<T> {
     Failed(TaskError),
 }
 
-/// Performs jobs by number, in this order, and hands every ending to `conclude`, with what was known by then. What the system could not do is tried once
-/// more; a panic is the job's own.
+/// Performs jobs by number, in this order, and passes every ending to `conclude`, with what was known by then. An I/O
+/// failure is retried once; a panic counts as a fault of the job.
 ///
 /// # Errors
-/// If a job is cancelled, the disk is full, or `conclude` fails: no further job begins then.
+/// If a job is cancelled, the disk is full, or `conclude` fails. No further job starts then.
 pub(super) fn work<K: Default, T>(
     jobs: usize,
     threads: NonZero<usize>,
@@ -43,7 +43,7 @@ pub(super) fn work<K: Default, T>(
             let mut known = K::default();
             let ended = ending(|| perform(job, &mut known)).and_then(|ending| conclude(job, known, ending));
             if let Err(error) = ended {
-                // The first one is told.
+                // The first error is reported.
                 stopped.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
             }
         }
@@ -56,7 +56,7 @@ pub(super) fn work<K: Default, T>(
     stopped.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
 }
 
-/// How a job ends; an error is one that ends the batch.
+/// Performs a job and returns its ending, or an error that ends the batch.
 pub(super) fn ending<T>(mut perform: impl FnMut() -> Outcome<T>) -> Outcome<Ending<T>> {
     let mut contained = || catch_unwind(AssertUnwindSafe(&mut perform)).unwrap_or_else(|panic| Err(fault(&*panic)));
     let mut result = contained();
@@ -76,13 +76,13 @@ pub(super) fn ending<T>(mut perform: impl FnMut() -> Outcome<T>) -> Outcome<Endi
     }
 }
 
-/// Whether there is no room for outputs, of which no job can be blamed.
+/// Returns whether the disk is full, which is not the fault of a job.
 fn is_full<T>(result: &Outcome<T>) -> bool {
     let full = |kind| matches!(kind, ErrorKind::StorageFull | ErrorKind::QuotaExceeded);
     matches!(result, Err(TaskError { code: Code::Io(kind), .. }) if full(*kind))
 }
 
-/// The error of a panic.
+/// Returns the error of a panic.
 fn fault(panic: &(dyn Any + Send)) -> TaskError {
     let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
     TaskError::of(Code::Fault, format_args!("a fault of the program: {}", text.unwrap_or("it panicked")))
@@ -100,7 +100,7 @@ mod tests {
         TaskError::io(Path::new("out.bvh"), &io::Error::from(kind))
     }
 
-    /// Ten jobs, of which one ends so; how all end by number, and how the batch does.
+    /// Runs ten jobs, of which the third ends as given. Returns all endings by number, and the outcome of the batch.
     fn run(third: impl Fn() -> Outcome<usize> + Sync) -> (Vec<(usize, Ending<usize>)>, Outcome) {
         let endings = Mutex::new(Vec::new());
         let perform = |job, known: &mut usize| {

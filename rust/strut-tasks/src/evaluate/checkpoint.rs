@@ -18,19 +18,19 @@ use strut_formats::GENERATOR;
 /// Greatest size of a checkpoint, bytes.
 const MAX_BYTES: usize = 1 << 30;
 
-/// Lines of JSON beside the results: first what is measured, then one line a unit of work.
+/// A file of JSON lines next to the results: a header that identifies the work, then one line per unit of work.
 pub(super) struct Checkpoint {
     done: HashMap<String, Vec<Sample>>,
     file: Option<(PathBuf, Mutex<File>)>,
     note: Option<String>,
 }
 
-/// What is measured: samples of something else are of no use.
+/// Identity of the work. Samples of other work are discarded.
 #[derive(PartialEq, Serialize, Deserialize)]
 pub(super) struct Work {
     /// The command line.
     pub(super) command: String,
-    /// Digest of the motion that is read; see [`digest_of`].
+    /// Digest of the motion data; see [`digest_of`].
     pub(super) data: String,
 }
 
@@ -41,7 +41,7 @@ struct Header {
     work: Work,
 }
 
-/// A digest of all clips, and of files that are read later.
+/// Returns a digest of all clips and of the files that are read later.
 pub(super) fn digest_of(clips: &[SourceClip], inputs: &[Source]) -> String {
     let of_clip = |clip: &SourceClip| {
         let SourceClip { name, action, style, take, motion, source, .. } = clip;
@@ -56,7 +56,7 @@ pub(super) fn digest_of(clips: &[SourceClip], inputs: &[Source]) -> String {
         numbers.for_each(|number| bytes.extend(number.to_le_bytes()));
         sha256_hex(&bytes)
     };
-    // A file that cannot be read is left out later, with its reason.
+    // An unreadable file is omitted later, with the reason.
     let of_input = |input: &Source| input.bytes().map_or_else(|_| input.path.clone(), |bytes| sha256_hex(&bytes));
     let all: Vec<String> = clips.iter().map(of_clip).chain(inputs.iter().map(of_input)).collect();
     sha256_hex(all.join("\n").as_bytes())
@@ -69,11 +69,11 @@ struct Unit {
 }
 
 impl Checkpoint {
-    /// Opens the checkpoint of a results file; one of another command, version or data is begun anew, with a note. Without a
-    /// results file nothing is saved.
+    /// Opens the checkpoint of a results file. A checkpoint of another command, version or data is replaced, with a
+    /// note. Without a results file nothing is saved.
     ///
     /// # Errors
-    /// If there is a checkpoint that cannot be read, or it cannot be written.
+    /// If an existing checkpoint cannot be read, or the new one cannot be written.
     pub(super) fn open(results: Option<&Path>, work: Work) -> Outcome<Self> {
         let Some(results) = results else { return Ok(Self { done: HashMap::new(), file: None, note: None }) };
         let mut name = results.file_name().unwrap_or_default().to_owned();
@@ -90,7 +90,8 @@ impl Checkpoint {
             }
             done = kept.unwrap_or_default();
         }
-        // Written anew, since the last line may have been cut off; beside the old one, so that there always is one.
+        // The file is rewritten, since its last line may be truncated. The new file replaces the old one only when it
+        // is complete.
         let mut text = line_of(&header)?;
         for (unit, samples) in &done {
             text += &line_of(&Unit { unit: unit.clone(), samples: samples.clone() })?;
@@ -102,17 +103,17 @@ impl Checkpoint {
         Ok(Self { done, file: Some((path, Mutex::new(file))), note })
     }
 
-    /// What became of a checkpoint that is of no use.
+    /// Returns a note about a discarded checkpoint.
     pub(super) fn note(&self) -> Option<&str> {
         self.note.as_deref()
     }
 
-    /// The samples of a unit of work, if it is done.
+    /// Returns the samples of a unit of work that is done.
     pub(super) fn done(&self, unit: &str) -> Option<&Vec<Sample>> {
         self.done.get(unit)
     }
 
-    /// Keeps the samples of a unit of work.
+    /// Saves the samples of a unit of work.
     pub(super) fn keep(&self, unit: &str, samples: &[Sample]) -> Outcome {
         let Some((path, file)) = &self.file else { return Ok(()) };
         let line = line_of(&Unit { unit: unit.to_owned(), samples: samples.to_vec() })?;
@@ -120,21 +121,22 @@ impl Checkpoint {
         file.write_all(line.as_bytes()).map_err(|e| TaskError::io(path, &e))
     }
 
-    /// Removes the file: the results are written.
+    /// Removes the file once the results are written.
     pub(super) fn remove(self) {
         if let Some((path, _)) = self.file {
-            // A checkpoint left behind is discarded next time.
+            // A checkpoint that remains is discarded next time.
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// A line of JSON.
+/// Returns a value as a line of JSON.
 fn line_of(of: &impl Serialize) -> Outcome<String> {
     serde_json::to_string(of).map(|line| line + "\n").map_err(TaskError::new)
 }
 
-/// The units in a checkpoint; `None` if it is of another command, version or data. An incomplete line is ignored.
+/// Returns the units in a checkpoint, or `None` if it is of another command, version or data. An incomplete line is
+/// ignored.
 fn samples(bytes: &[u8], expected: &Header) -> Option<HashMap<String, Vec<Sample>>> {
     let text = String::from_utf8_lossy(bytes);
     let mut lines = text.lines();
@@ -234,7 +236,7 @@ mod tests {
         drop(first);
         OpenOptions::new().append(true).open(&partial).unwrap().write_all(b"{\"unit\":\"2").unwrap();
         let before = fs::read_to_string(&partial).unwrap();
-        // Whoever is killed while it is written anew finds what this handle sees.
+        // A process that is killed during the rewrite leaves the file that this handle sees.
         let mut old = File::open(&partial).unwrap();
         let second = Checkpoint::open(Some(&results), of("a", "x")).unwrap();
         let mut seen = String::new();

@@ -31,7 +31,7 @@ pub enum PassMode {
 }
 
 impl PassMode {
-    /// The core's value.
+    /// Returns the core's value.
     pub(super) fn mode(self) -> Mode {
         match self {
             Self::Offline => Mode::Offline,
@@ -71,7 +71,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// The core's values; `None` is the whole body.
+    /// Returns the core's values; `None` is the whole body.
     pub(super) fn parts(self) -> Option<&'static [BodyPart]> {
         match self {
             Self::Whole => None,

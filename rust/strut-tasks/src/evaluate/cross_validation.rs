@@ -14,20 +14,20 @@ use strut_core::evaluation::style_progress::StyleProgress;
 use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
 
-/// Draws of a fold whose takes are chosen by chance.
+/// Number of draws for a fold with randomly chosen takes.
 const DRAWS: u32 = 3;
 
 /// A database to build and a take to hold out of it.
 #[derive(Clone, Copy, Debug)]
 struct Fold {
-    /// Index of the settings of the build.
+    /// Index of the build settings.
     build: usize,
     take: u32,
-    /// Number of the draw of the takes that are kept.
+    /// Number of the random draw of the kept takes.
     draw: u32,
 }
 
-/// All samples of all folds, in an order that does not depend on the threads.
+/// Returns the samples of all folds, in an order that does not depend on the threads.
 pub(super) fn run(
     args: &Request,
     grid: &Grid,
@@ -40,7 +40,7 @@ pub(super) fn run(
     if args.folds > 0 {
         takes.truncate(args.folds);
     }
-    // Where takes are chosen by chance, more than once.
+    // Folds with randomly chosen takes are repeated.
     let draws = |build: usize| if grid.builds[build].takes == 0 { 1 } else { DRAWS };
     let folds =
         |build| takes.iter().flat_map(move |&take| (0..draws(build)).map(move |draw| Fold { build, take, draw }));
@@ -64,7 +64,7 @@ pub(super) fn run(
     Ok(samples.into_iter().flatten().collect())
 }
 
-/// The protocol of the arguments with these build settings.
+/// Returns the protocol of the arguments with these build settings.
 pub(super) fn protocol<'a>(
     args: &'a Request,
     clips: &'a [SourceClip],
@@ -104,7 +104,7 @@ fn samples_of(args: &Request, grid: &Grid, clips: &[SourceClip], fold: Fold) -> 
         .collect()
 }
 
-/// Result of a trial with one setting; `takes` are those that the database holds.
+/// Returns the values of a trial with one setting. `takes` are the takes in the database.
 fn sample(
     trial: &Trial,
     setting: &Setting,

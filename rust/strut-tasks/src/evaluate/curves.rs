@@ -1,4 +1,4 @@
-//! Curves over time of the first fold, as in Figures 3 and 4 of the paper.
+//! Curves over time of the first fold, as in figures 3 and 4 of the paper.
 
 use super::cross_validation::protocol;
 use super::request::Request;
@@ -23,7 +23,7 @@ pub struct TrialCurves {
     curves: Vec<Curve>,
 }
 
-/// Curves with one entry a frame of the input.
+/// Curves with one value per frame of the input.
 #[derive(Serialize)]
 struct Curve {
     /// "input", "truth", or the setting's method.
@@ -32,7 +32,7 @@ struct Curve {
     setting: Option<Setting>,
     /// Angle of the left knee, degrees; 0 is straight.
     left_knee_degrees: Vec<f32>,
-    /// The performance's own time, seconds. The truth's runs on within a segment only.
+    /// Content time at each frame, seconds. That of the truth is continuous only within a segment.
     time_secs: Vec<f64>,
 }
 
@@ -72,7 +72,7 @@ fn curve(name: String, setting: Option<Setting>, of: &Aligned) -> Curve {
     }
 }
 
-/// Angle between thigh and shin.
+/// Returns the angle between thigh and shin, degrees.
 fn left_knee_degrees(points: &Points) -> f32 {
     let at = |role: Role| points[role.index()];
     let thigh = at(Role::LeftLowerLeg) - at(Role::LeftUpperLeg);

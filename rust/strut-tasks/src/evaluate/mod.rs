@@ -1,4 +1,4 @@
-//! Errors of styled motion against real motion, and its cost: what `strut evaluate` measures.
+//! Measures the errors of styled motion against real motion, and the cost of styling: `strut evaluate`.
 
 mod checkpoint;
 mod choices;
@@ -27,7 +27,7 @@ use strut_core::database::build::SourceClip;
 use strut_formats::corpus::DEFAULT_PATTERN;
 use strut_formats::joints::Reading;
 
-/// Patterns of file names, tried in this order unless one is given.
+/// Patterns of file names, tried in this order if no pattern is given.
 const PATTERNS: [&str; 4] = [
     DEFAULT_PATTERN,
     "{set}_{action}_{style}_{take}.bvh",
@@ -35,11 +35,11 @@ const PATTERNS: [&str; 4] = [
     "{set}_{style}_{action}_{take}.bvh",
 ];
 
-/// What was measured.
+/// Results of an evaluation.
 pub struct Evaluation {
     /// The means.
     pub report: Report,
-    /// Curves of the first fold, if they were wanted.
+    /// Curves of the first fold, if requested.
     pub curves: Option<Vec<TrialCurves>>,
     /// Files that could not be used.
     pub left_out: Vec<RefusedFile>,
@@ -47,21 +47,22 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
-    /// A sentence on what a run before had kept, if it was of no use.
+    /// Returns a note about a discarded checkpoint.
     pub fn note(&self) -> Option<&str> {
         self.checkpoint.note()
     }
 
-    /// Removes what a stopped run would go on from: the results are written.
+    /// Removes the checkpoint once the results are written.
     pub fn conclude(self) {
         self.checkpoint.remove();
     }
 }
 
-/// Measures what is asked for.
+/// Runs the requested evaluation.
 ///
 /// # Errors
-/// If the request contradicts itself, names what the data lack or leaves nothing to compare; or the caller cancels.
+/// If the request is contradictory, names something that the data lack or leaves nothing to compare; or the caller
+/// cancels.
 pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Evaluation> {
     let grid = Grid::new(request)?;
     match request.protocol {
@@ -80,7 +81,7 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
     let clips = read(request, &mut left_out, on_progress)?;
     let left_out = Mutex::new(left_out);
     let inputs = if request.inputs.is_empty() { Vec::new() } else { gather(&request.inputs)? };
-    // What is not kept need not be known again.
+    // The digest is needed only for a checkpoint.
     let data = if request.results.is_some() { digest_of(&clips, &inputs) } else { String::new() };
     let work = Work { command: request.command.clone(), data };
     let checkpoint = Checkpoint::open(request.results.as_deref(), work)?;
@@ -100,7 +101,7 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
     Ok(Evaluation { report, curves, left_out, checkpoint })
 }
 
-/// The labelled clips of the actions asked for; those that cannot be read are left out.
+/// Reads the labelled clips of the requested actions. Unreadable clips are omitted.
 fn read(request: &Request, left_out: &mut Vec<RefusedFile>, on_progress: &OnProgress<'_>) -> Outcome<Vec<SourceClip>> {
     let sources = gather(std::slice::from_ref(&request.data))?;
     let labelled = match &request.pattern {

@@ -1,4 +1,4 @@
-//! Motion unlike the database's, clip by clip.
+//! Styling of motion that is unlike the database, clip by clip.
 
 use super::checkpoint::Checkpoint;
 use super::cross_validation::protocol;
@@ -20,7 +20,7 @@ use strut_core::retarget::to_humanoid;
 use strut_core::transfer::Model;
 use strut_formats::corpus::Clip;
 
-/// All samples: builds × inputs × targets × settings.
+/// Returns all samples: builds × inputs × targets × settings.
 pub(super) fn run(
     args: &Request,
     grid: &Grid,
@@ -65,7 +65,7 @@ pub(super) fn run(
     Ok(samples)
 }
 
-/// The clip on the database's body and at its rate.
+/// Returns the clip on the database's body and at its rate.
 fn input_of(clip: &Clip, model: &Model) -> Result<HumanoidMotion, String> {
     let db = model.catalogue();
     let input = to_humanoid(&clip.motion, &clip.binding, &db.proportions).resampled(db.rate_hz);

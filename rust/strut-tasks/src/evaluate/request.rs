@@ -1,4 +1,4 @@
-//! What to measure.
+//! Request of an evaluation.
 
 use super::choices::{Labels, Part, PassMode, Registration};
 use crate::error::{Outcome, TaskError};
@@ -19,14 +19,14 @@ use strut_formats::corpus::Pattern;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
-#[allow(missing_docs)] // The fields of a request say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The fields of a request explain it, and comments would appear in the help.
 pub enum Protocol {
     Loo,
     OffDatabase,
 }
 
 impl Protocol {
-    /// Its name in results.
+    /// Returns the name in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Loo => "loo",
@@ -35,18 +35,18 @@ impl Protocol {
     }
 }
 
-/// What to measure. Of lists all combinations are measured.
+/// Request of an evaluation. All combinations of the values in lists are measured.
 #[derive(Clone, Debug)]
 pub struct Request {
     /// The clips: a folder of BVH files.
     pub data: PathBuf,
-    /// How file names give the labels; the usual ones are tried otherwise.
+    /// Pattern of the labels in file names; the usual patterns are tried if `None`.
     pub pattern: Option<Pattern>,
     /// The style of the inputs, neutral in the databases.
     pub source: String,
     /// Actions of the inputs and of the databases; all if empty.
     pub actions: Vec<String>,
-    /// Actions of the databases, if others than the inputs'.
+    /// Actions of the databases, if they differ from those of the inputs.
     pub database_actions: Vec<String>,
     /// Styles to predict; all but the source if empty.
     pub targets: Vec<String>,
@@ -54,27 +54,27 @@ pub struct Request {
     pub methods: Vec<String>,
     /// Labels of the input that the engine is given.
     pub labels: Vec<Labels>,
-    /// Takes that are left out, or clips that databases do not hold.
+    /// Whether takes are held out, or inputs are not from the database.
     pub protocol: Protocol,
-    /// Off the database: files and folders to style.
+    /// For inputs that are not from the database: files and folders to style.
     pub inputs: Vec<PathBuf>,
-    /// Whether clips pass as a whole or frame by frame.
+    /// Whether clips are styled as a whole or frame by frame.
     pub mode: Vec<PassMode>,
     /// How the databases are registered.
     pub registration: Vec<Registration>,
     /// Greatest number of takes of each target class in a database; 0 for all.
     pub takes: Vec<usize>,
-    /// Frames of a search window.
+    /// Number of frames of a search window.
     pub window: Vec<usize>,
-    /// How neighbours are found.
+    /// Search methods for the neighbours.
     pub search: Vec<Search>,
-    /// Neighbours in each class.
+    /// Number of neighbours in each class.
     pub k: Vec<usize>,
     /// Ridge of the regressions, as a share of K.
     pub lambda: Vec<f32>,
     /// Share of the bias that is kept in the output: 0 to 1.
     pub rho: Vec<f32>,
-    /// How much of the tempo becomes the style's own: 0 to 1.
+    /// How much of the style's tempo is used: 0 to 1.
     pub tempo: Vec<f32>,
     /// Standard deviations from the neighbours beyond which input is bias.
     pub kappa: Vec<f32>,
@@ -86,18 +86,18 @@ pub struct Request {
     pub intensity: Vec<f32>,
     /// Part of the body that takes the target style.
     pub part: Vec<Part>,
-    /// Leaving out: number of folds, the first ones; 0 for all.
+    /// For cross-validation: number of folds, counted from the first; 0 for all.
     pub folds: usize,
-    /// Leaving out: whether the curves of the first fold are wanted.
+    /// For cross-validation: whether the curves of the first fold are requested.
     pub wants_curves: bool,
-    /// Where the results will be: a run that is stopped goes on from a file beside it.
+    /// File of the results. An interrupted run resumes from a checkpoint next to it.
     pub results: Option<PathBuf>,
-    /// What was asked for, in a line: recorded with the results; a run goes on only if it is the same.
+    /// The command line. It is recorded with the results; a run resumes only if it is the same.
     pub command: String,
 }
 
 impl Request {
-    /// Names of the options that [`Self::set`] knows.
+    /// Names of the options that [`Self::set`] accepts.
     pub const NAMES: [&'static str; 23] = [
         "pattern",
         "actions",
@@ -124,7 +124,7 @@ impl Request {
         "folds",
     ];
 
-    /// The command's defaults.
+    /// Creates a request with the command's defaults.
     pub fn new(data: PathBuf, source: String) -> Self {
         let Options { k, lambda, rho, tempo, kappa, delta, .. } = Options::DEFAULT;
         Self {
@@ -159,10 +159,10 @@ impl Request {
         }
     }
 
-    /// Sets an option by the command's long name for it, from the texts that the command takes.
+    /// Sets an option by the command's long name, from the values as typed.
     ///
     /// # Errors
-    /// A sentence about the name or a value.
+    /// A message about the name or a value.
     pub fn set(&mut self, name: &str, values: &[String]) -> Outcome {
         let texts = || values.to_vec();
         match name {
@@ -195,14 +195,14 @@ impl Request {
     }
 }
 
-/// Reads a value.
+/// Parser of a value.
 type Read<T> = fn(&str) -> Result<T, String>;
 
 fn parsed<T: FromStr<Err: Display>>(text: &str) -> Result<T, String> {
     text.parse().map_err(|e: T::Err| e.to_string())
 }
 
-/// A value by its name.
+/// Parses a value of an enumeration by its name.
 fn choice<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     let text: StrDeserializer<'_, Error> = text.into_deserializer();
     T::deserialize(text).map_err(|e| e.to_string())

@@ -1,4 +1,4 @@
-//! Samples, their means, and tables of them.
+//! Samples, their means, and tables of the means.
 
 use super::choices::Part;
 use super::settings::{Build, Grid, Setting};
@@ -11,11 +11,11 @@ use strut_core::evaluation::quality::Quality;
 use strut_core::transfer::BodyPart;
 use strut_formats::GENERATOR;
 
-/// Values whose standard deviation over the samples is given.
+/// Values whose standard deviation over the samples is reported.
 const SPREAD: [&str; 5] =
     ["pose_error_cm", "timing_error_ms", "velocity_error_cm_s", "style_progress", "take_progress"];
 
-/// Title, name of the value, digits after the point.
+/// Title, name of the value, number of decimals.
 type Column = (&'static str, &'static str, usize);
 
 const CROSS_VALIDATION_COLUMNS: &[Column] = &[
@@ -76,7 +76,7 @@ impl Sample {
     }
 }
 
-/// Measurements that need no ground truth, by the names of the results.
+/// Returns measurements that need no ground truth, by their names in the results.
 pub(super) fn quality_values(quality: &Quality) -> [(&'static str, f64); 12] {
     let turned = |part: BodyPart| quality.turned[part as usize].to_degrees();
     [
@@ -124,10 +124,10 @@ struct Row {
 }
 
 impl Report {
-    /// The rows of results as JSON.
+    /// Returns the rows of the results as JSON.
     ///
     /// # Errors
-    /// None that results can cause.
+    /// None in practice.
     pub fn rows_json(&self) -> Outcome<String> {
         serde_json::to_string(&self.results).map_err(|e| TaskError::of(Code::Fault, e))
     }
@@ -155,7 +155,8 @@ impl Report {
         }
     }
 
-    /// A table of the means over actions and targets, a line per setting, with the values in which settings differ.
+    /// Returns a table of the means over actions and targets. It has one line per setting, with the parameters in which
+    /// settings differ.
     pub fn markdown(&self) -> String {
         let cross_validation = self.results.iter().any(|r| r.values.contains_key("pose_error_cm"));
         let by_part = self.results.iter().any(|r| r.setting.part != Part::Whole);
@@ -204,8 +205,9 @@ impl Report {
 }
 
 impl Report {
-    /// A table with a line for every action, target and setting: how much of the way to the style the output covers
-    /// beside the takes held out, each mean ± standard deviation over the folds. Least beside the takes first.
+    /// Returns a table with a line for every action, target and setting: how much of the difference between the styles
+    /// the output covers, compared with the takes held out. Each value is a mean ± standard deviation over the folds.
+    /// The row with the least progress compared with the takes comes first.
     pub fn progress_markdown(&self) -> String {
         let beside =
             |row: &Row| row.values.get("style_progress").zip(row.values.get("take_progress")).map(|(s, t)| s / t);
@@ -232,14 +234,14 @@ impl Report {
     }
 }
 
-/// Indices of the first `always` parameters and of those in which settings differ.
+/// Returns the indices of the first `always` parameters and of those in which settings differ.
 fn varying(settings: &[&Description], always: usize) -> Vec<usize> {
     let values = |i: usize| settings.iter().map(|s| &s[i].1).collect::<BTreeSet<_>>();
     (0..settings.first().map_or(0, |s| s.len())).filter(|&i| i < always || values(i).len() > 1).collect()
 }
 
 impl Row {
-    /// All values of a setting, as text.
+    /// Returns all parameters of a setting as text.
     fn description(&self) -> Description {
         let s = &self.setting;
         let text = |v: &dyn std::fmt::Debug| format!("{v:?}").to_lowercase();
@@ -273,7 +275,7 @@ fn table_row(cells: impl Iterator<Item = String>) -> String {
     out + "\n"
 }
 
-/// The mean of every value, the sum of frames, and the spread of some.
+/// Returns the mean of every value, the sum of frames, and the standard deviation of some values.
 fn means(samples: &[&BTreeMap<String, f64>]) -> BTreeMap<String, f64> {
     let names: BTreeSet<&String> = samples.iter().flat_map(|s| s.keys()).collect();
     let mut out = BTreeMap::new();

@@ -17,19 +17,19 @@ use strut_core::registration::{self, WarpMethod};
 use strut_core::search::{Index, MAX_WINDOW};
 use strut_core::transfer::{MAX_WEIGHT, Method, Model, Options, Stylizer};
 
-/// A database to build.
+/// Settings of a database build.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(super) struct Build {
     pub(super) registration: Registration,
     /// Greatest number of takes of each target class; 0 for all.
     pub(super) takes: usize,
-    /// Frames of a search window.
+    /// Number of frames of a search window.
     pub(super) window: usize,
     pub(super) search: Search,
 }
 
 impl Build {
-    /// The core's options for it.
+    /// Returns the core's build options.
     pub(super) fn options(self, source: &str) -> BuildOptions {
         let warp = match self.registration {
             Registration::Dtw => WarpMethod::Dtw,
@@ -40,14 +40,14 @@ impl Build {
         BuildOptions { neutral: Some(source.to_owned()), registration, ..BuildOptions::default() }
     }
 
-    /// The model of a database built with these settings, with their search index.
+    /// Builds the model of a database with the search index of these settings.
     pub(super) fn model(self, database: Database) -> Arc<Model> {
         let index = self.search.of(Index::with_window(&database, self.window));
         Arc::new(Model::of(Catalogue::with_index(database, index)))
     }
 }
 
-/// How an input is styled with a database.
+/// Settings of the styling of an input.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(super) struct Setting {
     pub(super) method: String,
@@ -63,18 +63,18 @@ pub(super) struct Setting {
     pub(super) coherence: Switch,
     /// Weight of the target style.
     pub(super) intensity: f32,
-    /// Part of the body that takes it; the rest is neutral.
+    /// Part of the body that takes the target style; the rest is neutral.
     pub(super) part: Part,
 }
 
-/// JSON has no infinity.
+/// Writes infinity as text, which JSON numbers do not have.
 #[allow(clippy::trivially_copy_pass_by_ref)] // The signature that serde expects.
 fn finite_or_text<S: serde::Serializer>(value: &f32, to: S) -> Result<S::Ok, S::Error> {
     if value.is_finite() { to.serialize_f32(*value) } else { to.serialize_str("inf") }
 }
 
 impl Setting {
-    /// The defaults, of which the others are variations.
+    /// Returns the defaults, of which the others are variations.
     fn of_method(method: &str) -> Self {
         let Options { k, delta, lambda, kappa, rho, tempo, .. } = Options::DEFAULT;
         Self {
@@ -93,7 +93,7 @@ impl Setting {
         }
     }
 
-    /// A stylizer that turns inputs of an action, if the database has it, wholly into a target style.
+    /// Returns a stylizer that turns inputs of an action, if the database has it, completely into a target style.
     pub(super) fn stylizer(&self, model: &Arc<Model>, action: Option<&str>, target: &str) -> Outcome<Stylizer> {
         let db = model.catalogue();
         let mut options = self.options()?;
@@ -118,11 +118,12 @@ impl Setting {
         Ok(stylizer)
     }
 
-    /// Styles an input; returns the result and milliseconds of processor time a frame, which other programs hardly change.
+    /// Styles an input. Returns the result and the CPU time per frame, milliseconds, which other programs hardly
+    /// affect.
     pub(super) fn styled(&self, stylizer: &Stylizer, input: &HumanoidMotion) -> (Styled, f64) {
         let begin = ThreadTime::now();
         let styled = style(stylizer, input, self.mode.mode());
-        // Frame by frame, the prediction before feet are planted takes a pass of its own.
+        // In the online mode the prediction before footplant takes its own pass.
         let passes = if self.mode == PassMode::Online { 2.0 } else { 1.0 };
         let ms = begin.elapsed().as_secs_f64() * 1e3 / passes;
         (styled, ms / input.poses.len().max(1) as f64)
@@ -147,14 +148,14 @@ impl Setting {
     }
 }
 
-/// All combinations.
+/// All combinations of builds and settings.
 pub(super) struct Grid {
     pub(super) builds: Vec<Build>,
     pub(super) settings: Vec<Setting>,
 }
 
 impl Grid {
-    /// All combinations of the arguments' values.
+    /// Creates all combinations of the arguments' values.
     pub(super) fn new(args: &Request) -> Outcome<Self> {
         if let Some(window) = args.window.iter().find(|&&w| !(1..=MAX_WINDOW).contains(&w)) {
             return Err(TaskError::usage(format_args!(
@@ -186,7 +187,7 @@ impl Grid {
     }
 }
 
-/// Takes every setting once with each value.
+/// Repeats every setting with each of the values.
 fn vary<T: Copy>(settings: &mut Vec<Setting>, values: &[T], set: fn(&mut Setting, T)) {
     let with_each = |setting: &Setting| {
         let mut varied = vec![setting.clone(); values.len()];

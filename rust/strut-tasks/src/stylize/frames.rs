@@ -1,14 +1,14 @@
-//! The frames of a clip, styled on several threads.
+//! Styling of the frames of a clip on several threads.
 
 use crate::error::Outcome;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use strut_core::transfer::{ClipJob, ClipSearch, Found, Trace};
 
-/// Portions of a clip that are searched before their frames are styled, for each thread.
+/// Number of portions per thread that are searched ahead of the styling.
 const PORTIONS_A_THREAD: usize = 4;
 
-/// Styles all frames of a clip: [`ClipJob::push`] of every pose, to the bit. While some frames are styled, which must be one
-/// after the other, those after them are searched. An error of `on_frame` ends it.
+/// Styles all frames of a clip, with the same bits as [`ClipJob::push`] of every pose. Styling is sequential; meanwhile
+/// the neighbours of later frames are searched. An error of `on_frame` ends it.
 pub(super) fn style_frames(
     job: &mut ClipJob,
     search: &ClipSearch<'_>,

@@ -1,4 +1,4 @@
-//! Clips in another style: settings by name, one clip on one thread or on all, what there is to say of it.
+//! Styling of clips: settings by name, one clip on one thread or on all, and a summary.
 
 mod frames;
 mod settings;

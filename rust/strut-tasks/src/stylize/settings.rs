@@ -1,4 +1,4 @@
-//! How clips are styled, by the names that the command's options have.
+//! Settings of the styling, by the names of the command's options.
 
 use crate::error::{Outcome, TaskError};
 use crate::search::Search;
@@ -13,14 +13,14 @@ use strut_core::retarget::{ReadAs, UpAxis};
 use strut_core::transfer::{Method, Model, Options, Stylizer};
 use strut_formats::joints::{JointAssignment, Reading};
 
-/// Names that [`Method::from_name`] knows.
+/// Names that [`Method::from_name`] accepts.
 pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
 
 /// On or off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
-#[allow(missing_docs)] // Their names say it, and comments would be the help of the command.
+#[allow(missing_docs)] // The names are self-explanatory, and comments would appear in the help.
 pub enum Switch {
     On,
     Off,
@@ -38,7 +38,7 @@ impl FromStr for Switch {
     }
 }
 
-/// How clips are styled: what `strut stylize` can be told, apart from files.
+/// Settings of the styling: the options of `strut stylize` apart from files.
 #[derive(Clone, Debug)]
 pub struct StyleSettings {
     /// Styles with their weights.
@@ -49,15 +49,15 @@ pub struct StyleSettings {
     pub action: Option<String>,
     /// The input's own style, if known.
     pub input_style: Option<String>,
-    /// How neighbours are found.
+    /// Search method for the neighbours.
     pub search: Search,
-    /// What is said of the inputs, in place of what is read from the bodies in them.
+    /// Explicit reading options of the inputs, which override those that are detected.
     pub reading: Reading,
-    /// All other options; the labels among them come from the names above.
+    /// All other options. The labels in them come from the names above.
     pub options: Options,
 }
 
-/// The settings in a form that is equal where they are.
+/// Serialised form of the settings, equal for equal settings.
 #[derive(Serialize)]
 struct Canonical<'a> {
     styles: &'a StyleWeights,
@@ -69,7 +69,7 @@ struct Canonical<'a> {
     options: CanonicalOptions,
 }
 
-/// [`Reading`], field by field.
+/// Serialised form of [`Reading`], field by field.
 #[derive(Serialize)]
 struct CanonicalReading<'a> {
     joints: Option<&'a JointAssignment>,
@@ -82,14 +82,14 @@ struct CanonicalReading<'a> {
 
 impl<'a> From<&'a Reading> for CanonicalReading<'a> {
     fn from(Reading { joints, read_as }: &'a Reading) -> Self {
-        // Its own joints are not used.
+        // The joints are not used here.
         let ReadAs { joints: _, metres_per_unit, up, floor_metres, swap_sides, mirrored } = *read_as;
         let up = up.map(UpAxis::name);
         Self { joints: joints.as_ref(), metres_per_unit, up, floor_metres, swap_sides, mirrored }
     }
 }
 
-/// [`Options`], field by field. Of the numbers only κ may be one that JSON lacks: infinity is `null`.
+/// Serialised form of [`Options`], field by field. Only κ may be a number that JSON lacks: infinity is `null`.
 #[derive(Serialize)]
 struct CanonicalOptions {
     k: usize,
@@ -144,7 +144,7 @@ impl From<&Options> for CanonicalOptions {
 }
 
 impl StyleSettings {
-    /// Names of the options that [`Self::set`] knows.
+    /// Names of the options that [`Self::set`] accepts.
     pub const NAMES: [&'static str; 14] = [
         "action",
         "input-style",
@@ -162,16 +162,16 @@ impl StyleSettings {
         "search",
     ];
 
-    /// The defaults, in these styles.
+    /// Creates the default settings with these styles.
     pub fn new(styles: StyleWeights) -> Self {
         let (parts, search, options) = (Vec::new(), Search::Exact, Options::DEFAULT);
         Self { styles, parts, action: None, input_style: None, search, reading: Reading::default(), options }
     }
 
-    /// Sets an option by the command's long name for it, from the text that the command takes.
+    /// Sets an option by the command's long name, from the value as typed.
     ///
     /// # Errors
-    /// A sentence about the name or the value.
+    /// A message about the name or the value.
     pub fn set(&mut self, name: &str, value: &str) -> Outcome {
         fn parse<T: FromStr<Err: Display>>(name: &str, value: &str) -> Outcome<T> {
             value.parse().map_err(|e| TaskError::usage(format_args!("{name} is '{value}': {e}")))
@@ -200,15 +200,15 @@ impl StyleSettings {
         self.validate()
     }
 
-    /// Checks the numbers, which needs no database.
+    /// Checks the numbers, without a database.
     ///
     /// # Errors
-    /// A sentence about the first that is out of range.
+    /// A message about the first number that is out of range.
     pub fn validate(&self) -> Outcome {
         self.options.validate().map_err(TaskError::usage)
     }
 
-    /// A stylizer with these settings for a database of this name.
+    /// Creates a stylizer with these settings for a database of this name.
     ///
     /// # Errors
     /// If the database lacks a style or an action.
@@ -231,7 +231,7 @@ impl StyleSettings {
             parts.extend(of.iter().map(|&part| (part, weights.clone())));
         }
         let mut stylizer = Stylizer::new(Arc::clone(model), options).map_err(|_| {
-            // The numbers were checked before; only the labels can be wrong.
+            // The numbers are already checked; only the labels can be wrong.
             let label = |name: &Option<String>| name.clone().unwrap_or_else(|| "any".into());
             let (action, style) = (label(&self.action), label(&self.input_style));
             in_db(format!("there is no clip of action '{action}' in style '{style}'"))
@@ -243,10 +243,10 @@ impl StyleSettings {
         Ok(stylizer)
     }
 
-    /// A text that is equal for equal settings.
+    /// Returns a text that is equal for equal settings.
     ///
     /// # Errors
-    /// None that settings can cause.
+    /// None in practice.
     pub fn canonical(&self) -> Outcome<String> {
         let Self { styles, parts, action, input_style, search, reading, options } = self;
         let (reading, options) = (reading.into(), options.into());
@@ -292,7 +292,7 @@ mod tests {
         }
     }
 
-    /// The keys of batches are made of this text: names of types and fields of the program must not be in it.
+    /// Batch keys are made of this text, so names of types and fields of the program must not occur in it.
     #[test]
     fn equal_settings_have_the_same_text_in_every_version() {
         let mut settings = settings();

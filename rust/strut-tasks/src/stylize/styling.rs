@@ -1,4 +1,4 @@
-//! One clip from its file to the styled clip.
+//! Styling of one clip, from its file to the output file.
 
 use super::frames::style_frames;
 use super::summary::Summary;
@@ -16,28 +16,28 @@ use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_formats::joints::Reading;
 
-/// What is spread over threads, with the same result.
+/// Unit of parallel work; the result does not depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spread {
     /// The frames of a clip.
     Frames,
-    /// Clips, so that each keeps to its thread.
+    /// Clips: each clip stays on one thread.
     Clips,
 }
 
-/// A clip that is styled.
+/// A styled clip.
 pub struct Styled {
-    /// On the database's body, at the times of the style.
+    /// The motion on the database's body, at the output times.
     pub motion: StyledMotion,
-    /// On the input's skeleton and at its rate.
+    /// The motion on the input's skeleton and at its rate.
     pub file: bvh::Bvh,
-    /// What there is to say of it.
+    /// Summary of the styling.
     pub summary: Summary,
-    /// What may be wrong; empty for a clean clip.
+    /// Warnings; empty for a clean clip.
     pub notes: Vec<Note>,
 }
 
-/// Styles clips alike.
+/// Styles clips with the same settings.
 pub struct Styling {
     stylizer: Stylizer,
     /// Names of the database's classes.
@@ -47,23 +47,23 @@ pub struct Styling {
 }
 
 impl Styling {
-    /// With the styles and options of a stylizer.
+    /// Uses the styles and options of a stylizer.
     pub fn new(stylizer: Stylizer) -> Self {
         let classes = class_names(stylizer.model().catalogue());
         Self { stylizer, classes, track: None, reading: Reading::default() }
     }
 
-    /// With styles that change over time in place of the stylizer's.
+    /// Uses styles that change over time instead of the stylizer's.
     pub fn with_track(self, track: StyleTrack) -> Self {
         Self { track: Some(track), ..self }
     }
 
-    /// With inputs that are read as a person says.
+    /// Uses explicit reading options for the inputs.
     pub fn with_reading(self, reading: &Reading) -> Self {
         Self { reading: reading.clone(), ..self }
     }
 
-    /// The clip of this name in these bytes.
+    /// Reads the clip with this name from these bytes.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -71,17 +71,17 @@ impl Styling {
         Clip::read(bytes, &self.reading).map_err(|reason| TaskError::in_file(Path::new(name), reason))
     }
 
-    /// Names of the database's classes.
+    /// Returns the names of the database's classes.
     pub fn classes(&self) -> &[String] {
         &self.classes
     }
 
-    /// The database.
+    /// Returns the database.
     pub fn catalogue(&self) -> &Catalogue {
         self.stylizer.model().catalogue()
     }
 
-    /// Styles the clip of this name, and traces it into a log if there is one.
+    /// Styles the clip with this name, and traces it into a log if there is one.
     ///
     /// # Errors
     /// If the clip cannot be styled, or the caller cancels.
@@ -133,10 +133,10 @@ impl Styling {
     }
 }
 
-/// The clip on the database's body and at its rate.
+/// Returns the clip on the database's body and at its rate.
 ///
 /// # Errors
-/// A sentence why it cannot be styled.
+/// A message why the clip cannot be styled.
 pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
     let on_body = to_humanoid(&clip.motion, &clip.binding, &db.proportions);
     let input = ClipInput::new(on_body, db.rate_hz).map_err(|e| e.to_string())?;
@@ -150,7 +150,7 @@ pub fn input_of(clip: &Clip, db: &Catalogue) -> Result<ClipInput, String> {
     Ok(input)
 }
 
-/// The styled clip on the input's skeleton and at its rate.
+/// Returns the styled clip on the input's skeleton and at its rate.
 fn output_of(clip: &Clip, db: &Catalogue, styled: &StyledMotion) -> Result<bvh::Bvh, bvh::BvhError> {
     clip.file.with_motion(&styled.on_skeleton(db.rate_hz, &clip.motion, &clip.binding))
 }

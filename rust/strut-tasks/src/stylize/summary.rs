@@ -1,23 +1,23 @@
-//! What `strut stylize` says of a clip when it is styled.
+//! Summary that `strut stylize` prints for a styled clip.
 
 use crate::counted;
 use std::path::Path;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 
-/// Collects it frame by frame.
+/// Collects the summary frame by frame.
 pub struct Summary {
     weights: Vec<f64>,
     frames: usize,
 }
 
 impl Summary {
-    /// For a database of so many classes.
+    /// Creates an empty summary for a database with this number of classes.
     pub fn new(classes: usize) -> Self {
         Self { weights: vec![0.0; classes], frames: 0 }
     }
 
-    /// Adds a frame by the weights of its classes.
+    /// Adds a frame with its class weights.
     pub fn add(&mut self, class_weights: &[f32]) {
         self.frames += 1;
         for (sum, w) in self.weights.iter_mut().zip(class_weights) {
@@ -25,12 +25,12 @@ impl Summary {
         }
     }
 
-    /// Mean weight of each class.
+    /// Returns the mean weight of each class.
     pub fn mean_weights(&self) -> impl Iterator<Item = f64> {
         self.weights.iter().map(|w| w / self.frames.max(1) as f64)
     }
 
-    /// The text, of a clip that is written to a path.
+    /// Returns the text for a clip that is written to a path.
     pub fn text(&self, path: &Path, clip: &Clip, output: &bvh::Bvh, classes: &[String]) -> String {
         let seconds = |file: &bvh::Bvh| file.frames as f64 * file.frame_time_secs;
         let (out, before) = (seconds(output), seconds(&clip.file));

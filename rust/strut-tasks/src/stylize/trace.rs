@@ -7,10 +7,10 @@ use strut_core::catalogue::Catalogue;
 use strut_core::database::Class;
 use strut_core::transfer::{Stage, StageClock, StyledFrame, Trace};
 
-/// Class weights below this are left out as negligible.
+/// Class weights below this are omitted as negligible.
 const MIN_WEIGHT: f32 = 1e-4;
 
-/// One line.
+/// One line of the trace.
 #[derive(Serialize)]
 struct Line<'a> {
     /// Number of the input frame at the database's rate.
@@ -19,21 +19,22 @@ struct Line<'a> {
     time_in: f64,
     /// Seconds since the first frame on the output's time axis.
     time_out: f64,
-    /// Seconds of output since the frame before.
+    /// Output time since the previous frame, seconds.
     dt: f32,
     /// Weight of every class that took part, by "action/style".
     class_weights: BTreeMap<&'a str, f32>,
-    /// Clip, frame in it and distance (metres) of the heaviest class's neighbours, nearest first.
+    /// Clip, frame in the clip and distance (metres) of the neighbours in the class with the greatest weight, nearest
+    /// first.
     neighbours: Vec<(&'a str, usize, f32)>,
     /// Largest bias of a degree of freedom in standard deviations.
     bias: f32,
-    /// Likelihood that the left and right foot is planted.
+    /// Probability of contact of the left and the right foot.
     contact: [f32; 2],
     /// Microseconds by stage.
     cost_us: BTreeMap<&'static str, f64>,
 }
 
-/// "action/style" of every class of a database.
+/// Returns "action/style" of every class of a database.
 pub fn class_names(db: &Catalogue) -> Vec<String> {
     let name = |c: &Class| format!("{}/{}", db.actions[usize::from(c.action)], db.styles[usize::from(c.style)]);
     db.classes().iter().map(name).collect()
@@ -48,7 +49,7 @@ pub struct TraceLog<'a> {
 }
 
 impl<'a> TraceLog<'a> {
-    /// For a database with these classes.
+    /// Creates an empty log for a database with these classes.
     pub fn new(db: &'a Catalogue, classes: &'a [String]) -> Self {
         Self { db, classes, lines: Vec::new() }
     }
@@ -70,10 +71,10 @@ impl<'a> TraceLog<'a> {
         });
     }
 
-    /// The lines as text, with the contacts of the finished frames.
+    /// Returns the lines as text, with the contacts of the finished frames.
     ///
     /// # Errors
-    /// If a value has no JSON.
+    /// If a value cannot be written as JSON.
     pub fn into_json_lines(self, finished: &[StyledFrame]) -> serde_json::Result<Vec<u8>> {
         let mut out = Vec::new();
         for (mut line, frame) in self.lines.into_iter().zip(finished) {
@@ -85,7 +86,7 @@ impl<'a> TraceLog<'a> {
     }
 }
 
-/// Measures the stages of a frame.
+/// Measures the time of the stages of a frame.
 pub struct StageTimer {
     last: Instant,
     cost_us: BTreeMap<&'static str, f64>,
@@ -98,7 +99,7 @@ impl Default for StageTimer {
 }
 
 impl StageTimer {
-    /// Microseconds by stage of the last frame.
+    /// Returns and clears the microseconds by stage of the last frame.
     pub fn take(&mut self) -> BTreeMap<&'static str, f64> {
         std::mem::take(&mut self.cost_us)
     }

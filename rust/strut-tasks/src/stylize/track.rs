@@ -1,4 +1,4 @@
-//! Styles over time.
+//! Styles that change over time.
 
 use crate::error::{Outcome, TaskError};
 use crate::weights::StyleWeights;
@@ -7,25 +7,25 @@ use strut_core::catalogue::Catalogue;
 /// Styles that are reached at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StyleKey {
-    /// The time in the input, seconds.
+    /// Time in the input, seconds.
     pub secs: f64,
     /// The styles.
     pub styles: StyleWeights,
 }
 
-/// The weights of a database's styles at every frame: between two keys their linear mixture, before the first one and after the
-/// last one theirs.
+/// The weights of a database's styles at every frame. They are interpolated linearly between two keys, and constant
+/// before the first and after the last key.
 #[derive(Clone, Debug)]
 pub struct StyleTrack {
-    /// Frames of the database's rate, ascending, with the weights there.
+    /// Frames at the database's rate, ascending, with the weights there.
     keys: Vec<(f64, Vec<f32>)>,
 }
 
 impl StyleTrack {
-    /// A track through keys, at least one.
+    /// Creates a track through keys, at least one.
     ///
     /// # Errors
-    /// If there is none, times do not ascend, or the database lacks a style.
+    /// If there is no key, times do not ascend, or the database lacks a style.
     pub fn new(keys: &[StyleKey], db: &Catalogue) -> Outcome<Self> {
         let mut track = Self { keys: Vec::with_capacity(keys.len()) };
         for StyleKey { secs, styles } in keys {
@@ -43,7 +43,7 @@ impl StyleTrack {
         Ok(track)
     }
 
-    /// The weights at a frame.
+    /// Returns the weights at a frame.
     pub(super) fn weights(&self, frame: usize) -> Vec<f32> {
         let frame = frame as f64;
         let after = self.keys.partition_point(|(at, _)| *at <= frame);

@@ -1,5 +1,5 @@
-//! What `npm run bench` and `bench.html` need beside the engine: motion to work on, a look at the stages of a frame,
-//! and a yardstick. Visitors need not download it.
+//! Additions for `npm run bench` and `bench.html`: motion, the times of a frame's stages, and a reference
+//! implementation. The page's build does not contain them.
 
 mod naive;
 mod workload;
@@ -21,12 +21,12 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 extern "C" {
-    /// Milliseconds of JavaScript's clock; the core has none.
+    /// Returns the time of JavaScript's clock, milliseconds; the core has no clock.
     #[wasm_bindgen(js_namespace = performance)]
     fn now() -> f64;
 }
 
-/// Milliseconds of every stage, summed over frames.
+/// Time of every stage, milliseconds, summed over frames.
 #[derive(Default)]
 struct StopWatch {
     last: f64,
@@ -45,13 +45,13 @@ impl StageClock for StopWatch {
     }
 }
 
-/// Names of the stages in the order of [`Stylizer::push_timed`].
+/// Returns the names of the stages in the order of [`Stylizer::push_timed`].
 #[wasm_bindgen(js_name = stageNames)]
 pub fn stage_names() -> Vec<String> {
     Stage::ALL.into_iter().map(|stage| stage.name().to_owned()).collect()
 }
 
-/// For every joint its weight in the full-body metric; 0 for one that does not count. The sum is arbitrary.
+/// Returns the weight of every joint in the full-body metric; 0 for an unused joint. The sum is arbitrary.
 #[wasm_bindgen(js_name = jointWeights)]
 pub fn joint_weights() -> Vec<f32> {
     let mut weights = vec![0.0; strut_core::humanoid::JOINTS];
@@ -61,13 +61,13 @@ pub fn joint_weights() -> Vec<f32> {
     weights
 }
 
-/// The joints that count in the lower-body metric: the last four are both ankles and both toes, left before right.
+/// Returns the joints of the lower-body metric. The last four are both ankles and both toes, left before right.
 #[wasm_bindgen(js_name = legJoints)]
 pub fn leg_joints() -> Vec<usize> {
     JOINT_WEIGHTS[..8].iter().map(|(role, _)| role.index()).collect()
 }
 
-/// Poses on a database's humanoid and at its rate as an input.
+/// Creates an input of poses on a database's humanoid and at its rate.
 ///
 /// # Errors
 /// If the array is not a whole number of poses.
@@ -77,7 +77,7 @@ pub fn input_of(database: &Database, poses: &[f32]) -> Result<Input, EngineError
     Ok(Input::of_poses(db.proportions, db.rate_hz, poses_of(poses)?.collect()))
 }
 
-/// The poses as a database's degrees of freedom, a row after the other, and …
+/// Returns the poses as the database's degrees of freedom, row by row, and …
 ///
 /// # Errors
 /// If the array is not a whole number of poses.
@@ -95,7 +95,7 @@ pub fn rows_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, EngineErr
     Ok(poses_of(poses)?.flat_map(row).collect())
 }
 
-/// … as positions of the joints in the world, metres.
+/// … as world positions of the joints, metres.
 ///
 /// # Errors
 /// If the array is not a whole number of poses.
@@ -108,8 +108,8 @@ pub fn positions_of(database: &Database, poses: &[f32]) -> Result<Vec<f32>, Engi
 
 #[wasm_bindgen]
 impl Stylizer {
-    /// Says which class the input is of, −1 for what is not known, and from which share of the largest weight on a
-    /// class takes part. The stream goes on.
+    /// Sets the input's class, −1 for an unknown label, and the least weight of a class in use relative to the largest.
+    /// The stream continues.
     ///
     /// # Errors
     /// If the database has no such class.
@@ -120,17 +120,17 @@ impl Stylizer {
         self.core_mut().set_options(options).map_err(EngineError::bad_input)
     }
 
-    /// Times every frame by itself, as the yardsticks do: no phase lock.
+    /// Turns off the phase lock, as the reference implementations have none: each frame is timed independently.
     ///
     /// # Errors
-    /// None; the options of a stylizer fit.
+    /// None: the options of a stylizer are valid.
     #[wasm_bindgen(js_name = leaveTempo)]
     pub fn leave_tempo(&mut self) -> Result<(), EngineError> {
         let options = Options { tempo: 0.0, ..*self.core().options() };
         self.core_mut().set_options(options).map_err(EngineError::bad_input)
     }
 
-    /// [`Stylizer::push`] with a clock: milliseconds of each stage over all poses.
+    /// [`Stylizer::push`] with a clock. Returns the milliseconds of each stage over all poses.
     ///
     /// # Errors
     /// If the array is not a whole number of poses.
@@ -143,20 +143,20 @@ impl Stylizer {
         Ok(clock.stages_ms.to_vec())
     }
 
-    /// Degrees of freedom predicted for a style in the last frame; empty if it has no weight.
+    /// Returns the degrees of freedom predicted for a style in the last frame; empty if it has no weight.
     pub fn predicted(&self, style: usize) -> Vec<f32> {
         self.core().predicted_row(style).map(|row| row.to_vec()).unwrap_or_default()
     }
 
-    /// Duration of the last frame, seconds, and the likelihood that the left and the right
-    /// foot of the input is planted, before it is smoothed.
+    /// Returns the duration of the last frame, seconds, and the probability of contact of the input's left and right
+    /// foot before smoothing.
     #[wasm_bindgen(js_name = stepAndContacts)]
     pub fn step_and_contacts(&self) -> Vec<f32> {
         let [left, right] = self.core().contact_votes();
         vec![self.core().frame().dt_secs, left, right]
     }
 
-    /// The rows of a class that the search finds from a cold start for the last of these poses, nearest first.
+    /// Returns the rows of a class that the search finds from a cold start for the last of these poses, nearest first.
     ///
     /// # Errors
     /// If the array is not a whole number of poses.

@@ -1,7 +1,7 @@
-//! A yardstick: the transfer as one would write it down from the paper, loop by loop.
+//! Reference implementation: the transfer as written in the paper, loop by loop.
 //!
-//! The same numbers as the engine's for the default options, but for rounding: `bench/yardstick_bench.ts` compares them.
-//! No index, no lanes, no thought of memory. `bench/naive.ts` is the same in plain JavaScript.
+//! Its numbers equal the engine's for the default options, except for rounding: `bench/yardstick_bench.ts` compares
+//! them. It has no index, no SIMD and no memory optimisation. `bench/naive.ts` is the same in plain JavaScript.
 #![allow(clippy::needless_range_loop)] // The loops of the formulas.
 
 use std::sync::Arc;
@@ -17,23 +17,23 @@ use strut_formats::strutdb;
 use strut_wasm_common::EngineError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Points of a frame; the first of them are those of the legs, and the last four of those of the feet.
+/// Number of points of a frame. The points of the legs come first; the last four of those are the feet's.
 const POINTS: usize = JOINT_WEIGHTS.len();
 const LEG_POINTS: usize = 8;
 const FEET: usize = 4;
-/// Least deviation of the neighbours as a share of the global one, and whatever that is.
+/// Least deviation of the neighbours: relative to the global one, and absolute.
 const LEAST_DEVIATION: [f32; 2] = [0.05, 0.005];
-/// D at which input is known by half, m².
+/// D at which an input is half known, m².
 const HALF_KNOWN: f32 = 0.0025;
-/// Least of the distances of classes, m².
+/// Lower bound of class distances, m².
 const LEAST_DISTANCE: f32 = 1e-6;
-/// Half-life of what separates expectation and prediction for known input, seconds, how many times as long it is for unknown,
-/// and D of the nearest neighbour halfway between, m².
+/// Half-life of the difference between expectation and prediction for known input, seconds; the factor for unknown
+/// input; and D of the nearest neighbour halfway between, m².
 const HALF_LIFE_SECS: f32 = 1.0 / 120.0;
 const LONGEST: f32 = 6.0;
 const HALF_UNKNOWN: f32 = 0.0016;
-/// Windows of like legs that say which feet are planted, and what halves the say of one: differences of a point's height,
-/// metres, and speed, m/s, and the least sum of their squares.
+/// Number of windows with similar legs that vote on foot contacts; differences of a point's height, metres, and speed,
+/// m/s, at which a vote's weight halves; and the least sum of their squares.
 const VOTERS: usize = 40;
 const SAME_HEIGHT: f32 = 0.01;
 const SAME_SPEED: f32 = 0.15;
@@ -41,7 +41,7 @@ const SAME: f32 = 0.05;
 
 type Point = [f32; 3];
 
-/// One stored window near the query.
+/// A stored window near the query.
 #[derive(Clone, Copy)]
 struct Near {
     distance: f32,
@@ -56,11 +56,11 @@ pub struct Naive {
     step_secs: Vec<f32>,
     step_sigma: PoseRow,
     points: Vec<[Point; POINTS]>,
-    /// Of the windows that end at each row: of all points, and of the legs'.
+    /// Norms of the windows that end at each row: with all points, and with the leg points.
     norms: [Vec<f32>; 2],
     /// Rows at which a window of each class ends.
     windows: Vec<Vec<u32>>,
-    /// The nearest in each class, by (distance, row).
+    /// The nearest windows in each class, by (distance, row).
     nearest: Vec<Vec<Near>>,
     /// Weight of each class in the last prediction.
     weights: Vec<f32>,
@@ -68,10 +68,10 @@ pub struct Naive {
 
 #[wasm_bindgen]
 impl Naive {
-    /// On the database of a `.strutdb` file, towards a style.
+    /// Opens the database of a `.strutdb` file, with a target style.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: &[u8], style: u16) -> Result<Self, EngineError> {
         let db = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
@@ -82,7 +82,7 @@ impl Naive {
                 let turn = db.pose[row][HEADING_RATE] / db.rate_hz;
                 places.push(places[places.len() - 1].advanced(&db.pose[row], 1.0 / db.rate_hz, turn));
             }
-            // Around the origin numbers are small and their products precise.
+            // Near the origin numbers are small and their products accurate.
             let middle = places[places.len() / 2];
             for (row, at) in clip.rows().zip(places) {
                 let (sin, cos) = sin_cos(at.heading);
@@ -109,7 +109,7 @@ impl Naive {
         Ok(Self { db, targets, step_secs, step_sigma, points, norms, windows, nearest, weights })
     }
 
-    /// Finds the nearest windows of the classes `from` to `to` to the last frames: 5 × 21 positions in the world.
+    /// Finds the nearest windows of the classes `from` to `to` for the last frames: 5 × 21 world positions.
     pub fn search(&mut self, frames: &[f32], from: usize, to: usize) {
         let (query, norm) = centred(&points_of(frames), POINTS);
         for class in 0..self.windows.len() {
@@ -127,8 +127,8 @@ impl Naive {
         }
     }
 
-    /// Likelihood that the left and the right foot is planted in the last of these frames, 5 × 21 positions in the world:
-    /// the vote of the windows with the nearest legs in the classes of the last prediction.
+    /// Returns the probability of contact of the left and right foot in the last of these frames, 5 × 21 world
+    /// positions: the vote of the windows with the nearest legs in the classes of the last prediction.
     pub fn contacts(&self, frames: &[f32]) -> Vec<f32> {
         let points = points_of(frames);
         let (query, norm) = centred(&points, LEG_POINTS);
@@ -159,7 +159,7 @@ impl Naive {
         vec![votes[0] / voices[0], votes[1] / voices[1]]
     }
 
-    /// Height and speed of both ankles and both toes in the last but one frame.
+    /// Returns height and speed of both ankles and both toes in the last but one frame.
     fn feet(&self, frames: &[[Point; POINTS]]) -> [[f32; 2]; 4] {
         let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
         std::array::from_fn(|i| {
@@ -171,8 +171,8 @@ impl Naive {
         })
     }
 
-    /// The next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`]. Classes below `least_weight` times
-    /// the largest weight are left out.
+    /// Predicts the next row of the style from xₜ, xₜ₋₁ and yₜ₋₁, after [`Naive::search`]. Classes below `least_weight`
+    /// times the largest weight are ignored.
     pub fn predict(&mut self, x: &[f32], x_before: &[f32], y_before: &[f32], least_weight: f32) -> Vec<f32> {
         self.weights = self.class_weights(least_weight);
         let Options { lambda, kappa, rho, .. } = Options::DEFAULT;
@@ -241,7 +241,7 @@ impl Naive {
         y
     }
 
-    /// How long the frame lasts that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁.
+    /// Returns the duration of the frame that was predicted last, seconds, from xₜ, xₜ₋₁, yₜ and yₜ₋₁.
     pub fn duration(&self, x: &[f32], x_before: &[f32], y: &[f32], y_before: &[f32]) -> f32 {
         let mut duration = 0.0;
         for (nearest, weight) in self.nearest.iter().zip(&self.weights) {
@@ -275,7 +275,7 @@ impl Naive {
         duration
     }
 
-    /// Rows of a class's neighbours, nearest first, …
+    /// Returns the rows of a class's neighbours, nearest first, …
     pub fn neighbours(&self, class: usize) -> Vec<u32> {
         self.nearest[class].iter().map(|n| n.row).collect()
     }
@@ -285,7 +285,7 @@ impl Naive {
         self.nearest[class].iter().map(|n| n.distance).collect()
     }
 
-    /// Weights of the classes by the mean distance of their neighbours; 0 below a share of the largest.
+    /// Returns the weights of the classes, by the mean distance of their neighbours; 0 below a share of the largest.
     fn class_weights(&self, least_weight: f32) -> Vec<f32> {
         let mean = |n: &Vec<Near>| n.iter().map(|n| n.distance).sum::<f32>() / n.len() as f32;
         let distances: Vec<f32> =
@@ -301,25 +301,25 @@ impl Naive {
     }
 }
 
-/// Neighbours of a class of so many windows.
+/// Returns the number of neighbours for a class with this number of windows.
 fn neighbours_of(windows: usize) -> usize {
     let k = Options::DEFAULT.k;
     if windows >= 4 * k { k } else { k.min((windows / 4).max(5)) }
 }
 
-/// The points of a frame, √w folded in.
+/// Returns the points of a frame, multiplied by √w.
 fn weighted(position: impl Fn(usize) -> Point) -> [Point; POINTS] {
     let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
     JOINT_WEIGHTS.map(|(role, w)| position(role.index()).map(|v| (w / sum).sqrt() * v))
 }
 
-/// The points of frames of positions.
+/// Returns the points of frames of positions.
 fn points_of(frames: &[f32]) -> Vec<[Point; POINTS]> {
     let frames = frames.chunks(3 * JOINTS);
     frames.map(|frame| weighted(|joint| [frame[3 * joint], frame[3 * joint + 1], frame[3 * joint + 2]])).collect()
 }
 
-/// Inner product of two windows by their first points, once the second is turned so that it is greatest.
+/// Returns the inner product of two windows over their first points, maximised by turning the second.
 fn products(query: &[[Point; POINTS]], stored: &[[Point; POINTS]], points: usize) -> f32 {
     let (mut heights, mut real, mut imaginary) = (0.0, 0.0, 0.0);
     for f in 0..WINDOW {
@@ -333,7 +333,7 @@ fn products(query: &[[Point; POINTS]], stored: &[[Point; POINTS]], points: usize
     heights + (real * real + imaginary * imaginary).sqrt()
 }
 
-/// A window with the middle of its first points above the origin, and their squared length.
+/// Returns a window with the centroid of its first points above the origin, and the squared length of these points.
 fn centred(frames: &[[Point; POINTS]], points: usize) -> (Vec<[Point; POINTS]>, f32) {
     let sum: f32 = JOINT_WEIGHTS.iter().map(|(_, w)| w).sum();
     let roots = JOINT_WEIGHTS.map(|(_, w)| (w / sum).sqrt());
@@ -357,7 +357,7 @@ fn centred(frames: &[[Point; POINTS]], points: usize) -> (Vec<[Point; POINTS]>, 
     (out, norm)
 }
 
-/// Keeps the `k` nearest, by (distance, row); candidates come in order of their rows.
+/// Keeps the `k` nearest, by (distance, row). Candidates arrive in the order of their rows.
 fn insert(nearest: &mut Vec<Near>, k: usize, candidate: Near) {
     if nearest.len() == k && candidate.distance >= nearest[k - 1].distance {
         return;
@@ -370,7 +370,7 @@ fn insert(nearest: &mut Vec<Near>, k: usize, candidate: Near) {
     nearest.insert(at, candidate);
 }
 
-/// Standard deviation of each degree of freedom's change from one frame of a clip to the next.
+/// Returns the standard deviation of each degree of freedom's change between successive frames of a clip.
 fn step_deviation(db: &Database) -> PoseRow {
     std::array::from_fn(|d| {
         let rows = db.clips.iter().flat_map(|clip| clip.rows().skip(1));
@@ -381,7 +381,8 @@ fn step_deviation(db: &Database) -> PoseRow {
     })
 }
 
-/// Weights of the three regressors by Gaussian elimination; that of yₜ₋₁ is limited, and the other two solved for it.
+/// Solves for the weights of the three regressors by Gaussian elimination. The weight of yₜ₋₁ is clamped, and the other
+/// two are solved for it.
 fn solve(mut m: [[f32; 4]; 3]) -> [f32; 3] {
     for i in 0..3 {
         for j in i + 1..3 {

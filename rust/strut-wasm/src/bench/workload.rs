@@ -1,4 +1,4 @@
-//! Handle of a database and of motion that it does not hold.
+//! Handle of a database and of query motion outside it.
 
 use strut_core::database::Database;
 use strut_core::search::Index;
@@ -8,7 +8,7 @@ use strut_wasm_common::EngineError;
 use strut_wasm_common::floats_of;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A database and motion to measure on.
+/// A database and motion for benchmarks.
 #[wasm_bindgen]
 pub struct Workload {
     database: Database,
@@ -17,7 +17,7 @@ pub struct Workload {
 
 #[wasm_bindgen]
 impl Workload {
-    /// The procedural database of so many frames.
+    /// Creates the procedural database with this number of frames.
     ///
     /// # Errors
     /// None.
@@ -26,10 +26,10 @@ impl Workload {
         Ok(Self { database, queries: benchmark::queries() })
     }
 
-    /// A `.strutdb` file, some clips of which become the queries.
+    /// Reads a `.strutdb` file and removes some clips from it, which become the queries.
     ///
     /// # Errors
-    /// With what is wrong with the bytes.
+    /// If the bytes are invalid.
     #[wasm_bindgen(js_name = heldOutOf)]
     pub fn held_out_of(bytes: &[u8]) -> Result<Self, EngineError> {
         let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
@@ -37,27 +37,27 @@ impl Workload {
         Ok(Self { database, queries })
     }
 
-    /// The database as a `.strutdb` file.
+    /// Returns the database as a `.strutdb` file.
     pub fn database(&self) -> Vec<u8> {
         strutdb::write(&self.database, &Index::build(&self.database).plan(), strut_formats::GENERATOR)
     }
 
-    /// Number of queries.
+    /// Returns the number of queries.
     pub fn queries(&self) -> usize {
         self.queries.len()
     }
 
-    /// Index of a query's action.
+    /// Returns the index of a query's action.
     pub fn action(&self, query: usize) -> u16 {
         self.queries[query].action
     }
 
-    /// Index of a query's style.
+    /// Returns the index of a query's style.
     pub fn style(&self, query: usize) -> u16 {
         self.queries[query].style
     }
 
-    /// A query's poses.
+    /// Returns a query's poses.
     pub fn poses(&self, query: usize) -> Vec<f32> {
         floats_of(self.queries[query].motion.poses.iter())
     }

@@ -8,24 +8,24 @@ use strut_core::transfer::{self, FitSettings, Options, QueryChange};
 use strut_wasm_common::{EngineError, floats_of, poses_of};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Numbers of a turned joint: its own and three of the turn.
+/// Numbers per turned joint: its index and the three of the rotation vector.
 const TURN: usize = 4;
 
-/// The change of a query, from numbers: four for each turned joint.
+/// Reads the change of a query from numbers: four per turned joint.
 fn change(turns: &[f32], heading: f32, shift: [f32; 2], reversed: bool) -> Result<QueryChange, EngineError> {
     let (turns, rest) = turns.as_chunks::<TURN>();
     if !rest.is_empty() {
         return Err(EngineError::bad_input("turns are four numbers each: a joint, and an axis times an angle"));
     }
-    // The cast saturates: what is no joint is refused as such.
+    // The cast saturates; an invalid joint is refused below.
     let turns = turns.iter().map(|&[joint, x, y, z]| (joint as usize, [x, y, z]));
     QueryChange::new(turns, heading, shift, reversed).map_err(EngineError::bad_input)
 }
 
 #[wasm_bindgen]
 impl Input {
-    /// A walk or run of the built-in database in the neutral style, by the name of its take such as "walk-pace"; `undefined`
-    /// if there is none.
+    /// Returns a walk or run of the built-in database in the neutral style, by the name of its take such as
+    /// "walk-pace"; `undefined` if there is none.
     #[wasm_bindgen(js_name = ofTake)]
     pub fn of_take(database: &Database, name: &str) -> Option<Self> {
         let catalogue = database.model().catalogue();
@@ -33,8 +33,9 @@ impl Input {
         Some(Self::of_poses(catalogue.proportions, catalogue.rate_hz, performed.poses))
     }
 
-    /// This input with joints turned in every frame: for each its number, and an axis times an angle about the axes of its
-    /// parent, radians. The whole is turned about the vertical through the first frame's hips by `heading`, radians.
+    /// Returns this input with joints turned in every frame: for each joint its index, and a rotation vector in its
+    /// parent's frame, radians. The whole body is turned about the vertical through the first frame's hips by
+    /// `heading`, radians.
     ///
     /// # Errors
     /// If there is no such joint, or a number is not finite.
@@ -48,7 +49,7 @@ impl Input {
     }
 }
 
-/// A look into one frame of an input that takes on a style.
+/// Inspection of one frame of a style transfer.
 #[wasm_bindgen]
 pub struct Lens {
     lens: transfer::Lens,
@@ -57,10 +58,10 @@ pub struct Lens {
 
 #[wasm_bindgen]
 impl Lens {
-    /// A lens on an input in these styles, one weight a style of the database, with the default options.
+    /// Creates a lens on an input in these styles, one weight per style of the database, with the default options.
     ///
     /// # Errors
-    /// If the input is too short, or the weights do not fit.
+    /// If the input is too short, or the weights are invalid.
     #[wasm_bindgen(constructor)]
     pub fn new(database: &Database, input: &Input, styles: &[f32]) -> Result<Self, EngineError> {
         let (model, poses) = (Arc::clone(database.model()), input.humanoid().poses.clone());
@@ -68,10 +69,10 @@ impl Lens {
         Ok(Self { lens, change: QueryChange::default() })
     }
 
-    /// Replaces the options that lessons turn.
+    /// Sets the options that lessons change.
     ///
     /// # Errors
-    /// If one is out of range; the former options then stay.
+    /// If one is out of range; the former options are then kept.
     pub fn configure(
         &mut self,
         k: f64,
@@ -81,30 +82,30 @@ impl Lens {
         delta: f32,
         coherence: bool,
     ) -> Result<(), EngineError> {
-        // The cast saturates: what is no count becomes 0 or too large, and is refused as such.
+        // The cast saturates; an invalid count becomes 0 or too large, and is refused.
         let options =
             Options { k: k as usize, lambda, rho, kappa, delta, coherence, ..*self.lens.stylizer().options() };
         self.lens.set_options(options).map_err(EngineError::bad_input)
     }
 
-    /// One weight a style of the database.
+    /// Sets one weight per style of the database.
     ///
     /// # Errors
-    /// If there is not one finite weight a style; the former weights then stay.
+    /// If there is not one finite weight per style; the former weights are then kept.
     #[wasm_bindgen(js_name = setStyles)]
     pub fn set_styles(&mut self, weights: &[f32]) -> Result<(), EngineError> {
         self.lens.set_styles(weights).map_err(EngineError::bad_input)
     }
 
-    /// Looks at a frame, and gives the one that is looked at: the nearest that has two before it.
+    /// Selects a frame. Returns the selected one, the nearest that has two frames before it.
     pub fn at(&mut self, frame: usize) -> usize {
         self.lens.look_at(frame);
         self.lens.frame()
     }
 
-    /// Changes what neighbours and profiles are asked for: for each turned joint its number, and an axis times an angle
-    /// about the axes of its parent; a turn about the vertical and a shift on the ground; whether time runs backwards.
-    /// Gives the query's pose.
+    /// Changes the query of neighbours and profiles: for each turned joint its index and a rotation vector in its
+    /// parent's frame; a turn about the vertical and a shift on the ground; whether time runs backwards. Returns the
+    /// query's pose.
     ///
     /// # Errors
     /// If there is no such joint, or a number is not finite.
@@ -120,18 +121,18 @@ impl Lens {
         Ok(floats_of([self.lens.query_pose(&self.change)].iter()))
     }
 
-    /// λⱼ and Dⱼ in m² of every class, interleaved.
+    /// Returns λⱼ and Dⱼ in m² of every class, interleaved.
     pub fn classes(&mut self) -> Vec<f32> {
         self.lens.classes().iter().flat_map(|c| [c.weight, c.mean_square]).collect()
     }
 
-    /// The class with the largest weight.
+    /// Returns the class with the largest weight.
     #[wasm_bindgen(js_name = heaviestClass)]
     pub fn heaviest_class(&self) -> Option<usize> {
         self.lens.heaviest_class()
     }
 
-    /// The first row of a class; its rows follow each other.
+    /// Returns the first row of a class; its rows are consecutive.
     ///
     /// # Errors
     /// If there is no such class.
@@ -141,7 +142,7 @@ impl Lens {
         class.map(|c| c.rows.start).ok_or_else(|| EngineError::bad_input("there is no such class"))
     }
 
-    /// The `k` windows of `length` frames in a class that are nearest to the query, nearest first.
+    /// Returns the `k` windows of `length` frames in a class that are nearest to the query, nearest first.
     ///
     /// # Errors
     /// If there is no such class.
@@ -154,8 +155,8 @@ impl Lens {
         })
     }
 
-    /// √D in metres between the query and the window of `length` frames that ends at each row of a class; NaN where none
-    /// ends.
+    /// Returns √D in metres between the query and the window of `length` frames that ends at each row of a class; NaN
+    /// where no window ends.
     ///
     /// # Errors
     /// If there is no such class.
@@ -164,7 +165,7 @@ impl Lens {
         Ok(squares.into_iter().map(f32::sqrt).collect())
     }
 
-    /// The pose of a row of the database above the origin, heading along +Z.
+    /// Returns the pose of a row of the database above the origin, heading along +Z.
     ///
     /// # Errors
     /// If there is no such row.
@@ -173,28 +174,28 @@ impl Lens {
         self.lens.row_pose(row).map(|pose| floats_of([pose].iter())).map_err(EngineError::bad_input)
     }
 
-    /// The degrees of freedom of every frame of the input: 68 numbers a frame, of which the last is padding.
+    /// Returns the degrees of freedom of every frame of the input: 68 numbers per frame, of which the last is padding.
     pub fn rows(&self) -> Vec<f32> {
         self.lens.rows().concat()
     }
 
-    /// Mean rotation of each joint, x y z w: the centres of the exponential maps.
+    /// Returns the mean rotation of each joint, x y z w: the centres of the exponential maps.
     pub fn means(&self) -> Vec<f32> {
         self.lens.model().catalogue().chart.means.iter().flat_map(|q| q.to_array()).collect()
     }
 
-    /// The styled pose of the frame, before it walks on.
+    /// Returns the styled pose of the frame.
     pub fn styled(&self) -> Vec<f32> {
         floats_of([self.lens.stylizer().frame().pose].iter())
     }
 
-    /// Seconds that the styled frame lasts.
+    /// Returns the duration of the styled frame, seconds.
     #[wasm_bindgen(js_name = stepSecs)]
     pub fn step_secs(&self) -> f32 {
         self.lens.stylizer().frame().dt_secs
     }
 
-    /// The line of one degree of freedom in the heaviest class, for the style of the greatest weight.
+    /// Fits one degree of freedom in the class with the largest weight, for the style with the largest weight.
     ///
     /// # Errors
     /// If a setting is out of range.
@@ -202,11 +203,11 @@ impl Lens {
         self.lens.fit(&FitSettings { dof, k, lambda, noise, taper }).map(Fit).map_err(EngineError::bad_input)
     }
 
-    /// For each λ the root mean square error of one degree of freedom that is predicted over the whole input from its own
-    /// past, against the poses of the input's counterpart.
+    /// Returns, for each λ, the root mean square error of one degree of freedom against the input's counterpart. It is
+    /// predicted over the whole input from its own past.
     ///
     /// # Errors
-    /// If a setting is out of range, or there is not one pose a frame.
+    /// If a setting is out of range, or there is not one pose per frame.
     pub fn sweep(
         &mut self,
         dof: usize,
@@ -221,7 +222,7 @@ impl Lens {
         self.lens.sweep(&settings, lambdas, &ideal).map_err(EngineError::bad_input)
     }
 
-    /// How long the neighbours say that the frame lasts in a style with a weight.
+    /// Returns the neighbours' estimate of the frame's duration in a style with a weight.
     ///
     /// # Errors
     /// If there is no such style, or it has no weight.
@@ -229,13 +230,13 @@ impl Lens {
         self.lens.timing(style).map(FrameTiming).map_err(EngineError::bad_input)
     }
 
-    /// Who says that the feet stand.
+    /// Returns the neighbours' votes on foot contacts.
     pub fn contacts(&self) -> FrameContacts {
         FrameContacts(self.lens.contacts())
     }
 }
 
-/// Windows that resemble a query, nearest first.
+/// Windows similar to a query, nearest first.
 #[wasm_bindgen]
 pub struct NearestWindows {
     rows: Vec<u32>,
@@ -245,17 +246,17 @@ pub struct NearestWindows {
 
 #[wasm_bindgen]
 impl NearestWindows {
-    /// The last row of each.
+    /// Returns the last row of each window.
     pub fn rows(&self) -> Vec<u32> {
         self.rows.clone()
     }
 
-    /// √D of each, metres.
+    /// Returns √D of each window, metres.
     pub fn distances(&self) -> Vec<f32> {
         self.distances.clone()
     }
 
-    /// Weight of each in regressions, 0 to 1.
+    /// Returns the weight of each window in regressions, 0 to 1.
     pub fn weights(&self) -> Vec<f32> {
         self.weights.clone()
     }
@@ -267,24 +268,24 @@ pub struct Fit(transfer::Fit);
 
 #[wasm_bindgen]
 impl Fit {
-    /// The class of the examples.
+    /// Returns the class of the examples.
     pub fn class(&self) -> usize {
         self.0.class
     }
 
-    /// The neighbours' rows, nearest first.
+    /// Returns the neighbours' rows, nearest first.
     pub fn rows(&self) -> Vec<u32> {
         self.0.rows.iter().map(|&row| row as u32).collect()
     }
 
-    /// xₜ, xₜ₋₁, yₜ, yₜ₋₁ and v of the neighbours, one column after the other.
+    /// Returns xₜ, xₜ₋₁, yₜ, yₜ₋₁ and v of the neighbours, column by column.
     pub fn columns(&self) -> Vec<f32> {
         let transfer::Fit { x, x_previous, y, y_previous, weights, .. } = &self.0;
         [&x[..], x_previous, y, y_previous, weights].concat()
     }
 
-    /// a, b, c of xₜ₋₁, yₜ₋₁ and xₜ; these three of the query; the means of xₜ₋₁, yₜ₋₁, xₜ and yₜ; σ of the neighbours'
-    /// xₜ, σ of all rows, Δx and yₜ.
+    /// Returns the coefficients a, b, c of xₜ₋₁, yₜ₋₁ and xₜ; these three values of the query; the means of xₜ₋₁, yₜ₋₁,
+    /// xₜ and yₜ; σ of the neighbours' xₜ, σ of all rows, Δx and yₜ.
     pub fn numbers(&self) -> Vec<f32> {
         let transfer::Fit { beta, query, means, deviation, global_deviation, bias, predicted, .. } = &self.0;
         [&beta[..], query, means, &[*deviation, *global_deviation, *bias, *predicted]].concat()
@@ -297,65 +298,66 @@ pub struct FrameTiming(transfer::Timing);
 
 #[wasm_bindgen]
 impl FrameTiming {
-    /// d, in standard deviations.
+    /// Returns d, in standard deviations.
     pub fn distances(&self) -> Vec<f32> {
         self.0.distances.clone()
     }
 
-    /// w, seconds.
+    /// Returns w, seconds.
     pub fn durations(&self) -> Vec<f32> {
         self.0.durations.clone()
     }
 
-    /// g, relative to the nearest.
+    /// Returns g, relative to the nearest.
     pub fn kernel(&self) -> Vec<f32> {
         self.0.kernel.clone()
     }
 
-    /// v.
+    /// Returns v.
     pub fn weights(&self) -> Vec<f32> {
         self.0.weights.clone()
     }
 
-    /// h.
+    /// Returns h.
     pub fn bandwidth(&self) -> f32 {
         self.0.bandwidth
     }
 
-    /// How long the frame lasts, seconds.
+    /// Returns the duration of the frame, seconds.
     pub fn duration(&self) -> Option<f32> {
         self.0.duration
     }
 }
 
-/// The vote of a frame; see [`transfer::Contacts`].
+/// The contact vote of a frame; see [`transfer::Contacts`].
 #[wasm_bindgen]
 pub struct FrameContacts(transfer::Contacts);
 
 #[wasm_bindgen]
 impl FrameContacts {
-    /// P of the left and the right foot in this frame alone, after smoothing, and with those of the targets.
+    /// Returns P of the left and the right foot in this frame alone, after smoothing, and combined with those of the
+    /// targets.
     pub fn likelihoods(&self) -> Vec<f32> {
         let transfer::Contacts { votes, smoothed, output, .. } = &self.0;
         [*votes, *smoothed, *output].concat()
     }
 
-    /// Whether each foot is held.
+    /// Returns whether each foot is held.
     pub fn planted(&self) -> Vec<u8> {
         self.0.planted.map(u8::from).into()
     }
 
-    /// The rows that vote.
+    /// Returns the rows that vote.
     pub fn rows(&self) -> Vec<u32> {
         self.0.rows.iter().map(|&row| row as u32).collect()
     }
 
-    /// g of each, left and right interleaved.
+    /// Returns g of each row, left and right interleaved.
     pub fn voices(&self) -> Vec<f32> {
         self.0.voices.concat()
     }
 
-    /// c of each, left and right interleaved.
+    /// Returns c of each row, left and right interleaved.
     pub fn contacts(&self) -> Vec<u8> {
         self.0.contacts.iter().flat_map(|c| c.map(u8::from)).collect()
     }

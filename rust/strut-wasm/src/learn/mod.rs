@@ -1,4 +1,4 @@
-//! What the lessons see of a transfer: `strut_core::transfer::Lens` and `Warps` behind handles.
+//! Inspection of a transfer for the lessons: handles of `strut_core::transfer::Lens` and `Warps`.
 
 mod held_out;
 mod lens;

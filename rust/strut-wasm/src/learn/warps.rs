@@ -1,4 +1,4 @@
-//! Handle of an action's clips that are compared as registration compares them.
+//! Handle of the comparison of an action's clips, as registration does it.
 
 use crate::database::Database;
 use std::ops::RangeInclusive;
@@ -14,7 +14,7 @@ pub struct Warps(transfer::Warps);
 
 #[wasm_bindgen]
 impl Warps {
-    /// Of an action by its number; takes a second for some minutes of motion.
+    /// Loads the clips of an action by its index. Takes about a second for a few minutes of motion.
     ///
     /// # Errors
     /// If there is no such action.
@@ -23,22 +23,22 @@ impl Warps {
         transfer::Warps::new(Arc::clone(database.model()), action).map(Self).map_err(EngineError::bad_input)
     }
 
-    /// Names of all clips of the database; their place is their number.
+    /// Returns the names of all clips of the database, by index.
     #[wasm_bindgen(js_name = clipNames)]
     pub fn clip_names(&self) -> Vec<String> {
         self.0.model().catalogue().clips.iter().map(|clip| clip.name.clone()).collect()
     }
 
-    /// First frames and lengths of a clip's gait cycles, interleaved.
+    /// Returns first frame and length of each gait cycle of a clip, interleaved.
     ///
     /// # Errors
-    /// If the clip is none of the action's.
+    /// If the clip is not one of the action's.
     pub fn cycles(&self, clip: usize) -> Result<Vec<u32>, EngineError> {
         let cycles = self.0.cycles(clip).map_err(EngineError::bad_input)?;
         Ok(cycles.iter().flat_map(|c| [c.start as u32, c.len() as u32]).collect())
     }
 
-    /// The row of a clip's first frame, and how many it has.
+    /// Returns the row of a clip's first frame, and its number of frames.
     ///
     /// # Errors
     /// If there is no such clip.
@@ -48,7 +48,7 @@ impl Warps {
         Ok(vec![clip.first_frame as u32, clip.frames as u32])
     }
 
-    /// Planted feet of a clip, left and right interleaved.
+    /// Returns the planted feet of a clip, left and right interleaved.
     ///
     /// # Errors
     /// If there is no such clip.
@@ -58,12 +58,12 @@ impl Warps {
         Ok(clip.rows().flat_map(|row| catalogue.contact(row)).collect())
     }
 
-    /// Compares the frames `first` to `last` of two clips: by dynamic time warping ("dtw"), iterative motion warping
+    /// Compares the frames `first` to `last` of two clips by dynamic time warping ("dtw"), iterative motion warping
     /// ("imw") or linear time ("linear").
     ///
     /// # Errors
-    /// If a clip or a frame is not there, or there is no such method.
-    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to spell out.
+    /// If a clip or a frame does not exist, or there is no such method.
+    #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to define.
     pub fn compare(
         &self,
         a: usize,
@@ -95,7 +95,7 @@ fn stretch(clip: usize, first: usize, last: usize) -> Result<(usize, RangeInclus
     Ok((clip, first..=last))
 }
 
-/// Two stretches of clips, a and b, compared.
+/// A comparison of two clip segments, a and b.
 #[wasm_bindgen]
 pub struct ComparedCycles {
     compared: Compared,
@@ -104,22 +104,23 @@ pub struct ComparedCycles {
 
 #[wasm_bindgen]
 impl ComparedCycles {
-    /// c of every frame of a and every frame of b, row after row of a.
+    /// Returns c of every frame of a and every frame of b, row by row of a.
     pub fn costs(&self) -> Vec<f32> {
         self.compared.costs.clone()
     }
 
-    /// τ of every frame of a; empty if the slope limit allows no warp.
+    /// Returns τ of every frame of a; empty if the slope limit allows no warp.
     pub fn warp(&self) -> Vec<f32> {
         self.compared.warp.clone().unwrap_or_default()
     }
 
-    /// The counterpart in the database of every frame of a; NaN where it is in another clip.
+    /// Returns the counterpart in the database of every frame of a; NaN if it is in another clip.
     pub fn recorded(&self) -> Vec<f32> {
         self.recorded.clone()
     }
 
-    /// α of the strongest principal feature in every frame of a, then its β; empty but for iterative motion warping.
+    /// Returns α of the strongest principal feature in every frame of a, then its β; empty except for iterative motion
+    /// warping.
     pub fn affine(&self) -> Vec<f32> {
         let column = |side: usize| self.compared.affine.iter().map(move |of| of[side][0]);
         column(0).chain(column(1)).collect()

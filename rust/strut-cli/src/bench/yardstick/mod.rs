@@ -1,4 +1,4 @@
-//! The paper's search, every window on a graphics card, beside ours: with the feature `gpu`.
+//! The paper's exhaustive search on the GPU, compared with ours; requires the feature `gpu`.
 
 #[cfg(feature = "gpu")]
 mod with_gpu;

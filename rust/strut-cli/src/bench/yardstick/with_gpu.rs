@@ -1,4 +1,4 @@
-//! The exhaustive search by wgpu.
+//! The exhaustive search with wgpu.
 
 use super::super::measure::{Row, ms_since};
 use super::super::recall::{self, K};
@@ -11,38 +11,38 @@ use std::time::Instant;
 use strut_core::search::{Index, QueryWindow};
 use strut_gpu::{Adapter, Context, GpuError, Searcher};
 
-/// Queries at once in mode `batch`.
+/// Number of queries per batch in mode `batch`.
 const BATCH: usize = 256;
-/// Queries that are searched one by one in mode `all`; as many are compared where times mean nothing.
+/// Number of queries that are searched one by one in mode `all`, and compared where times are not meaningful.
 const SINGLE: usize = 64;
-/// Of each kind, what is searched first: drivers finish their compilation late.
+/// Number of first searches of each mode that are not measured: drivers finish their compilation late.
 const WARM_UP: usize = 3;
-/// As the reports call it.
+/// Name of the engine in reports.
 const ENGINE: &str = "gpu-brute";
 
-/// An open graphics processor.
+/// An open GPU.
 pub(in crate::bench) struct Yardstick {
     context: Context,
 }
 
-/// What a graphics processor found, beside the engine.
+/// Results of a GPU, compared with the engine's.
 #[derive(Serialize)]
 pub(in crate::bench) struct Comparison {
     adapter: String,
     driver: String,
     backend: String,
-    /// Then there are no times.
+    /// Whether the GPU is emulated in software; there are no times then.
     software: bool,
     frames: usize,
     classes: usize,
-    /// Sets of neighbours, one for each window and class.
+    /// Number of sets of neighbours, one for each window and class.
     sets: usize,
-    /// Those that are the engine's to the bit.
+    /// Number of sets that are bit-identical to the engine's.
     identical: usize,
     candidates_per_neighbour: f64,
-    /// Sets that the engine had to search for.
+    /// Number of sets for which the engine had to search.
     searched_by_engine: usize,
-    /// How many times faster the engine's search from a cold start is than the graphics processor's, in medians.
+    /// Ratio of the median search times, GPU to engine from a cold start.
     #[serde(skip_serializing_if = "Option::is_none")]
     engine_is_faster: Option<Ratios>,
 }
@@ -55,7 +55,7 @@ struct Ratios {
 }
 
 impl Yardstick {
-    /// Opens the fastest graphics processor; where there is none, says so.
+    /// Opens the fastest GPU. Prints a message if there is none.
     #[allow(clippy::unnecessary_wraps)] // Without the feature `gpu` it fails.
     pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
         match Context::new() {
@@ -70,8 +70,8 @@ impl Yardstick {
         }
     }
 
-    /// Searches for the windows' neighbours in every class, prints and gives how that compares. Where the graphics processor
-    /// fails, says so.
+    /// Searches for the windows' neighbours in every class, and prints and returns the comparison. Prints a message if
+    /// the GPU fails.
     pub(in crate::bench) fn measure(&self, index: &Index, windows: &[QueryWindow]) -> Option<(Vec<Row>, Comparison)> {
         let measured = self.try_to_measure(index, windows);
         measured.map_err(|reason| print(&format!("\n{}; the processor is measured alone\n", sentence(&reason)))).ok()
@@ -115,19 +115,19 @@ impl Yardstick {
     }
 }
 
-/// At most so many windows, from all over.
+/// Returns at most `most` windows, evenly distributed.
 fn spread(windows: &[QueryWindow], most: usize) -> Vec<QueryWindow> {
     windows.iter().step_by(windows.len().div_ceil(most.max(1)).max(1)).cloned().collect()
 }
 
-/// Milliseconds a window, searched so many at a time, with upload, readback and exact re-ranking.
+/// Returns the milliseconds per window in portions of `at_a_time`, including upload, readback and exact re-ranking.
 fn times(searcher: &mut Searcher<&Index>, windows: &[QueryWindow], at_a_time: usize) -> Result<Vec<f64>, GpuError> {
     let one = |windows: &[QueryWindow]| {
         let started = Instant::now();
         searcher.nearest(windows, K)?;
         Ok(ms_since(started) / windows.len() as f64)
     };
-    // Whole ones alone, unless there is no other.
+    // Only whole portions are measured, unless there is only a shorter one.
     let portions = || windows.chunks(at_a_time).filter(|w| w.len() == at_a_time.min(windows.len()));
     let all: Vec<f64> = portions().take(WARM_UP).chain(portions()).map(one).collect::<Result<_, _>>()?;
     Ok(all[WARM_UP.min(all.len() / 2)..].to_vec())
@@ -139,7 +139,7 @@ fn sentence(reason: &GpuError) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// What was compared, and a line for each time.
+/// Returns a description of the comparison, and one line per time.
 fn text(adapter: &Adapter, comparison: &Comparison, rows: &[Row]) -> String {
     let Comparison { sets, identical, candidates_per_neighbour, .. } = comparison;
     let mut out = format!(

@@ -1,19 +1,19 @@
-//! What the command is without the feature `gpu`.
+//! Stub of the comparison without the feature `gpu`.
 
 use super::super::measure::Row;
 use crate::failure::{Failure, Outcome};
 use serde::Serialize;
 use strut_core::search::{Index, QueryWindow};
 
-/// There is none.
+/// Has no values.
 pub(in crate::bench) enum Yardstick {}
 
-/// There is none.
+/// Has no values.
 #[derive(Serialize)]
 pub(in crate::bench) enum Comparison {}
 
 impl Yardstick {
-    /// Says how to build the command with it.
+    /// Returns an error that explains how to build the command with the feature.
     pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
         Err(Failure::new(
             "this strut was built without the graphics processor; \
