@@ -34,7 +34,7 @@ export const FIELDS: Fields<AppState> = {
   ...LEARN_FIELDS,
 };
 
-/** Names of the fields that undo takes back. */
+/** Names of the fields that undo restores. */
 export const UNDOABLE = namesOf(FIELDS).filter((name) => FIELDS[name].undoable);
 
 /** Keys of the page's own fields in a link. */
