@@ -106,8 +106,8 @@ export interface Span {
 }
 
 /**
- * A span `factor` times as long, in which what is at a share of the picture's height stays there; as long as `least` at least,
- * and within `count` windows.
+ * A span with `factor` times the length, which keeps the point at a share of the picture's height; at least `least`
+ * long, and within `count` windows.
  */
 export function zoomed({ first, last }: Span, factor: number, at: number, least: number, count: number): Span {
   const length = Math.min(count, Math.max(Math.min(least, count), Math.round((last - first) * factor)));
@@ -115,22 +115,22 @@ export function zoomed({ first, last }: Span, factor: number, at: number, least:
   return shifted({ first: begin, last: begin + length }, 0, count);
 }
 
-/** A span that is moved by some windows, within `count`. */
+/** A span moved by some windows, within `count`. */
 export function shifted({ first, last }: Span, by: number, count: number): Span {
   const length = last - first;
   const begin = Math.min(Math.max(0, first + by), count - length);
   return { first: begin, last: begin + length };
 }
 
-/** Neighbouring classes that share a label: where they begin and end in windows. */
+/** Neighbouring classes that share a label: the windows at which they begin and end. */
 export interface Band extends Span {
   label: string;
 }
 
 /**
- * The bands of a span: the classes of an action where they are as high as a line of text on average, else the action.
- * @param firsts number of the first window of each class, and of all windows
- * @param windowsOfText windows that a line of text is as high as
+ * The bands of a span: the classes of an action if they are as high as a line of text on average, otherwise the action.
+ * @param firsts index of the first window of each class, and of all windows
+ * @param windowsOfText number of windows with the height of a line of text
  */
 export function bandsOf(
   classes: readonly { action: string; style: string }[],
@@ -149,7 +149,7 @@ export function bandsOf(
     const ofAction = shown.slice(i, end < 0 ? shown.length : end);
     const span = { first: ofAction[0]!.first, last: ofAction.at(-1)!.last };
     const isRoomy = span.last - span.first >= windowsOfText * ofAction.length;
-    // The first that has room for words says the action for those after it.
+    // The first one with room for text names the action, also for those after it.
     const named = ofAction.findIndex(({ first, last }) => last - first >= windowsOfText);
     const label = (i: number) => (i === named ? `${action} ${ofAction[i]!.style}` : ofAction[i]!.style);
     if (isRoomy) bands.push(...ofAction.map(({ first, last }, i) => ({ label: label(i), first, last })));
