@@ -121,10 +121,7 @@ export interface View {
   readonly keys?: KeyTable;
   /** Element on which a clip becomes a style when dropped; `undefined` if there is none. */
   readonly styleTarget?: Element | undefined;
-  /**
-   * Whether disposing of the view would lose the user's work; other views are disposed of after being hidden for a
-   * while.
-   */
+  /** Whether disposing of the view would lose the user's work; other views are disposed of after being hidden for a while. */
   readonly holdsWork?: boolean;
   /** Whether leaving the page would lose the user's work, because the browser does not store it. */
   readonly holdsUnkept?: boolean;

@@ -199,10 +199,7 @@ function knownRoles({ nodes }: Joints, given: ReadonlyMap<Role, Object3D>): Int3
   });
 }
 
-/**
- * Binds joints.
- * @throws JointsError with the existing joints and all roles without a joint
- */
+/** Binds joints. @throws JointsError with the existing joints and all roles without a joint */
 function rigOf(glue: CharacterGlue, joints: Joints, known: Int32Array, metresPerUnit: number): CharacterRig {
   try {
     return new CharacterRig(glue, joints, known, metresPerUnit);

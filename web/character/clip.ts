@@ -24,10 +24,7 @@ export interface Keys {
   readonly places: ReadonlyMap<number, Float32Array>;
 }
 
-/**
- * The motion on the bones of a character.
- * @throws StrutError `bad-input` unless the motion consists of finite poses
- */
+/** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion consists of finite poses */
 export function keysOf(bound: Bound, motion: StyledPoses, inPlace: boolean): Keys {
   return bound.rig.onBody(motion.proportions, () => keysOnBody(bound, motion, inPlace));
 }

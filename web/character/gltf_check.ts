@@ -116,9 +116,7 @@ function checkAccessor(accessor: Record<string, unknown>, views: readonly Record
     throw broken("An array of this model is longer than its data.");
 }
 
-/**
- * Every key must have as many values as are animated: three.js's mixer steps by this number, and never ends otherwise.
- */
+/** Every key must have as many values as are animated: three.js's mixer steps by this number, and never ends otherwise. */
 function checkAnimation(animation: Record<string, unknown>, accessors: readonly Record<string, unknown>[]): void {
   const samplers = records(animation, "samplers");
   for (const { sampler, target } of records(animation, "channels")) {
@@ -209,10 +207,7 @@ export function primitivesOf(json: Record<string, unknown>): Record<string, unkn
   );
 }
 
-/**
- * A list of a document, empty if it is missing.
- * @throws StrutError `bad-file` if it is not a list of objects
- */
+/** A list of a document, empty if it is missing. @throws StrutError `bad-file` if it is not a list of objects */
 export function records(json: Record<string, unknown>, key: string): Record<string, unknown>[] {
   const list = json[key];
   if (list === undefined) return [];

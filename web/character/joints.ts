@@ -55,10 +55,7 @@ export interface Joints extends Skeleton {
   readonly places: readonly Vector3[];
   /** Whether the joints agree on the placement of the skins. */
   readonly isSure: boolean;
-  /**
-   * Joints whose node has another parent, or another position below its parent, than the joint: poses translate them,
-   * too.
-   */
+  /** Joints whose node has another parent, or another position below its parent, than the joint: poses translate them, too. */
   readonly moved: readonly number[];
   /** Number of joints that were left out, as the engine binds at most 512. */
   readonly dropped: number;

@@ -1,6 +1,4 @@
-/**
- * The error of a skeleton whose joints cannot be identified. It contains the data that the user needs to choose them.
- */
+/** The error of a skeleton whose joints cannot be identified. It contains the data that the user needs to choose them. */
 import { type ErrorParts, StrutError } from "../engine/errors";
 import type { Role } from "../humanoid";
 

@@ -43,9 +43,7 @@ export class MovedJoints {
     this.#places = nodes.map(() => new Vector3());
   }
 
-  /**
-   * Updates the joints from the engine's output: the translation of the hips, then the local rotation of every joint.
-   */
+  /** Updates the joints from the engine's output: the translation of the hips, then the local rotation of every joint. */
   update(frame: ArrayLike<number>): void {
     if (this.joints.length === 0) return;
     const { parents, scales } = this.#skeleton;

@@ -117,10 +117,7 @@ async function fetched(address: string | URL, signal: AbortSignal | undefined): 
   return checkedSize(Number(response.headers.get("Content-Length") ?? 0), () => response.arrayBuffer());
 }
 
-/**
- * The `.gltf` among several files.
- * @throws StrutError `bad-file` if there is none
- */
+/** The `.gltf` among several files. @throws StrutError `bad-file` if there is none */
 function documentOf(files: readonly File[]): File {
   const document = files.find(({ name }) => /\.gltf$/i.test(name)) ?? (files.length === 1 ? files[0] : undefined);
   if (document) return document;

@@ -91,10 +91,7 @@ export interface CharacterMotion {
    * @throws StrutError `bad-input` if this is not a body, `bad-file` if the bones are beyond all numbers
    */
   poses(body?: ArrayLike<number>): Float32Array;
-  /**
-   * The text of a BVH file of the motion on its own body, for `Strut.openMotion`.
-   * @throws StrutError `bad-file`
-   */
+  /** The text of a BVH file of the motion on its own body, for `Strut.openMotion`. @throws StrutError `bad-file` */
   toBVH(): string;
 }
 

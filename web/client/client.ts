@@ -480,9 +480,7 @@ function inSet({ kind, name }: BuiltInInput, set: BuiltInSet | undefined): Input
   return { kind, name, ...(set && { set }) };
 }
 
-/**
- * Settles as `promise` does, or rejects when the caller cancels. The promise continues, because others may wait for it.
- */
+/** Settles as `promise` does, or rejects when the caller cancels. The promise continues, because others may wait for it. */
 function unlessCancelled(promise: Promise<unknown> | undefined, signal: AbortSignal | undefined): Promise<unknown> {
   return new Promise((resolve, reject) => {
     const cancel = () => reject(cancelled(signal?.reason));

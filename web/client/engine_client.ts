@@ -130,9 +130,7 @@ export class EngineClient {
     return open(this.connection);
   }
 
-  /**
-   * Opens an atlas: a motion on a database as a picture of all distances, with at most `columns` columns; see `atlas/`.
-   */
+  /** Opens an atlas: a motion on a database as a picture of all distances, with at most `columns` columns; see `atlas/`. */
   async openAtlas(
     database: ClientDatabase,
     motion: ClientMotion,

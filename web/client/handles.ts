@@ -184,10 +184,7 @@ export class ClientMotion extends ClientHandle {
     return this.call("counterpart", [this.id, style]);
   }
 
-  /**
-   * Compares the search for neighbours by kd-trees with the exact one over the whole motion, in a worker that has
-   * kd-trees.
-   */
+  /** Compares the search for neighbours by kd-trees with the exact one over the whole motion, in a worker that has kd-trees. */
   async compareSearch(
     database: ClientDatabase,
     neighbours: number,

@@ -54,10 +54,7 @@ export class RpcClient {
     this.#spawn = spawn;
   }
 
-  /**
-   * Calls a method; the buffers of `transfer` are transferred.
-   * @throws StrutError the worker's, `cancelled` or `disposed`
-   */
+  /** Calls a method; the buffers of `transfer` are transferred. @throws StrutError the worker's, `cancelled` or `disposed` */
   call(method: string, args: unknown[], signal?: AbortSignal, transfer: Transferable[] = []): Promise<unknown> {
     if (this.#disposed) return Promise.reject(disposed(this.what));
     if (signal?.aborted) return Promise.reject(cancelled(signal.reason));

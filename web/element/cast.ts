@@ -27,10 +27,7 @@ export class Cast {
     return this.#character;
   }
 
-  /**
-   * Changes the character; the current one stays until the new one is loaded, and if loading fails.
-   * @throws StrutError
-   */
+  /** Changes the character; the current one stays until the new one is loaded, and if loading fails. @throws StrutError */
   async take(source: CastSource, call: CallOptions = {}): Promise<void> {
     this.#loading?.abort();
     const loading = new AbortController();

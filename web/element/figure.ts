@@ -127,10 +127,7 @@ export class Figure implements Drawing {
     this.#playback.playing = playing;
   }
 
-  /**
-   * Applies changed settings.
-   * @throws StrutError `bad-input` for styles that the database lacks
-   */
+  /** Applies changed settings. @throws StrutError `bad-input` for styles that the database lacks */
   apply(settings: Settings): void {
     this.#playback.options = optionsOf(this.#database, settings);
     if (settings.loop !== this.#settings.loop)
@@ -185,10 +182,7 @@ export class Figure implements Drawing {
     draw();
   }
 
-  /**
-   * The current picture, drawn for this call if necessary.
-   * @throws StrutError `cancelled` if it is disposed of meanwhile
-   */
+  /** The current picture, drawn for this call if necessary. @throws StrutError `cancelled` if it is disposed of meanwhile */
   async picture(): Promise<HTMLCanvasElement> {
     if (!(await this.#drawNow())) throw new StrutError(CLOSED);
     return this.viewer.copy();
@@ -229,10 +223,7 @@ export class Figure implements Drawing {
   }
 }
 
-/**
- * The engine's options for some settings.
- * @throws StrutError `bad-input` for styles that the database lacks
- */
+/** The engine's options for some settings. @throws StrutError `bad-input` for styles that the database lacks */
 function optionsOf({ info }: Database, { styles, linked }: Settings): StylizeOptions {
   return changedOptions(info, DEFAULT_OPTIONS, engineOptions({ ...linked, styles }, info.neutral));
 }

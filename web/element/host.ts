@@ -33,10 +33,7 @@ export function hostPlayers(given: PlayerHost): void {
   engine = new SharedEngine(given.load);
 }
 
-/**
- * Loads a character with the page's loader.
- * @throws StrutError
- */
+/** Loads a character with the page's loader. @throws StrutError */
 export const loadCharacter: LoadCharacter = (source, options) => {
   if (!host) throw new Error(NO_HOST);
   return host.loadCharacter(source, options);

@@ -261,10 +261,7 @@ export class StrutPlayer extends ElementBase {
     });
   }
 
-  /**
-   * The whole motion in the current styles as a file.
-   * @throws StrutError
-   */
+  /** The whole motion in the current styles as a file. @throws StrutError */
   async exportFile(format: "bvh" | "glb" | "vrma"): Promise<Blob> {
     await this.load();
     const { database, motion, figure } = this.#opened!;

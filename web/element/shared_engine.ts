@@ -92,27 +92,19 @@ export class SharedEngine {
     return this.#strut;
   }
 
-  /**
-   * An open database, opened if necessary.
-   * @throws StrutError
-   */
+  /** An open database, opened if necessary. @throws StrutError */
   database(source: Source | Database, call: CallOptions): Promise<Lease<Database>> {
     if (isOpened(source)) return Promise.resolve(given(source));
     return this.#counted(this.#lease(this.#databases, source, async (strut) => strut.openDatabase(source, call), call));
   }
 
-  /**
-   * An open motion, opened if necessary.
-   * @throws StrutError
-   */
+  /** An open motion, opened if necessary. @throws StrutError */
   motion(source: Source | Motion, call: MotionOptions & CallOptions): Promise<Lease<Motion>> {
     if (isOpened(source)) return Promise.resolve(given(source));
     return this.#counted(this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call));
   }
 
-  /**
-   * Counts the users of the engine: after its last player, a page gets the memory and the worker back after a while.
-   */
+  /** Counts the users of the engine: after its last player, a page gets the memory and the worker back after a while. */
   async #counted<T>(leasing: Promise<Lease<T>>): Promise<Lease<T>> {
     this.#users += 1;
     clearTimeout(this.#idle);

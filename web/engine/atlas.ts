@@ -56,10 +56,7 @@ export class Atlas extends Handle<glue.Atlas> {
     this.facts = guarded(() => ({ frames: raw.frames(), firsts: raw.firsts() }));
   }
 
-  /**
-   * Least D of each line in some columns, m², column after column.
-   * @throws StrutError `bad-input`
-   */
+  /** Least D of each line in some columns, m², column after column. @throws StrutError `bad-input` */
   draw(view: AtlasView, columns: Uint32Array): Float32Array {
     return this.viewed(view, (raw) => raw.draw(columns));
   }
@@ -72,10 +69,7 @@ export class Atlas extends Handle<glue.Atlas> {
     });
   }
 
-  /**
-   * Pose at a frame of a clip, aligned with a column of the input as in the metric.
-   * @throws StrutError `bad-input`
-   */
+  /** Pose at a frame of a clip, aligned with a column of the input as in the metric. @throws StrutError `bad-input` */
   pose(column: number, clip: number, frame: number): Float32Array {
     return guarded(() => this.raw.pose(column, clip, frame));
   }

@@ -32,10 +32,7 @@ export class Database extends Handle<RawDatabase> {
     this.info = guarded(() => describe(raw, name));
   }
 
-  /**
-   * The built-in database.
-   * @throws StrutError `bad-file` if the bytes are invalid
-   */
+  /** The built-in database. @throws StrutError `bad-file` if the bytes are invalid */
   static packed(glue: Glue, motions: RawPackedMotions): Database {
     return new Database(
       guarded(() => glue.Database.fromPacked(motions)),

@@ -34,10 +34,7 @@ export class Engine {
     return guarded(() => this.packedOf(motions).inputs());
   }
 
-  /**
-   * Facts of a motion's file.
-   * @throws StrutError `bad-file` or `bad-input`
-   */
+  /** Facts of a motion's file. @throws StrutError `bad-file` or `bad-input` */
   readMotion(source: InputSource): MotionFacts {
     return source.kind === "built-in"
       ? packedFacts(this.glue, source, this.packedOf(source.motions))

@@ -55,10 +55,7 @@ export class StrutError extends Error {
   }
 }
 
-/**
- * The error of an aborted call.
- * @param reason reason of the signal
- */
+/** The error of an aborted call. @param reason reason of the signal */
 export function cancelled(reason?: unknown): StrutError {
   return new StrutError({ code: "cancelled", message: "The call was cancelled.", hint: "" }, reason);
 }
@@ -68,10 +65,7 @@ export function disposed(what: string): StrutError {
   return new StrutError({ code: "disposed", message: `The ${what} was used after dispose().`, hint: "" });
 }
 
-/**
- * The error of a bug.
- * @param what what failed: a sentence without its full stop
- */
+/** The error of a bug. @param what what failed: a sentence without its full stop */
 export function fault(what: string): StrutError {
   const hint = "This is a bug in Strut; please report it with the file that caused it.";
   return new StrutError({ code: "fault", message: `${what}.`, hint });

@@ -1,7 +1,4 @@
-/**
- * Records a motion's prediction in every style of a database, for crowds that perform it. Uses the engine's own
- * package.
- */
+/** Records a motion's prediction in every style of a database, for crowds that perform it. Uses the engine's own package. */
 import { Handle } from "./handle";
 import type { Input } from "./input";
 import * as glue from "./pkg/strut_wasm.js";
@@ -50,10 +47,7 @@ export class Recording extends Handle<glue.Recording> {
     return this.done >= this.frames;
   }
 
-  /**
-   * The prediction, for `performers/`. Call it after {@link run} returned true.
-   * @throws StrutError if it is too short
-   */
+  /** The prediction, for `performers/`. Call it after {@link run} returned true. @throws StrutError if it is too short */
   numbers(): Float32Array<ArrayBuffer> {
     return guarded(() => this.raw.numbers()) as Float32Array<ArrayBuffer>;
   }

@@ -51,10 +51,7 @@ export class Stylizer extends Handle<RawStylizer> {
     );
   }
 
-  /**
-   * One weight per style of the database.
-   * @throws StrutError `bad-input` for a style that the database lacks
-   */
+  /** One weight per style of the database. @throws StrutError `bad-input` for a style that the database lacks */
   weightsOf(styles: StyleWeights): Float32Array {
     const weights = new Float32Array(this.styles.length);
     for (const [name, weight] of Object.entries(styles)) {
@@ -73,9 +70,7 @@ export class Stylizer extends Handle<RawStylizer> {
     guarded(() => this.raw.setPartStyles(BODY_PARTS.indexOf(part), weights ?? new Float32Array(0)));
   }
 
-  /**
-   * Sets how far the next frames move from the input to the styles, 0 to 1: for input that the database does not cover.
-   */
+  /** Sets how far the next frames move from the input to the styles, 0 to 1: for input that the database does not cover. */
   setStyleShare(share: number): void {
     guarded(() => this.raw.setStyleShare(share));
   }
@@ -102,10 +97,7 @@ export class Stylizer extends Handle<RawStylizer> {
   }
 }
 
-/**
- * The index of a style or an action of the database.
- * @throws StrutError `bad-input` if the database has none of this name
- */
+/** The index of a style or an action of the database. @throws StrutError `bad-input` if the database has none of this name */
 function numberOf(what: string, name: string, names: readonly string[]): number {
   const number = names.indexOf(name);
   if (number >= 0) return number;

@@ -1,6 +1,4 @@
-/**
- * The WASM package that styles motion, loaded once per thread: `whole.ts`, or a package with more or fewer functions.
- */
+/** The WASM package that styles motion, loaded once per thread: `whole.ts`, or a package with more or fewer functions. */
 
 import type { Asset } from "./assets";
 import { StrutError, toStrutError } from "./errors";

@@ -1,13 +1,9 @@
-/**
- * An animation as three.js's `AnimationClip` for a loaded rig. The caller passes three.js: nothing is imported from it.
- */
+/** An animation as three.js's `AnimationClip` for a loaded rig. The caller passes three.js: nothing is imported from it. */
 
 import { JOINT, JOINTS, PARENTS, ROLES, type Role } from "../humanoid";
 import { type HumanoidAnimation, hipsPositions, jointRotations } from "./animation";
 
-/**
- * The part of three.js that makes clips, by structure; the module itself, `import * as THREE from "three"`, matches.
- */
+/** The part of three.js that makes clips, by structure; the module itself, `import * as THREE from "three"`, matches. */
 export interface ThreeLike<Clip, Track> {
   /** Makes a clip. */
   AnimationClip: new (

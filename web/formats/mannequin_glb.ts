@@ -115,10 +115,7 @@ export function mannequinGlb(animation: HumanoidAnimation): Uint8Array<ArrayBuff
   return glbFile(content, buffer);
 }
 
-/**
- * From the world of the T-pose to every joint, 21 × 4 × 4, column-major: translations, because no joint is rotated
- * there.
- */
+/** From the world of the T-pose to every joint, 21 × 4 × 4, column-major: translations, because no joint is rotated there. */
 function inverseBind(rest: Float32Array): Float32Array {
   const matrices = new Float32Array(16 * JOINTS);
   for (let j = 0; j < JOINTS; j++) {

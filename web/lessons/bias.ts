@@ -9,10 +9,7 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(BIAS_FIELDS);
 
-/**
- * Exercise A: half of the raise, the tolerances of a pass and of a near miss, and the share that many learners would
- * set.
- */
+/** Exercise A: half of the raise, the tolerances of a pass and of a near miss, and the share that many learners would set. */
 const HALF = 0.5;
 const OFF = 0.02;
 const NAIVE = 0.5;

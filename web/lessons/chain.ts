@@ -12,9 +12,7 @@ const PRESET = initialOf(CHAIN_FIELDS);
 /** Exercise A: distances from the means that pass, and that are close, degrees. */
 const DEGREES_OFF = 2;
 const DEGREES_NEAR = 4;
-/**
- * Exercise B: its joint, the remaining share of the jerk, deviations from the means, and the tolerances of a near miss.
- */
+/** Exercise B: its joint, the remaining share of the jerk, deviations from the means, and the tolerances of a near miss. */
 const TOES = "left_toes";
 const JERK = 0.5;
 const DEVIATIONS = 2.2;

@@ -76,10 +76,7 @@ test("the bet: a single dot has no slope", async () => {
   expect((await line.bet.reveal(engine)).answer).toBe("zero");
 });
 
-/**
- * The whole walk predicted by plain loops over the examples of each frame, compared with the recorded angry walk;
- * degrees.
- */
+/** The whole walk predicted by plain loops over the examples of each frame, compared with the recorded angry walk; degrees. */
 test("the errors of a sweep are those of a dense solve in each frame, from the prediction's own past", async () => {
   const state = stateOf("A", {});
   const lambdas = [0.0018, 0.02, 0.3, 10];

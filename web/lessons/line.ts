@@ -14,9 +14,7 @@ const NOISY: LineState = { ...PRESET, style: "angry", k: 12, noise: 4, taper: fa
 /** Exercise A: factors over the smallest error that pass, and that are close. */
 const AS_GOOD = 1.01;
 const CLOSE = 1.02;
-/**
- * Exercise B: distance that counts as about the mean, degrees, and factors over the smallest λ that pass, or are close.
- */
+/** Exercise B: distance that counts as about the mean, degrees, and factors over the smallest λ that pass, or are close. */
 const ABOUT = 0.1;
 const TIMES = 1.5;
 const TIMES_NEAR = 3;

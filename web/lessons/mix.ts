@@ -40,10 +40,7 @@ const ASKED = { at: 460, delta: 2 };
 
 /** Whether a measure has the input of all exercises. */
 const isInput = ({ motion }: Measure) => motion === PRESET.motion;
-/**
- * Whether only the instant differs from the start of exercise A, only δ from that of B, and only the guess from that of
- * C.
- */
+/** Whether only the instant differs from the start of exercise A, only δ from that of B, and only the guess from that of C. */
 const isRead = (measure: Measure) => isInput(measure) && measure.delta === PRESET.delta;
 const isFrame = (measure: Measure) => isInput(measure) && measure.at === PRESET.at;
 const isAsked = (measure: Measure) => isInput(measure) && measure.at === ASKED.at && measure.delta === ASKED.delta;

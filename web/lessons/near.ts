@@ -9,9 +9,7 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(NEAR_FIELDS);
 
-/**
- * Exercise A: largest ratio of a neighbour's distance to the nearest one's, and the share of it at which K is close.
- */
+/** Exercise A: largest ratio of a neighbour's distance to the nearest one's, and the share of it at which K is close. */
 const TIMES = 2;
 const CLOSE = 0.1;
 /** Exercise B: least rotation of a query, degrees, and least translation, metres; tolerance, mm. */

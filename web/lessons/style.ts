@@ -30,10 +30,7 @@ const isMeanOf = ({ motion, style, joint }: Measure, wanted: PairState["style"])
   motion === PRESET.motion && style === wanted && joint === "";
 const isPair = ({ motion, style }: Measure) => motion === PRESET.motion && style === "old";
 
-/**
- * The input and its performance in a style.
- * @throws Error if the engine has none
- */
+/** The input and its performance in a style. @throws Error if the engine has none */
 async function pairOfStyle(engine: LearnEngine, style: PairState["style"]): Promise<Pair> {
   const pair = await sharedPair(engine, PRESET.motion, style);
   if (!pair) throw new Error(`The engine has no performance in the style “${style}”.`);

@@ -63,10 +63,7 @@ export interface PlayState {
   /** The action and the style that the user set for the input; empty if the engine is to recognise them. */
   action: string;
   inputStyle: string;
-  /**
-   * Which of the settings A and B is displayed, and the other one, encoded as in the URL; empty while there is only
-   * one.
-   */
+  /** Which of the settings A and B is displayed, and the other one, encoded as in the URL; empty while there is only one. */
   side: Side;
   other: string;
   camera: CameraPreset;

@@ -1,7 +1,4 @@
-/**
- * The mannequin in the T-pose as one mesh that follows joints, with the data for a shader that poses hundreds of
- * bodies.
- */
+/** The mannequin in the T-pose as one mesh that follows joints, with the data for a shader that poses hundreds of bodies. */
 
 import { JOINT, restPose } from "../humanoid";
 import type { Fit } from "./fit";

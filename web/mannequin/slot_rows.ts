@@ -1,6 +1,4 @@
-/**
- * The matrices of one mannequin: forward kinematics, then one affine transform per slot, in the layout of the shaders.
- */
+/** The matrices of one mannequin: forward kinematics, then one affine transform per slot, in the layout of the shaders. */
 
 import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../humanoid";
 import type { Fit } from "./fit";

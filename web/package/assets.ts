@@ -20,9 +20,7 @@ export type CharacterAsset = (typeof CHARACTER_ASSETS)[number];
 
 export type EngineAsset = (typeof ENGINE_ASSETS)[number];
 
-/**
- * Files that the engine requests. For the first strides, with which the page starts, the package provides all walks.
- */
+/** Files that the engine requests. For the first strides, with which the page starts, the package provides all walks. */
 export type PlacedAsset = EngineAsset | "first.bin";
 
 /** Absolute URLs of the engine's files. */

@@ -10,9 +10,7 @@ export interface Boot {
   files?: MessagePort;
 }
 
-/**
- * Worker → page, at {@link Boot.files}: the URL of a file, and a port for its bytes, or `null` if it cannot be loaded.
- */
+/** Worker → page, at {@link Boot.files}: the URL of a file, and a port for its bytes, or `null` if it cannot be loaded. */
 export type FileRequest = [address: string, answer: MessagePort];
 
 /** Worker → page, once, when its script starts. */

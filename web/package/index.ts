@@ -28,10 +28,7 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
   return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }
 
-/**
- * Each URL is in the form that bundlers recognise.
- * @throws StrutError `load` if this file has no URL
- */
+/** Each URL is in the form that bundlers recognise. @throws StrutError `load` if this file has no URL */
 function beside(): (file: string) => string {
   try {
     const places: Record<string, string> = {

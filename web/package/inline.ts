@@ -1,7 +1,4 @@
-/**
- * `strut-motion/inline`: the engine in one file; built-in motions, and the code for building and training, are next to
- * it.
- */
+/** `strut-motion/inline`: the engine in one file; built-in motions, and the code for building and training, are next to it. */
 import { baseAddress } from "./assets";
 import { placeCharacterFiles } from "./character_files";
 import { loadInlined } from "./load_inlined";

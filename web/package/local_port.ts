@@ -1,7 +1,4 @@
-/**
- * A server on the calling thread behind the same port as a worker's: messages arrive asynchronously, as with a real
- * one.
- */
+/** A server on the calling thread behind the same port as a worker's: messages arrive asynchronously, as with a real one. */
 
 /** The part of a worker's global scope that a server needs. */
 interface ServerSide<Request, Reply> {

@@ -1,7 +1,4 @@
-/**
- * Starts the engine of a page: in a worker; if that is forbidden, in a worker from a blob; otherwise on the page's
- * thread.
- */
+/** Starts the engine of a page: in a worker; if that is forbidden, in a worker from a blob; otherwise on the page's thread. */
 import type { BuildWorkerPort } from "../client/build/client";
 import type { WorkerPort } from "../client/connection";
 import { download } from "../engine/download";
@@ -184,10 +181,7 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes["createPolicy"]> | undefined;
 
-/**
- * The URL of a script, approved by the page's policy `strut-motion`.
- * @throws if the page allows no such policy
- */
+/** The URL of a script, approved by the page's policy `strut-motion`. @throws if the page allows no such policy */
 export function trusted(url: string): string | TrustedScriptURL {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
   if (!trustedTypes) return url;

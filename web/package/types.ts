@@ -133,10 +133,7 @@ export interface Strut {
 export interface Database {
   /** Its properties. */
   readonly info: DatabaseInfo;
-  /**
-   * The `.strutdb` file.
-   * @throws StrutError `bad-input` for built-in databases, which cannot be saved as a file
-   */
+  /** The `.strutdb` file. @throws StrutError `bad-input` for built-in databases, which cannot be saved as a file */
   toFile(): Promise<Blob>;
   /** Closes it. */
   dispose(): void;
@@ -164,10 +161,7 @@ export interface Motion {
   dispose(): void;
 }
 
-/**
- * A motion in a style. Poses and times are those of {@link Analysis}: one per input frame, at the database's frame
- * rate.
- */
+/** A motion in a style. Poses and times are those of {@link Analysis}: one per input frame, at the database's frame rate. */
 export interface StyledMotion extends Analysis {
   /** Name of the input. */
   readonly name: string;

@@ -125,9 +125,7 @@ export class Playback {
     this.#weights = undefined;
   }
 
-  /**
-   * Shows a prelude until the engine has an input, which continues from there, at the same position. Starts the loop.
-   */
+  /** Shows a prelude until the engine has an input, which continues from there, at the same position. Starts the loop. */
   startWith(opening: Opening): void {
     this.#opening = opening;
     this.start();
@@ -152,10 +150,7 @@ export class Playback {
     return frame;
   }
 
-  /**
-   * Called when the displayed frames are drawn. The first frame counts from when it is seen, not from when it was
-   * computed.
-   */
+  /** Called when the displayed frames are drawn. The first frame counts from when it is seen, not from when it was computed. */
   drawn(): void {
     for (const [name, state] of this.#marks) {
       if (state === "drawn") continue;
@@ -228,10 +223,7 @@ export class Playback {
     onFrame(prelude.shown);
   }
 
-  /**
-   * Makes the engine continue from the prelude, initially in its styles. The prelude is shown until the next frame
-   * arrives.
-   */
+  /** Makes the engine continue from the prelude, initially in its styles. The prelude is shown until the next frame arrives. */
   #handOver({ prelude, continueFrom }: Opening, target: StylizeOptions, now: number): void {
     this.#weights = prelude.styles;
     this.#send({ ...target, styles: approach(prelude.styles, target.styles, 0) });
@@ -245,9 +237,7 @@ export class Playback {
       });
   }
 
-  /**
-   * Sends changed options to the engine. Returns whether there were any. The step that follows is answered after it.
-   */
+  /** Sends changed options to the engine. Returns whether there were any. The step that follows is answered after it. */
   #configure(target: StylizeOptions, dt: number): boolean {
     if (!this.#stale) return false;
     // The engine is a frame or two behind.

@@ -51,9 +51,7 @@ export interface SessionListeners {
   onInput: (input: InputInfo) => void;
   /** Driving started, in place of the open input; `undefined`: the input, or another one, is played again. */
   onDrive: (drive: DriveInfo | undefined) => void;
-  /**
-   * A live performance started, in place of the open input; `undefined`: the input, or another one, is played again.
-   */
+  /** A live performance started, in place of the open input; `undefined`: the input, or another one, is played again. */
   onLive: (live: LivePerformer | undefined) => void;
   /** A link names a live performer. Nothing is connected until the user agrees. */
   onLiveAsked: (name: string) => void;
@@ -445,10 +443,7 @@ export class Session {
     this.analyseSoon(0);
   }
 
-  /**
-   * The source that the engine opens for a name.
-   * @throws UnknownInput
-   */
+  /** The source that the engine opens for a name. @throws UnknownInput */
   #sourceOf(name: string, said: FileReading | undefined): InputSource {
     const source = this.library.source(name);
     if (!source) throw new UnknownInput(name);

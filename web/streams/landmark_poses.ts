@@ -4,10 +4,7 @@ import type { PoseSource } from "./pose_source";
 /** Number of points of a tracker (BlazePose's numbering). */
 export const LANDMARKS = 33;
 
-/**
- * A point of the body, metres about the middle of the hips: x to the right of the image, y down, z away from the
- * camera.
- */
+/** A point of the body, metres about the middle of the hips: x to the right of the image, y down, z away from the camera. */
 export interface Landmark {
   /** To the right of the image. */
   readonly x: number;

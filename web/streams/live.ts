@@ -24,9 +24,7 @@ export interface LiveOptions extends Partial<StylizeOptions> {
 export interface Live {
   /** Receives every displayed frame, at the database's rate; not called while nothing arrives. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
-  /**
-   * Receives a sentence about a problem: the sender does not answer, or its data is not a body. The stream continues.
-   */
+  /** Receives a sentence about a problem: the sender does not answer, or its data is not a body. The stream continues. */
   onTrouble: ((sentence: string) => void) | undefined;
   /** Statistics of the stream. */
   readonly stats: LiveStats;

@@ -1,6 +1,4 @@
-/**
- * Parses messages of a sender: JSON, binary, and lines of BVH. An invalid message is `undefined`; nothing here throws.
- */
+/** Parses messages of a sender: JSON, binary, and lines of BVH. An invalid message is `undefined`; nothing here throws. */
 import type { StreamJoints, StreamSkeleton } from "../engine/live/skeleton";
 import { POSE_FLOATS } from "../humanoid";
 

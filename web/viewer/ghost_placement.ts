@@ -54,9 +54,7 @@ export class GhostPlacement {
     return true;
   }
 
-  /**
-   * Places the ghost's hips `right` metres to the right of the body's and `ahead` metres ahead, with the same heading.
-   */
+  /** Places the ghost's hips `right` metres to the right of the body's and `ahead` metres ahead, with the same heading. */
   #anchor(
     input: ArrayLike<number>,
     proportions: ArrayLike<number>,

@@ -251,9 +251,7 @@ export class Viewer {
     return this.#stage.view.view;
   }
 
-  /**
-   * Whether the picture has been still for a while and its finer version is displayed: there is nothing left to draw.
-   */
+  /** Whether the picture has been still for a while and its finer version is displayed: there is nothing left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
   }
@@ -375,10 +373,7 @@ export class Viewer {
     this.#redraw.request();
   }
 
-  /**
-   * Moves behind the character, with a glide, to a view of the ground ahead, and looks at it whether or not it is
-   * followed.
-   */
+  /** Moves behind the character, with a glide, to a view of the ground ahead, and looks at it whether or not it is followed. */
   cameraBehind(): void {
     // The ghost changes sides during the glide.
     this.#stage.view.settle();
@@ -411,10 +406,7 @@ export class Viewer {
     return this.#stage.groundAt(x, y);
   }
 
-  /**
-   * The joint of the styled character whose bone is at a point of the picture, CSS pixels; `undefined` if there is
-   * none.
-   */
+  /** The joint of the styled character whose bone is at a point of the picture, CSS pixels; `undefined` if there is none. */
   jointAt(x: number, y: number): Role | undefined {
     let nearest: { role: Role; distance: number } | undefined;
     for (const [bone, from, to] of BONES) {

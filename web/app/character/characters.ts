@@ -108,10 +108,7 @@ export class Characters {
     this.#take();
   }
 
-  /**
-   * The character's file with a motion; `undefined` for the mannequin.
-   * @throws StrutError `licence`
-   */
+  /** The character's file with a motion; `undefined` for the mannequin. @throws StrutError `licence` */
   glb(motion: StyledPoses): Uint8Array<ArrayBuffer> | undefined {
     return this.#character?.toGLB(motion);
   }

@@ -44,10 +44,7 @@ export interface Content {
   readonly motions: readonly { name: string; bytes: ArrayBuffer }[];
 }
 
-/**
- * A `.gltf` and the files that it names as one `.glb`; other files unchanged.
- * @throws StrutError `bad-file`
- */
+/** A `.gltf` and the files that it names as one `.glb`; other files unchanged. @throws StrutError `bad-file` */
 export async function asOneFile(file: File, beside: readonly DroppedFile[]): Promise<File> {
   if (!/\.gltf$/i.test(file.name)) return file;
   const glb = await bytesOf(beside.length > 0 ? beside.map((each) => each.file) : [file], undefined);

@@ -1,8 +1,6 @@
 /** Files that another app shares with the installed page: the service worker receives them, and the page opens them. */
 
-/**
- * The path to which they are sent, relative to the site's folder: the `share_target` of `public/manifest.webmanifest`.
- */
+/** The path to which they are sent, relative to the site's folder: the `share_target` of `public/manifest.webmanifest`. */
 export const SHARE_PATH = "shared";
 /** The query of the page that is opened with them. */
 export const SHARED_QUERY = "?shared";

@@ -1,6 +1,4 @@
-/**
- * Opens the contents of a project in an engine of its own, so that the page is unchanged if something cannot be opened.
- */
+/** Opens the contents of a project in an engine of its own, so that the page is unchanged if something cannot be opened. */
 import { EngineClient } from "../../client/engine_client";
 import { type CallOptions, isCancellation, type RememberedReadings } from "../../client/protocol";
 import { errorText } from "../ui/words";

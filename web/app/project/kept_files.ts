@@ -35,10 +35,7 @@ export interface KeptFile extends SessionFile {
 const keyOf = (session: string, { kind, name }: Pick<SessionFile, "kind" | "name">): string =>
   `${session}/${kind}/${name}`;
 
-/**
- * Stores a file, replacing the one of the same kind and name.
- * @throws DOMException as `IndexedDbStore.transact`
- */
+/** Stores a file, replacing the one of the same kind and name. @throws DOMException as `IndexedDbStore.transact` */
 export async function keepFile(session: string, file: SessionFile, now = Date.now()): Promise<void> {
   const kept: KeptFile = { ...file, key: keyOf(session, file), session, at: now };
   await files.transact("readwrite", (store) => store.put(kept));
@@ -49,19 +46,13 @@ export async function dropFile(session: string, file: Pick<SessionFile, "kind" |
   await files.transact("readwrite", (store) => store.delete(keyOf(session, file)));
 }
 
-/**
- * The files of a tab, in the order in which they were stored.
- * @throws DOMException as `IndexedDbStore.transact`
- */
+/** The files of a tab, in the order in which they were stored. @throws DOMException as `IndexedDbStore.transact` */
 export async function filesOf(session: string): Promise<KeptFile[]> {
   const all = await files.transact("readonly", (store) => store.getAll() as IDBRequest<KeptFile[]>);
   return all.filter((file) => file.session === session).sort((a, b) => a.at - b.at);
 }
 
-/**
- * Deletes the files of other tabs that were stored too long ago.
- * @throws DOMException as `IndexedDbStore.transact`
- */
+/** Deletes the files of other tabs that were stored too long ago. @throws DOMException as `IndexedDbStore.transact` */
 export async function dropOld(session: string, now = Date.now()): Promise<void> {
   const all = await files.transact("readonly", (store) => store.getAll() as IDBRequest<KeptFile[]>);
   for (const { key, at, session: of } of all)

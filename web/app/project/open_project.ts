@@ -9,10 +9,7 @@ import type { ProjectPlace } from "./place";
 import { isFileOf, type Project, type ProjectCharacter, ProjectError, readProject } from "./project_file";
 import { projectWords as words } from "./strings.en";
 
-/**
- * Opens a project instead of the current state. If any part of it cannot be opened, nothing changes and the error is
- * shown.
- */
+/** Opens a project instead of the current state. If any part of it cannot be opened, nothing changes and the error is shown. */
 export async function openProject(file: File, place: ProjectPlace): Promise<void> {
   const { toasts, progress, session } = place;
   try {

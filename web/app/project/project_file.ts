@@ -62,10 +62,7 @@ export interface Project {
 /** The error of an invalid project file; its message is a sentence. */
 export class ProjectError extends Error {}
 
-/**
- * Writes a project; equal projects give equal bytes.
- * @throws ZipError if it is too large
- */
+/** Writes a project; equal projects give equal bytes. @throws ZipError if it is too large */
 export async function writeProject(project: Project, { signal, onProgress }: CallOptions = {}): Promise<Blob> {
   const { state, inputs, database, character } = project;
   const zip = new ZipWriter();
@@ -269,10 +266,7 @@ function isRecord(value: unknown): value is Record<string, unknown> {
 
 const isGiven = (value: unknown): boolean => value !== undefined && value !== null;
 
-/**
- * A name for display and lookup, without invisible characters.
- * @throws ProjectError
- */
+/** A name for display and lookup, without invisible characters. @throws ProjectError */
 function nameOf(value: unknown, where: string): string {
   // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is refused
   const valid = typeof value === "string" && value.trim() !== "" && !/[\u0000-\u001f\u007f]/.test(value);

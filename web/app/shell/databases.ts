@@ -1,6 +1,4 @@
-/**
- * Chooses the open database: the built-in one, one that is stored on this device, one of a project, or a dropped one.
- */
+/** Chooses the open database: the built-in one, one that is stored on this device, one of a project, or a dropped one. */
 
 import type { DatabaseSource } from "../../client/protocol";
 import { isCancellation } from "../../client/protocol";
@@ -245,10 +243,7 @@ export class Databases {
     return this.#session.databaseSource ?? BUILT_IN;
   }
 
-  /**
-   * The database with a name on this device; an empty name means the last unnamed one. `undefined` if it does not
-   * exist.
-   */
+  /** The database with a name on this device; an empty name means the last unnamed one. `undefined` if it does not exist. */
   async #wanted(name: string): Promise<DatabaseSource | undefined> {
     if (name === "") return this.#unnamed;
     const held = this.#held.get(name);

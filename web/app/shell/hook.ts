@@ -9,10 +9,7 @@ export interface StrutHook {
   readonly frame: LiveFrame | undefined;
   /** The state that the URL encodes. */
   readonly state: Readonly<AppState>;
-  /**
-   * Whether the displayed pose has the current input, style and frame. It changes all the time unless the motion is
-   * paused.
-   */
+  /** Whether the displayed pose has the current input, style and frame. It changes all the time unless the motion is paused. */
   readonly upToDate: boolean;
   /** Whether the analysis in the timeline has the current style. */
   readonly analysed: boolean;

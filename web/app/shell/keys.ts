@@ -25,9 +25,7 @@ function isTextField(element: Element | null): boolean {
   return localName === "textarea" || element.matches("[contenteditable]");
 }
 
-/**
- * Whether the element handles arrows, Home and letters itself; `byKeys` tells whether it got the focus by the keyboard.
- */
+/** Whether the element handles arrows, Home and letters itself; `byKeys` tells whether it got the focus by the keyboard. */
 function wantsKeys(element: Element | null, byKeys: boolean): boolean {
   if (isTextField(element) || element?.matches("select, input[type=range]")) return true;
   return byKeys && (element?.matches("input[type=radio]") ?? false);

@@ -173,10 +173,7 @@ function addressOf(state: AppState): string {
   return hash ? `#${hash}` : location.pathname + location.search;
 }
 
-/**
- * A link to the displayed state, and whether it contains the dropped motion; `undefined` if there is no motion to
- * include.
- */
+/** A link to the displayed state, and whether it contains the dropped motion; `undefined` if there is no motion to include. */
 export async function linkTo(
   state: AppState,
   library: InputLibrary,

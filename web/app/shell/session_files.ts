@@ -30,10 +30,7 @@ interface Kept extends Pick<SessionFile, "kind" | "name"> {
   make: () => SessionFile;
 }
 
-/**
- * A tab's files are stored again after this time, milliseconds: they expire a certain time after the tab was last
- * loaded.
- */
+/** A tab's files are stored again after this time, milliseconds: they expire a certain time after the tab was last loaded. */
 const RENEWED_MS = 24 * 3600 * 1000;
 
 export class SessionFiles {

@@ -125,9 +125,7 @@ export class SharedViewer {
     return (now < this.#drawUntil || !this.#made.still) && this.#made.render(now / 1000);
   }
 
-  /**
-   * A copy of the picture, drawn now or as soon as the GPU is ready, at a size that may differ from the displayed one.
-   */
+  /** A copy of the picture, drawn now or as soon as the GPU is ready, at a size that may differ from the displayed one. */
   picture(size?: PictureSize): Promise<HTMLCanvasElement> {
     return this.film((pictureAt) => pictureAt(0), { size });
   }

@@ -2,9 +2,7 @@
 
 import type { Graphics } from "../../viewer/stage/graphics";
 
-/**
- * Longest wait for the worker's answer: a graphics process may hang, or an extension may prevent workers from drawing.
- */
+/** Longest wait for the worker's answer: a graphics process may hang, or an extension may prevent workers from drawing. */
 export const PATIENCE_MS = 3000;
 
 /**

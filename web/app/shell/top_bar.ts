@@ -139,9 +139,7 @@ export class TopBar {
   }
 }
 
-/**
- * Handles a plain click on a link instead of following it. With Ctrl, Cmd or Shift the browser opens the link as usual.
- */
+/** Handles a plain click on a link instead of following it. With Ctrl, Cmd or Shift the browser opens the link as usual. */
 function onPlainClick(link: HTMLElement, act: () => void): void {
   link.addEventListener("click", (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;

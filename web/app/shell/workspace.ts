@@ -158,9 +158,7 @@ export class Workspace {
     return name !== undefined;
   }
 
-  /**
-   * Reads the open file as the user specifies, which is stored for its skeleton. Returns whether it could be read so.
-   */
+  /** Reads the open file as the user specifies, which is stored for its skeleton. Returns whether it could be read so. */
   async readAs(reading: FileReading): Promise<boolean> {
     const { session } = this;
     const read = (await this.#counted(session.readAs(reading))) === "done";
@@ -171,9 +169,7 @@ export class Workspace {
     return read;
   }
 
-  /**
-   * Reads a dropped motion, however slow its disk is, and opens it. Of several dropped motions, the last one is opened.
-   */
+  /** Reads a dropped motion, however slow its disk is, and opens it. Of several dropped motions, the last one is opened. */
   async takeFile(file: File): Promise<void> {
     let bytes: ArrayBuffer;
     try {

@@ -16,9 +16,7 @@ export function shownStyles({ part, parts, styles }: AppState): Selection {
   return (part && parts[part]) || styles;
 }
 
-/**
- * A key is under the playhead if it is at most this many frames away: a pixel of the timeline may cover several frames.
- */
+/** A key is under the playhead if it is at most this many frames away: a pixel of the timeline may cover several frames. */
 const UNDER_PLAYHEAD = 3;
 
 /** Index of the nearest key under the playhead at a frame; −1 if there is none. */

@@ -5,10 +5,7 @@ import type { DroppedFile } from "../../client/build/protocol";
 const MAX_DEPTH = 16;
 const MAX_FILES = 200_000;
 
-/**
- * The files of a drop, including those in folders. It must be called in the event itself; folders are read
- * asynchronously.
- */
+/** The files of a drop, including those in folders. It must be called in the event itself; folders are read asynchronously. */
 export function filesOfDrop(transfer: DataTransfer): Promise<DroppedFile[]> {
   const entries = [...transfer.items].map((item) => {
     const entry = item.kind === "file" ? item.webkitGetAsEntry() : null;

@@ -61,10 +61,7 @@ export class Graphics {
     }
   }
 
-  /**
-   * Sets the line of each window, below `height`.
-   * @throws StrutError `gpu-lost`
-   */
+  /** Sets the line of each window, below `height`. @throws StrutError `gpu-lost` */
   setLines(lines: Uint32Array, height: number): Promise<void> {
     return this.calls.setLines(lines, height);
   }

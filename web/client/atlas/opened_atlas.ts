@@ -4,10 +4,7 @@ import type { CallOptions } from "../../engine/types";
 
 export type { AtlasFacts, AtlasPart, AtlasView, NearestInAtlas, PackedWindows } from "../../engine/atlas";
 
-/**
- * All distances between a motion and a database: columns are frames of the motion at equal intervals, lines are
- * windows.
- */
+/** All distances between a motion and a database: columns are frames of the motion at equal intervals, lines are windows. */
 export interface OpenedAtlas extends Readonly<AtlasFacts> {
   /** Least D of each line in some columns, m², column after column. */
   draw(view: AtlasView, columns: Uint32Array, options?: CallOptions): Promise<Float32Array>;

@@ -224,10 +224,7 @@ class WorkerBuildClient implements BuildClient {
   }
 }
 
-/**
- * The error of a worker that never sent a message.
- * @param why the reason, empty if the browser does not report it
- */
+/** The error of a worker that never sent a message. @param why the reason, empty if the browser does not report it */
 function unloadable(why: string): StrutError {
   return new StrutError({
     code: "load",

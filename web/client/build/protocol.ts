@@ -76,10 +76,7 @@ export interface BuildClient {
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
   /** Builds a database. Without `neutral`, the neutral style is found by its name. */
   build(files: ChosenFile[], neutral: string | undefined, options?: CallOptions): Promise<BuiltDatabase>;
-  /**
-   * Adds a clip as a new style to a database, or to the built-in one. Without `action`, the action that fits best is
-   * used.
-   */
+  /** Adds a clip as a new style to a database, or to the built-in one. Without `action`, the action that fits best is used. */
   addStyle(
     database: Blob | undefined,
     clip: File,

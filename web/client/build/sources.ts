@@ -25,10 +25,7 @@ export interface Sources {
   notes: string[];
 }
 
-/**
- * Names of licence files, of which the first existing one counts, and the most bytes of one; as in
- * `strut_formats::corpus`.
- */
+/** Names of licence files, of which the first existing one counts, and the most bytes of one; as in `strut_formats::corpus`. */
 export const LICENCE_NAMES = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
 const MAX_LICENCE_BYTES = 1 << 20;
 

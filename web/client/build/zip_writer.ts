@@ -83,10 +83,7 @@ export class ZipWriter {
     return new Blob([...this.#parts, ...parts, ...this.#directory, ...directory, end], { type });
   }
 
-  /**
-   * An entry after all others, and its directory record.
-   * @throws ZipError
-   */
+  /** An entry after all others, and its directory record. @throws ZipError */
   #entryOf(name: string, bytes: Uint8Array<ArrayBuffer>, content: Blob, method: number): Record<Parts, Part[]> {
     if (this.#names.has(name)) throw new ZipError(`The archive would have two files “${name}”.`);
     const encoded = new TextEncoder().encode(name);

@@ -1,6 +1,4 @@
-/**
- * The Compare view's own engine, separate from the one that plays, so that training a method does not block playback.
- */
+/** The Compare view's own engine, separate from the one that plays, so that training a method does not block playback. */
 import { createStrutClient } from "../client";
 import type { StrutClient } from "../protocol";
 

@@ -2,10 +2,7 @@
 export interface Clock {
   /** Milliseconds. */
   now(): number;
-  /**
-   * Calls back after `ms` milliseconds.
-   * @returns a function that cancels it
-   */
+  /** Calls back after `ms` milliseconds. @returns a function that cancels it */
   after(ms: number, call: () => void): () => void;
 }
 

@@ -19,10 +19,7 @@ const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBone
 export interface CrowdChoices {
   /** Computes the styles by place from the available styles; overrides the start's field. */
   fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
-  /**
-   * Computes the bones on which the joints are placed from the crowd's own, 21 × xyz in metres; by default the crowd's
-   * own.
-   */
+  /** Computes the bones on which the joints are placed from the crowd's own, 21 × xyz in metres; by default the crowd's own. */
   bonesOf?: (proportions: Float32Array) => Float32Array;
 }
 
@@ -67,9 +64,7 @@ export class Crowd implements CrowdFacts {
   readonly styles: readonly string[];
   readonly proportions: Float32Array;
   readonly rateHz: number;
-  /**
-   * Receives all agents, {@link rateHz} times a second. The arrays belong to the caller until the tick after the next.
-   */
+  /** Receives all agents, {@link rateHz} times a second. The arrays belong to the caller until the tick after the next. */
   onTick: ((tick: CrowdTick) => void) | undefined;
   /** The worker is too slow; the number of agents was halved. */
   onHalved: ((count: number) => void) | undefined;
@@ -132,10 +127,7 @@ export class Crowd implements CrowdFacts {
     if (!this.isPlaying) this.show();
   }
 
-  /**
-   * Changes the number of agents, from the tick after the next on.
-   * @throws StrutError if there are too few or too many
-   */
+  /** Changes the number of agents, from the tick after the next on. @throws StrutError if there are too few or too many */
   setCount(count: number): Promise<void> {
     return this.calls.setCount(count);
   }

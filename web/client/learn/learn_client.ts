@@ -50,10 +50,7 @@ function spawnWorker(): ClientPort {
 /** URL of that script, used for every start of the engine. */
 let script: string | undefined;
 
-/**
- * Creates an engine.
- * @param spawn starts the worker
- */
+/** Creates an engine. @param spawn starts the worker */
 export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {
   const client = new RpcClient(spawn, "engine of the lessons");
   return { ...remote<LearnEngine>(client, ARITY), dispose: () => client.dispose() };

@@ -1,7 +1,4 @@
-/**
- * Open objects of the lessons' worker: databases, inputs and lenses, each once. The least recently used is closed
- * first.
- */
+/** Open objects of the lessons' worker: databases, inputs and lenses, each once. The least recently used is closed first. */
 import type { PackedMotions } from "../../engine/built_in";
 import type { Database } from "../../engine/database";
 import type { Engine } from "../../engine/engine";
@@ -67,10 +64,7 @@ class Looking {
 const { k, lambda, rho, kappa, delta, coherence } = DEFAULT_OPTIONS;
 const LENS_OPTIONS: LensOptions = { k, lambda, rho, kappa, delta, coherence };
 
-/**
- * One weight per style.
- * @throws StrutError `bad-input` for a style that the database lacks
- */
+/** One weight per style. @throws StrutError `bad-input` for a style that the database lacks */
 function weightsOf(names: readonly string[], styles: Look["styles"]): Float32Array {
   const unknown = Object.keys(styles).find((style) => !names.includes(style));
   if (unknown !== undefined)
@@ -123,10 +117,7 @@ export class Opened {
     return this.#lenses.get(keyOf(look.input), open).look(look);
   }
 
-  /**
-   * The clips of an action.
-   * @throws StrutError `bad-input` if there is no action of this name
-   */
+  /** The clips of an action. @throws StrutError `bad-input` if there is no action of this name */
   warps(action: string): Warps {
     return this.#warps.get(action, () => new Warps(this.database, this.database.info.actions.indexOf(action)));
   }

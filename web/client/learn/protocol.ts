@@ -202,10 +202,7 @@ export interface LearnEngine {
   styles(call?: LearnCall): Promise<string[]>;
   /** The built-in database. */
   database(call?: LearnCall): Promise<DatabaseInfo>;
-  /**
-   * An input.
-   * @throws StrutError `bad-input` if there is no input of this name
-   */
+  /** An input. @throws StrutError `bad-input` if there is no input of this name */
   motion(input: LearnInput, call?: LearnCall): Promise<LearnMotion>;
   /** An input as performed in a style, frame by frame with the input; `undefined` if there is none. */
   counterpart(input: string, style: string, call?: LearnCall): Promise<Performed | undefined>;

@@ -37,10 +37,7 @@ export function createWalks(): Pick<LearnEngine, "walkPath" | "walk"> {
   };
 }
 
-/**
- * One weight per style of the model for the steps of each side.
- * @throws StrutError `bad-input` for an unknown style
- */
+/** One weight per style of the model for the steps of each side. @throws StrutError `bad-input` for an unknown style */
 function weightsOf({ styles }: WalkModel, wanted: StyleWeights): Weights {
   const unknown = Object.keys(wanted).find((style) => !styles.includes(style));
   if (unknown !== undefined)

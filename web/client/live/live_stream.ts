@@ -65,10 +65,7 @@ export class LiveStream implements PerformerStream {
     }
   }
 
-  /**
-   * Sets the skeleton of the next frames.
-   * @throws StrutError if it is invalid; the previous one stays in use
-   */
+  /** Sets the skeleton of the next frames. @throws StrutError if it is invalid; the previous one stays in use */
   set skeleton(skeleton: StreamSkeleton) {
     this.stream.skeleton = skeleton;
   }

@@ -47,10 +47,7 @@ export interface PerformerStream {
   onFrame: ((frame: StreamFrame) => void) | undefined;
   readonly database: { readonly info: DatabaseInfo };
   readonly stats: LiveStats;
-  /**
-   * Sets the skeleton of the next frames.
-   * @throws StrutError if it is invalid; the previous one stays in use
-   */
+  /** Sets the skeleton of the next frames. @throws StrutError if it is invalid; the previous one stays in use */
   set skeleton(skeleton: StreamSkeleton);
   /**
    * Accepts a frame that arrives now. Returns whether it is used.

@@ -5,9 +5,7 @@ import type { Caller } from "./time_slices";
 /** Share of the download in the progress of opening. */
 const DOWNLOAD_SHARE = 0.8;
 
-/**
- * The sets of built-in motions, each loaded once. After a failed load, another attempt is made when the set is needed.
- */
+/** The sets of built-in motions, each loaded once. After a failed load, another attempt is made when the set is needed. */
 export class BuiltInMotions {
   readonly #sets = new Map<BuiltInSet, LoadingSet>();
 

@@ -42,10 +42,7 @@ export async function openDatabase(
 /** Available in workers of browsers. */
 declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayBuffer }) | undefined;
 
-/**
- * Files of at least this size are read in slices, which takes longer, so that they need not be in memory as a whole;
- * bytes.
- */
+/** Files of at least this size are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
 const SLICED_BYTES = 256e6;
 
 /** The bytes of a file, or a reader of its slices, which fails if the file is gone. */

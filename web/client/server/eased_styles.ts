@@ -10,10 +10,7 @@ export type StyledStream = Pick<Stylizer, "setWeights" | "setPartWeights" | "wei
 interface Weights {
   now: Float32Array;
   target: Float32Array | undefined;
-  /**
-   * Whether the engine has `now`; for a part that follows the whole, whether the engine still has the part's own
-   * weights.
-   */
+  /** Whether the engine has `now`; for a part that follows the whole, whether the engine still has the part's own weights. */
   sent: boolean;
 }
 

@@ -1,6 +1,4 @@
-/**
- * A recording of what was driven: the neutral frames of the last minutes, and the styles in which they were displayed.
- */
+/** A recording of what was driven: the neutral frames of the last minutes, and the styles in which they were displayed. */
 import type { StyleKey } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 

@@ -1,6 +1,4 @@
-/**
- * The worker's side of the protocol: one engine, and any number of databases, motions, sessions and stylizers by id.
- */
+/** The worker's side of the protocol: one engine, and any number of databases, motions, sessions and stylizers by id. */
 import { Engine } from "../../engine/engine";
 import { StrutError, toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";

@@ -92,10 +92,7 @@ export function createKnobs<Name extends string>(
   return Object.fromEntries(names.map((name) => [name, knob(name)])) as Record<Name, Knob>;
 }
 
-/**
- * A slider for the examined instant of a built-in input.
- * @param first the first valid frame
- */
+/** A slider for the examined instant of a built-in input. @param first the first valid frame */
 export function createInstant(words: Words, first: number, change: Change<"at">): Slider {
   const slider = new Slider(words.playhead, { min: first, max: FRAMES - 1, digits: 0 }, INSTANT, {
     onInput: (at) => change({ at }, false),

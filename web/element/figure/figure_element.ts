@@ -150,10 +150,7 @@ export class StrutFigure extends HTMLElement {
     await loadKind(this.getAttribute("kind") ?? "");
   }
 
-  /**
-   * The measures for the exercises.
-   * @throws StrutError
-   */
+  /** The measures for the exercises. @throws StrutError */
   async measure(): Promise<Measure> {
     await this.ready();
     if (!this.#figure) throw new Error(this.#message.textContent ?? "");

@@ -1,6 +1,4 @@
-/**
- * Marks at the ends of limbs: a mark rotates its limb in the plane of the picture, by dragging or with the arrow keys.
- */
+/** Marks at the ends of limbs: a mark rotates its limb in the plane of the picture, by dragging or with the arrow keys. */
 import {
   exp,
   inverse,
@@ -39,10 +37,7 @@ export interface LimbListeners {
   onSettle: () => void;
 }
 
-/**
- * A rotation followed by another about an axis of the world.
- * @param parent the parent's rotation in the world
- */
+/** A rotation followed by another about an axis of the world. @param parent the parent's rotation in the world */
 export function turnedFurther(turn: Vector, parent: Quaternion, axis: Vector, angle: number): Vector {
   const [x, y, z] = turned(inverse(parent), axis);
   return log(multiply(exp([angle * x, angle * y, angle * z]), exp(turn)));

@@ -1,7 +1,4 @@
-/**
- * The picture of a plot: its size, its grid with labels, and the terms of its marks. It is drawn in units
- * (`drawing.ts`).
- */
+/** The picture of a plot: its size, its grid with labels, and the terms of its marks. It is drawn in units (`drawing.ts`). */
 import { html, setAttributes, svg } from "../../ui/dom";
 import { sizeOf } from "../../ui/drawing";
 import { type Axes, digitsOf, MARGIN, xOf, yOf } from "./axes";

@@ -183,9 +183,7 @@ export class Build {
     this.order = buildPackage.guarded(() => builder.order());
   }
 
-  /**
-   * @throws StrutError if the file cannot be used; the message says why. The other files can still be built without it
-   */
+  /** @throws StrutError if the file cannot be used; the message says why. The other files can still be built without it */
   add(path: string, bytes: Uint8Array, roles?: Roles): void {
     const { raw } = this;
     if (raw instanceof this.glue.Builder) buildPackage.guarded(() => raw.add(path, bytes, roles));

@@ -6,10 +6,7 @@ import { assetOf } from "../assets";
 import { StrutError, toStrutError } from "../errors";
 import { compileModule } from "../module";
 
-/**
- * Short export names of the module's functions, by their names in `draco_wasm_wrapper.js`, the script that comes with
- * it.
- */
+/** Short export names of the module's functions, by their names in `draco_wasm_wrapper.js`, the script that comes with it. */
 export const EXPORTS = {
   malloc: "Qb",
   free: "Rb",
@@ -37,10 +34,7 @@ const TYPES: Readonly<Record<number, readonly [type: number, bytes: number]>> = 
   5125: [6, 4],
   5126: [9, 4],
 };
-/**
- * Largest memory of the module, bytes. Two million triangles take half of it. A stream that declares billions is
- * refused.
- */
+/** Largest memory of the module, bytes. Two million triangles take half of it. A stream that declares billions is refused. */
 const MAX_MEMORY = 512 * 1024 * 1024;
 const PAGE = 65_536;
 
@@ -176,10 +170,7 @@ export class DracoDecoder {
   }
 }
 
-/**
- * Grows a memory to `bytes`, and by at least a fifth. Returns whether it succeeded.
- * @throws StrutError `bad-file`
- */
+/** Grows a memory to `bytes`, and by at least a fifth. Returns whether it succeeded. @throws StrutError `bad-file` */
 function grow(memory: WebAssembly.Memory, bytes: number): number {
   if (bytes > MAX_MEMORY) throw tooLong();
   const had = memory.buffer.byteLength;

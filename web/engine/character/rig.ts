@@ -1,7 +1,4 @@
-/**
- * The engine's side of a character: roles of its joints, and poses as rotations of its bones. Runs on the calling
- * thread.
- */
+/** The engine's side of a character: roles of its joints, and poses as rotations of its bones. Runs on the calling thread. */
 import { DEFAULT_PROPORTIONS, POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import { type CharacterGlue, characterPackage } from "./wasm";
@@ -20,18 +17,12 @@ export interface Skeleton {
   readonly local: Float32Array;
 }
 
-/**
- * The joint of each of the 21 roles, −1 where it cannot be found.
- * @throws StrutError `bad-file`
- */
+/** The joint of each of the 21 roles, −1 where it cannot be found. @throws StrutError `bad-file` */
 export function likelyRoles(glue: CharacterGlue, { names, parents, offsets }: Skeleton, roles: Int32Array): Int32Array {
   return characterPackage.guarded(() => glue.Character.likelyRoles([...names], parents, offsets, roles));
 }
 
-/**
- * Feet that are children of the root instead of their legs.
- * @throws StrutError `bad-file`
- */
+/** Feet that are children of the root instead of their legs. @throws StrutError `bad-file` */
 export function looseFeet(glue: CharacterGlue, { names, parents, offsets }: Skeleton): { foot: number; leg: number }[] {
   const pairs = characterPackage.guarded(() => glue.Character.looseFeet([...names], parents, offsets));
   return Array.from({ length: pairs.length / 2 }, (_, i) => ({ foot: pairs[2 * i]!, leg: pairs[2 * i + 1]! }));
@@ -95,20 +86,14 @@ export class CharacterRig extends Handle<InstanceType<CharacterGlue["Character"]
     characterPackage.guarded(() => this.raw.setSole(height, points));
   }
 
-  /**
-   * Sets the body on which the poses are defined, 21 × xyz in metres.
-   * @throws StrutError `bad-input`
-   */
+  /** Sets the body on which the poses are defined, 21 × xyz in metres. @throws StrutError `bad-input` */
   setBody(proportions: ArrayLike<number>): void {
     const body = Float32Array.from(proportions);
     characterPackage.guarded(() => this.raw.setBody(body));
     this.#body = body;
   }
 
-  /**
-   * Runs a conversion with another body, then restores the previous body.
-   * @throws StrutError `bad-input`
-   */
+  /** Runs a conversion with another body, then restores the previous body. @throws StrutError `bad-input` */
   onBody<T>(proportions: ArrayLike<number>, convert: () => T): T {
     const before = this.#body;
     this.setBody(proportions);

@@ -31,9 +31,7 @@ export interface StyleKey {
 export type Between = "style" | "hybrid" | "frame";
 const BETWEEN: Readonly<Record<Between, number>> = { style: 0, hybrid: 1, frame: 2 };
 
-/**
- * Interpolation curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot.
- */
+/** Interpolation curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot. */
 export type Curve = "spline" | "monotone";
 
 /**

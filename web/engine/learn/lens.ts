@@ -51,9 +51,7 @@ export interface QueryChange {
 
 /** Which examples a line is fitted to, and the parameters of the fit. */
 export interface FitSettings {
-  /**
-   * Index of the degree of freedom: three per joint, then height of the hips, velocity x and z, and rate of turning.
-   */
+  /** Index of the degree of freedom: three per joint, then height of the hips, velocity x and z, and rate of turning. */
   dof: number;
   /** K, from 1. */
   k: number;

@@ -19,27 +19,19 @@ export type WarpMethod = "dtw" | "imw" | "linear";
 export interface Compared {
   /** cᵢⱼ of every pair of a frame of a and a frame of b, row after row of a. */
   costs: Float32Array;
-  /**
-   * τ: for every frame of a, the frame of b, from its first frame; empty if no warp with a pace of at most 3 : 1
-   * exists.
-   */
+  /** τ: for every frame of a, the frame of b, from its first frame; empty if no warp with a pace of at most 3 : 1 exists. */
   warp: Float32Array;
   /**
    * The counterpart in the database of every frame of a, from b's first frame: exact for the built-in database. NaN
    * where it is in another clip.
    */
   recorded: Float32Array;
-  /**
-   * α and β of the strongest principal feature in every frame of a; only for iterative motion warping, otherwise empty.
-   */
+  /** α and β of the strongest principal feature in every frame of a; only for iterative motion warping, otherwise empty. */
   scale: Float32Array;
   offset: Float32Array;
 }
 
-/**
- * Comparisons of the clips of one action. Methods throw a StrutError, `bad-input`, if the requested item does not
- * exist.
- */
+/** Comparisons of the clips of one action. Methods throw a StrutError, `bad-input`, if the requested item does not exist. */
 export class Warps extends Handle<glue.Warps> {
   /** Computes the features of all clips of an action, given by its index. Takes about a second. */
   constructor(database: Database, action: number) {

@@ -48,9 +48,7 @@ export interface JointCurve {
 export interface PathOptions {
   /** Factors of the variances σ², σ′² and σ″² of poses, velocities and accelerations, 0.001 to 1000; 1 if missing. */
   variance?: ArrayLike<number>;
-  /**
-   * ρ of the durations of left and right steps, d = d̄ + ρν with ν their variance, −10 to 10 per frame; 0 if missing.
-   */
+  /** ρ of the durations of left and right steps, d = d̄ + ρν with ν their variance, −10 to 10 per frame; 0 if missing. */
   rho?: ArrayLike<number>;
 }
 

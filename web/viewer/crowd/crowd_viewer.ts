@@ -66,10 +66,7 @@ const MOVING: Limits = {
   outlined: 0.2,
 };
 
-/**
- * The bones on which all walkers are drawn, from those of the motion, because joints must lie on them. 21 × xyz,
- * metres.
- */
+/** The bones on which all walkers are drawn, from those of the motion, because joints must lie on them. 21 × xyz, metres. */
 export function drawnBones(proportions: ArrayLike<number>): Float32Array {
   return fitTo(proportions).proportions;
 }

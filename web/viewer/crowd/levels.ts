@@ -12,10 +12,7 @@ export interface BodyLimits {
 
 export const BODY_LIMITS: BodyLimits = { near: { height: 220, count: 4 }, middle: { height: 60, count: 48 } };
 
-/**
- * A walker keeps a finer body until its height falls below the limit by this factor, which avoids flicker between
- * bodies.
- */
+/** A walker keeps a finer body until its height falls below the limit by this factor, which avoids flicker between bodies. */
 const KEEPING = 0.88;
 
 /** The bodies of a crowd. Nothing is allocated while the number of walkers does not change. */

@@ -1,7 +1,4 @@
-/**
- * The shadows of a crowd on the ground: an outline of each near walker in the key light, and a soft spot under each
- * walker.
- */
+/** The shadows of a crowd on the ground: an outline of each near walker in the key light, and a soft spot under each walker. */
 
 import {
   DoubleSide,

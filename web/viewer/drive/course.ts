@@ -1,7 +1,4 @@
-/**
- * Steering of a driven character on the ground: the path drawn for it, and the next second as asked for and as in its
- * clip.
- */
+/** Steering of a driven character on the ground: the path drawn for it, and the next second as asked for and as in its clip. */
 
 import { CircleGeometry, Group, Mesh, MeshBasicMaterial, RingGeometry, Shape, ShapeGeometry } from "three";
 import { Ribbon } from "../stage/hips_path";

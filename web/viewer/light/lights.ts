@@ -1,7 +1,4 @@
-/**
- * The light rig: a warm area-soft key light that casts the shadow, two cool rim lights behind, a weak fill, sky and
- * room.
- */
+/** The light rig: a warm area-soft key light that casts the shadow, two cool rim lights behind, a weak fill, sky and room. */
 
 import { Color, DirectionalLight, Group, HemisphereLight, type Vector3 } from "three";
 import type { Theme } from "../themes";
@@ -73,9 +70,7 @@ export class Lights {
     this.#sky.intensity = light.hemisphere * gain.sky;
   }
 
-  /**
-   * Follows a point on the ground; `azimuth` (radians about +Y from +Z) is the direction from which the camera looks.
-   */
+  /** Follows a point on the ground; `azimuth` (radians about +Y from +Z) is the direction from which the camera looks. */
   follow(point: Vector3, azimuth: number): void {
     place(this.#key, KEY, point, azimuth);
     place(this.#rims[0], RIM_LEFT, point, azimuth);

@@ -150,9 +150,7 @@ const forward = new Vector3();
 const up = new Vector3();
 const rotation = new Quaternion();
 
-/**
- * The sole of a foot: under the ankle, or under the ankle's position before the heel rose, derived from the toe joint.
- */
+/** The sole of a foot: under the ankle, or under the ankle's position before the heel rose, derived from the toe joint. */
 function soleOf(world: WorldPose, side: "left" | "right"): Sole {
   const foot = JOINT[`${side}_foot`];
   rotation.fromArray(world.rotations, 4 * foot);

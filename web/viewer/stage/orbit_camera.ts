@@ -151,10 +151,7 @@ export class OrbitCamera {
     this.#free = { ...this.#free, azimuth: wrap(this.#free.azimuth + by) };
   }
 
-  /**
-   * Moves to the followed point at once, as when the character jumps: at the next update, and until the current glide
-   * ends.
-   */
+  /** Moves to the followed point at once, as when the character jumps: at the next update, and until the current glide ends. */
   settle(): void {
     this.#settled = false;
   }
@@ -190,9 +187,7 @@ export class OrbitCamera {
     this.#place();
   }
 
-  /**
-   * Sets the size of the picture, of which `covered` pixels at the right are hidden; the target is centred in the rest.
-   */
+  /** Sets the size of the picture, of which `covered` pixels at the right are hidden; the target is centred in the rest. */
   resize(width: number, height: number, covered = 0): void {
     this.camera.aspect = width / Math.max(1, height);
     if (covered > 0) this.camera.setViewOffset(width, height, covered / 2, 0, width, height);

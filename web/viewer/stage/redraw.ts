@@ -1,7 +1,4 @@
-/**
- * Decides when a picture is drawn: while it changes, and once more in finer quality when it has not changed for a
- * while.
- */
+/** Decides when a picture is drawn: while it changes, and once more in finer quality when it has not changed for a while. */
 
 /** Time after the last change in which glides and fades end, seconds; after it the picture is still. */
 const SETTLING = 0.8;

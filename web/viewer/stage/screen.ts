@@ -1,6 +1,4 @@
-/**
- * One WebGL context and its resources: the renderer, its queue, the room that materials reflect, the canvas's memory.
- */
+/** One WebGL context and its resources: the renderer, its queue, the room that materials reflect, the canvas's memory. */
 
 import {
   BasicShadowMap,
@@ -90,10 +88,7 @@ function contextOf(canvas: HTMLCanvasElement, { antialias, size }: ScreenOptions
   return context;
 }
 
-/**
- * A context on which one stage draws, or several in turn. Browsers have few contexts, so pages with many figures share
- * one.
- */
+/** A context on which one stage draws, or several in turn. Browsers have few contexts, so pages with many figures share one. */
 export class Screen {
   /** Created in advance for the first stage with a screen of its own. */
   static #prepared: Screen | undefined;
@@ -157,9 +152,7 @@ export class Screen {
     return String(this.#gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : this.#gl.RENDERER) ?? "");
   }
 
-  /**
-   * Prepares in steps the screen that {@link own} gives to the first stage, for a picture of this size in CSS pixels.
-   */
+  /** Prepares in steps the screen that {@link own} gives to the first stage, for a picture of this size in CSS pixels. */
   static *prepare(picture: Size): Generator<undefined> {
     const options = { ...Screen.#ownOptions(undefined, picture), isLoading: true };
     const canvas = document.createElement("canvas");
@@ -211,9 +204,7 @@ export class Screen {
     for (const user of this.#users) user.alone = this.#users.size === 1;
   }
 
-  /**
-   * Whether nothing can be drawn now: enough frames are queued, the queue is being awaited, or it is the page's turn.
-   */
+  /** Whether nothing can be drawn now: enough frames are queued, the queue is being awaited, or it is the page's turn. */
   get busy(): boolean {
     if (this.#synchronous === "waiting") return true;
     const { frames } = this.#queue;

@@ -109,9 +109,7 @@ export class ShadeMap {
     renderer.setRenderTarget(null);
   }
 
-  /**
-   * Compiles the materials of the map and of the light's shadow map, as they are in a scene. Resolves when it is done.
-   */
+  /** Compiles the materials of the map and of the light's shadow map, as they are in a scene. Resolves when it is done. */
   async compile(renderer: WebGLRenderer, scene: Scene): Promise<void> {
     renderer.setRenderTarget(this.#target);
     const compiling: Promise<unknown>[] = [renderer.compileAsync(this.object, this.#camera, scene)];

@@ -342,9 +342,7 @@ export class Stage implements Drawn {
     return { x: ((p.x + 1) / 2) * this.#size.width, y: ((1 - p.y) / 2) * this.#size.height };
   }
 
-  /**
-   * The point on the ground under a point of the picture, CSS pixels from its top left; `undefined` above the horizon.
-   */
+  /** The point on the ground under a point of the picture, CSS pixels from its top left; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined {
     const { width, height } = this.#size;
     pointer.set((2 * x) / width - 1, 1 - (2 * y) / height);
@@ -415,9 +413,7 @@ export class Stage implements Drawn {
     this.#screen.renderer.setScissorTest(true);
   }
 
-  /**
-   * Fits the copy's canvas. While the screen's own canvas is shown, it stays empty and only receives pointers and keys.
-   */
+  /** Fits the copy's canvas. While the screen's own canvas is shown, it stays empty and only receives pointers and keys. */
   #fitCopy(width: number, height: number, pixels: Size): void {
     const { canvas } = this;
     const wanted = this.#alone ? { width: 1, height: 1 } : pixels;

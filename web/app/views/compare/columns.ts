@@ -1,7 +1,4 @@
-/**
- * The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure
- * functions.
- */
+/** The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure functions. */
 import { type StyleWeights, type StylizeOptions, TRAINED_METHODS } from "../../../client/protocol";
 import { engineOptions } from "../../../link/engine_options";
 import { type AppState, fromHash } from "../../state/state";

@@ -15,9 +15,7 @@ export function shares(
     .filter(({ weight }) => Math.abs(weight) > 1e-6);
 }
 
-/**
- * The weighted mean of performances of one content; the contacts are those of the performance with the largest weight.
- */
+/** The weighted mean of performances of one content; the contacts are those of the performance with the largest weight. */
 export function mixed(performances: readonly (Performed & { weight: number })[]): Performed {
   const [first] = performances;
   if (!first || performances.length === 1) return first ?? EMPTY;

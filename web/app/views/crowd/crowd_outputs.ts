@@ -41,10 +41,7 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
   return name;
 };
 
-/**
- * Saves an agent's next seconds as a BVH file; returns its name.
- * @param one display name of the agent
- */
+/** Saves an agent's next seconds as a BVH file; returns its name. @param one display name of the agent */
 export async function saveWalker(crowd: Crowd, walker: number, one: string): Promise<string> {
   return saveBvh(words.bvhName(one), await crowd.exportBvh(walker, BVH_SECS));
 }

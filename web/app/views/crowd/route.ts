@@ -27,10 +27,7 @@ function thin(points: readonly Place[]): Place[] {
   });
 }
 
-/**
- * The points of a route with intermediate points, so that a line through their positions in the picture lies on the
- * ground.
- */
+/** The points of a route with intermediate points, so that a line through their positions in the picture lies on the ground. */
 export function dense(route: readonly Place[]): Place[] {
   return route.flatMap((to, i) => {
     const from = route[i - 1];

@@ -1,6 +1,4 @@
-/**
- * The settings of the state, made valid for a crowd: invalid values of a link are reported, and the previous ones stay.
- */
+/** The settings of the state, made valid for a crowd: invalid values of a link are reported, and the previous ones stay. */
 
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
 import { type CrowdKind, type People, Refused } from "../../state/crowd";
@@ -39,9 +37,7 @@ export class Settings {
     this.#onRefused = onRefused;
   }
 
-  /**
-   * The settings of the state for a model with these styles. Invalid values are reported, and removed from the state.
-   */
+  /** The settings of the state for a model with these styles. Invalid values are reported, and removed from the state. */
   read(styles: Styles | undefined): CrowdSettings {
     const { crowdKind, crowd, field, route } = this.#store.state;
     this.#kind = this.#accept(crowdKind, this.#kind, (kept) => ({ crowdKind: kept }));

@@ -106,9 +106,7 @@ export class ShareChart {
     }
   }
 
-  /**
-   * Draws names at the left and numbers at the right of the layers; of the thickest ones if there is no room for all.
-   */
+  /** Draws names at the left and numbers at the right of the layers; of the thickest ones if there is no room for all. */
   #drawLabels(
     context: CanvasRenderingContext2D,
     area: Area,

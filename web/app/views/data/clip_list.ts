@@ -43,9 +43,7 @@ export class ClipList {
   #selected: number | undefined;
   #asked = 0;
   readonly #resized: ResizeObserver;
-  /**
-   * Position and height of the visible part, pixels: measured only when they change, because measuring causes a layout.
-   */
+  /** Position and height of the visible part, pixels: measured only when they change, because measuring causes a layout. */
   #top = 0;
   #height = 0;
 

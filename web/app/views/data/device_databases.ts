@@ -117,10 +117,7 @@ export class DeviceDatabases {
     }
   }
 
-  /**
-   * Deletes a database, which {@link restore} can restore.
-   * @throws Error with a sentence if that fails
-   */
+  /** Deletes a database, which {@link restore} can restore. @throws Error with a sentence if that fails */
   async delete(name: string): Promise<void> {
     const database = this.find(name);
     if (!database) return;

@@ -17,18 +17,12 @@ export interface SavedDatabase {
   styles: string[];
 }
 
-/**
- * All databases, ordered by name.
- * @throws Error with a sentence if the browser stores nothing
- */
+/** All databases, ordered by name. @throws Error with a sentence if the browser stores nothing */
 export function listSavedDatabases(): Promise<SavedDatabase[]> {
   return transact("readonly", (store) => store.getAll() as IDBRequest<SavedDatabase[]>);
 }
 
-/**
- * The database with a name.
- * @throws Error with a sentence if the browser stores nothing
- */
+/** The database with a name. @throws Error with a sentence if the browser stores nothing */
 export function savedDatabase(name: string): Promise<SavedDatabase | undefined> {
   return transact("readonly", (store) => store.get(name) as IDBRequest<SavedDatabase | undefined>);
 }
@@ -53,18 +47,12 @@ export async function addDatabase(database: SavedDatabase): Promise<string> {
   }
 }
 
-/**
- * Stores a database instead of the one of the same name.
- * @throws Error with a sentence, like {@link addDatabase}
- */
+/** Stores a database instead of the one of the same name. @throws Error with a sentence, like {@link addDatabase} */
 export async function replaceDatabase(database: SavedDatabase): Promise<void> {
   await transact("readwrite", (store) => store.put(database));
 }
 
-/**
- * Deletes a database.
- * @throws Error with a sentence if the browser stores nothing
- */
+/** Deletes a database. @throws Error with a sentence if the browser stores nothing */
 export async function deleteDatabase(name: string): Promise<void> {
   await transact("readwrite", (store) => store.delete(name));
 }

@@ -22,10 +22,7 @@ export interface FileCache {
 const AT_ONCE = 6;
 const CACHE = "strut-sets";
 
-/**
- * The browser's cache of sets.
- * @throws StrutError if the browser has none
- */
+/** The browser's cache of sets. @throws StrutError if the browser has none */
 export async function openCache(): Promise<FileCache> {
   try {
     return await caches.open(CACHE);

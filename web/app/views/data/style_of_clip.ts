@@ -94,10 +94,7 @@ const NOT_STYLES = new Set(["walk", "walking", "run", "running", "clip", "take",
 /** Longest suggested name, characters. */
 const LONGEST = 40;
 
-/**
- * The words of a file's name that are not actions, numbers or common words: “dataset-2_walk_elderly_001” gives
- * “elderly”.
- */
+/** The words of a file's name that are not actions, numbers or common words: “dataset-2_walk_elderly_001” gives “elderly”. */
 export function styleName(file: string, actions: readonly string[], styles: readonly string[]): string {
   const stem = file.replace(/\.bvh$/i, "");
   const words = stem.split(/[\s_.-]+/).filter((word) => /\p{L}{2}/u.test(word));

@@ -164,10 +164,7 @@ function* valuesOf(values: Float32Array, axis: number, axes: number): Generator<
   for (let i = axis; i < values.length; i += axes) yield values[i]!;
 }
 
-/**
- * Keys that end as they begin get one key before and one after, so that the curve is smooth there; others are
- * unchanged.
- */
+/** Keys that end as they begin get one key before and one after, so that the curve is smooth there; others are unchanged. */
 export function seamless(keys: readonly TimedValue[], length: number): readonly TimedValue[] {
   const [first, last] = [keys[0], keys.at(-1)];
   if (!first || !last || keys.length < 3) return keys;

@@ -1,7 +1,4 @@
-/**
- * The Key-style view: a handle on a plane of style variables poses the character, and keys at its positions make a
- * motion.
- */
+/** The Key-style view: a handle on a plane of style variables poses the character, and keys at its positions make a motion. */
 import { MAX_KEYS } from "../../state/key_style";
 import "./key_style.css";
 import "../synthesis/editor.css";

@@ -94,10 +94,7 @@ export class PadPanel {
     this.#pad.played = share;
   }
 
-  /**
-   * Shows the variables, the values to which the model clamped them outside its data, and the weights of its
-   * components.
-   */
+  /** Shows the variables, the values to which the model clamped them outside its data, and the weights of its components. */
   showFrame(
     { weights }: KeyStyleFrame,
     values: readonly number[],

@@ -1,7 +1,4 @@
-/**
- * Draws the background of the pad: the density of the training data, its poses, the area without support by data, the
- * axes.
- */
+/** Draws the background of the pad: the density of the training data, its poses, the area without support by data, the axes. */
 
 import { formatNumber, svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";

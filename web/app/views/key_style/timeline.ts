@@ -1,7 +1,4 @@
-/**
- * The timeline of keys: a row for every style variable, keys that can be dragged in time and in value, and the
- * playhead.
- */
+/** The timeline of keys: a row for every style variable, keys that can be dragged in time and in value, and the playhead. */
 
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";

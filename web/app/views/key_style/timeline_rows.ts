@@ -1,7 +1,4 @@
-/**
- * Shared by the timelines of keys and of recordings: the positions of their rows, the ruler, and the line of a
- * variable.
- */
+/** Shared by the timelines of keys and of recordings: the positions of their rows, the ruler, and the line of a variable. */
 import "./timeline.css";
 import { svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";

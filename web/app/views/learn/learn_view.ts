@@ -368,10 +368,7 @@ class LearnView implements View {
     }
   }
 
-  /**
-   * Checks the current exercise.
-   * @param counts whether it was the learner's own answer, which is stored in the progress
-   */
+  /** Checks the current exercise. @param counts whether it was the learner's own answer, which is stored in the progress */
   async #checkTask(counts: boolean): Promise<void> {
     const open = this.#open;
     const { task } = this.#state;

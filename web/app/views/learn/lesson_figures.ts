@@ -70,10 +70,7 @@ export class LessonFigures {
     this.#tellValues();
   }
 
-  /**
-   * The measurement by which exercises are judged.
-   * @throws what the engine throws
-   */
+  /** The measurement by which exercises are judged. @throws what the engine throws */
   measure(figure: string): Promise<Measure> {
     return this.#figures.get(figure)!.measure();
   }

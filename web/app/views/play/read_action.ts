@@ -10,10 +10,7 @@ export class ReadAction {
   /** `undefined` if the input is not similar to any action, or not recognised yet. */
   name: string | undefined = "walk";
   #since = 0;
-  /**
-   * Whether another input is open without a recognised frame: until then the name is kept, so that it changes only
-   * once.
-   */
+  /** Whether another input is open without a recognised frame: until then the name is kept, so that it changes only once. */
   #isNew = false;
   /** The recognised class of the whole input, once it is known. */
   #whole: Likeness | undefined;

@@ -1,7 +1,4 @@
-/**
- * Plots of the model of a step: the distributions of the ends of its states, and the angle of a joint with its
- * deviation.
- */
+/** Plots of the model of a step: the distributions of the ends of its states, and the angle of a joint with its deviation. */
 
 import type { Side, WalkModel, Weights } from "../../../client/models/walk";
 import { JOINT, type Role } from "../../../humanoid";

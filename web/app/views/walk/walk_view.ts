@@ -1,6 +1,4 @@
-/**
- * The Walk view: a character that walks a plan of styles and transitions between them, synthesised by the walk model.
- */
+/** The Walk view: a character that walks a plan of styles and transitions between them, synthesised by the walk model. */
 import "../synthesis/editor.css";
 import "./walk.css";
 import { type WalkFrame, WalkModel } from "../../../client/models/walk";

@@ -1,7 +1,4 @@
-/**
- * One degree of freedom on an axis: the band of the neighbours, the part of the input outside it, and the returned
- * part.
- */
+/** One degree of freedom on an axis: the band of the neighbours, the part of the input outside it, and the returned part. */
 import type { Knob } from "../../../ui/controls/knob";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";

@@ -1,6 +1,4 @@
-/**
- * The trajectory of one degree of freedom: the means and deviations of its states as steps, and the likeliest curve.
- */
+/** The trajectory of one degree of freedom: the means and deviations of its states as steps, and the likeliest curve. */
 import type { JointPath } from "../../../client/learn/protocol";
 import { DEGREES, ROLES, type Role } from "../../../humanoid";
 import type { Knob } from "../../../ui/controls/knob";

@@ -25,10 +25,7 @@ export interface Tracks {
 
 const CM = 100;
 
-/**
- * A foot is planted from the first likelihood on, and until it is below the second: the engine's
- * `contact_likelihood.rs`.
- */
+/** A foot is planted from the first likelihood on, and until it is below the second: the engine's `contact_likelihood.rs`. */
 export const PLANT = 0.6;
 export const RELEASE = 0.4;
 
@@ -61,9 +58,7 @@ const VOTE_STEP = 3;
 export interface Votes {
   /** Frames of the input. */
   frames: readonly number[];
-  /**
-   * The share of the neighbours' votes, and the likelihood that decides planting: with the targets' contacts, smoothed.
-   */
+  /** The share of the neighbours' votes, and the likelihood that decides planting: with the targets' contacts, smoothed. */
   votes: readonly number[];
   likelihoods: readonly number[];
 }

@@ -61,10 +61,7 @@ export const trialOf = remembered(
   },
 );
 
-/**
- * The results of the methods on a take, and their floors; `onMethod` is called before the first method and after each
- * one.
- */
+/** The results of the methods on a take, and their floors; `onMethod` is called before the first method and after each one. */
 export async function standingOn(
   engine: LearnEngine,
   { take, style, leftIn }: JudgeState,
@@ -124,10 +121,7 @@ export function contentOf(a: Measured, b: Measured, window: number): number {
   return aa * bb > 0 ? ab / Math.sqrt(aa * bb) : 0;
 }
 
-/**
- * One coordinate of a joint relative to the hips over time, minus its centred moving average, which is shorter at the
- * ends.
- */
+/** One coordinate of a joint relative to the hips over time, minus its centred moving average, which is shorter at the ends. */
 function fast({ local }: Measured, number: number, frames: number, window: number): Float64Array {
   const value = (frame: number) => local[3 * JOINTS * frame + number]! - local[3 * JOINTS * frame + (number % 3)]!;
   const sums = new Float64Array(frames + 1);

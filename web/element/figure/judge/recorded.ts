@@ -58,9 +58,7 @@ export const BUILT_IN_OTHER_TAKE = standingOf(record.theBuiltInMotions).otherTak
 /** Least content that a method must keep. */
 export const CONTENT_LEFT = 0.8;
 
-/**
- * The method whose smoothness is nearest to the input's, among those that keep its content; of equal ones the first.
- */
+/** The method whose smoothness is nearest to the input's, among those that keep its content; of equal ones the first. */
 export function steadiest({ methods }: Standing): Method | undefined {
   const keeping = [...methods].filter(([, { content }]) => content >= CONTENT_LEFT);
   const off = ([, { acceleration }]: [Method, Achieved]) => Math.abs(acceleration - 1);

@@ -32,9 +32,7 @@ function dotsOf(axes: Axes, values: Float32Array): string {
   return path;
 }
 
-/**
- * Height of a bar of weight 1, units; and the distance between bars: at most `most`, and together a share of the plot.
- */
+/** Height of a bar of weight 1, units; and the distance between bars: at most `most`, and together a share of the plot. */
 const BAR = { height: 34, most: 10, share: 0.3, filled: 0.7 };
 
 /** A bar for every component at the upper right, with the name of their quantity. */

@@ -40,10 +40,7 @@ export class GroundHandle {
     if (stage.viewer) stage.element.append(svg("svg", { class: "overlay", role: "group" }, this.#mark));
   }
 
-  /**
-   * Moves the mark to its position in the drawn picture.
-   * @param say converts the body's displacement to text
-   */
+  /** Moves the mark to its position in the drawn picture. @param say converts the body's displacement to text */
   place(say: (x: number, z: number) => string): void {
     const [{ viewer }, place] = [this.#stage, this.#listeners.place()];
     if (!viewer || !place) return;

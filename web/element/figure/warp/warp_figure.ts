@@ -1,6 +1,4 @@
-/**
- * The costs of pairing instants of two steps, and the paths of corresponding instants; one of them can be bent by hand.
- */
+/** The costs of pairing instants of two steps, and the paths of corresponding instants; one of them can be bent by hand. */
 import { Segment } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, type Margin, ticksOf, valueOfX, xOf, yOf } from "../axes";

@@ -56,9 +56,7 @@ export const warpingOf = remembered(async (engine, style: Style): Promise<Warpin
 /** A point of a path, in frames of both steps. */
 type Place = readonly [x: number, y: number];
 
-/**
- * The point nearest to a given one through which two others can be connected with a pace of at most {@link MAX_PACE}.
- */
+/** The point nearest to a given one through which two others can be connected with a pace of at most {@link MAX_PACE}. */
 function joining([x, y]: Place, [x0, y0]: Place, [x1, y1]: Place, room = 1): Place {
   const clamp = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
   const at = clamp(x, x0 + 1, x1 - room);

@@ -21,9 +21,7 @@ export class AtlasCanvas {
     this.#invalidate();
   }
 
-  /**
-   * Begins another picture. Until it arrives, the previous picture of the same windows is stretched to its position.
-   */
+  /** Begins another picture. Until it arrives, the previous picture of the same windows is stretched to its position. */
   begin(shades: Shades, span: Span): void {
     const { columns, height } = shades;
     const before = this.#shades;

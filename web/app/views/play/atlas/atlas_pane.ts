@@ -1,6 +1,4 @@
-/**
- * The atlas: the distance of every window of the database from every frame of the input, under the timeline's playhead.
- */
+/** The atlas: the distance of every window of the database from every frame of the input, under the timeline's playhead. */
 
 import "./atlas.css";
 import { AtlasDrawing, type Drawn } from "../../../../client/atlas/atlas_drawing";

@@ -1,6 +1,4 @@
-/**
- * Converts distances to shades: each column from its least distance, the brightest, to 3.2 times it. Pure functions.
- */
+/** Converts distances to shades: each column from its least distance, the brightest, to 3.2 times it. Pure functions. */
 
 import type { AtlasPart } from "../../../../client/atlas/opened_atlas";
 
@@ -85,9 +83,7 @@ export function shadeOf(distance: number, least: number): number {
 /** A colour, 0 to 255 each. */
 export type Rgb = readonly [r: number, g: number, b: number];
 
-/**
- * The colours of shades, red, green and blue one after another: evenly spaced from the first of `stops` to the last.
- */
+/** The colours of shades, red, green and blue one after another: evenly spaced from the first of `stops` to the last. */
 export function ramp(stops: readonly Rgb[]): Uint8Array {
   const colours = new Uint8Array(3 * SHADES);
   for (let shade = 0; shade < SHADES; shade++) {

@@ -31,9 +31,7 @@ export interface LivePlaces {
   readonly transport: HTMLElement;
 }
 
-/**
- * Asks for a sender, with that of a name as the default, and connects to it. Returns whether a performance has started.
- */
+/** Asks for a sender, with that of a name as the default, and connects to it. Returns whether a performance has started. */
 export async function askForPerformer(host: ViewHost, name: string): Promise<boolean> {
   const chosen = await askForSource(addressIn(name));
   return chosen !== undefined && connect(host, nameOf(chosen));

@@ -1,7 +1,4 @@
-/**
- * The panel with the reading of a file: properties that were found, guessed or specified, each of which can be
- * corrected.
- */
+/** The panel with the reading of a file: properties that were found, guessed or specified, each of which can be corrected. */
 import "./reading_panel.css";
 import { type FileRead, type FileReading, type InputInfo, type Note, UP_AXES } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
