@@ -3,7 +3,7 @@
  *
  * Next to the character, the ghost keeps its own path: its whole world is rotated and moved once, so that its feet
  * never slide. Style changes speed and heading, so the two drift apart. When the ghost has drifted too far, it is
- * placed again, half of that distance ahead on the other side, since it will drift in the same direction again. In
+ * placed again, half of that distance on the opposite side of its place, since it will drift in the same direction again. In
  * overlay mode, the ghost's hips and heading equal the character's in every frame, so that only the pose differs.
  */
 
@@ -13,7 +13,7 @@ import { createWorldPose, headingOf, placePose, restPose, type WorldPose, worldF
 export const BESIDE = 1;
 /** Largest drift of the ghost from there, along the character's heading and across it, metres. */
 export const MAX_DRIFT = { along: 1.1, across: 0.45 };
-/** Share of the drift along the heading by which a replaced ghost is ahead. */
+/** Share of the drift along the heading by which a ghost is offset in the opposite direction when it is placed again. */
 const HEAD_START = 0.5;
 
 /** Maintains the transform from the input's world to the ghost's. */

@@ -62,7 +62,7 @@ export function stacked(sample: ArrayLike<number>, order: readonly number[]): nu
   return edges;
 }
 
-/** Positions of labels as near as possible to `wanted`, in this order, at least `gap` apart and within `from`…`to`. */
+/** Positions of labels near `wanted`, in this order, at least `gap` apart and within `from`…`to`. */
 export function spread(wanted: readonly number[], gap: number, from: number, to: number): number[] {
   const at = [...wanted];
   for (let i = 0; i < at.length; i++) at[i] = Math.max(at[i]!, i === 0 ? from : at[i - 1]! + gap);
