@@ -4,7 +4,7 @@
  */
 import { StrutError } from "../engine/errors";
 
-/** Most half turns between neighbouring keys of all curves; a minute with a hundred joints has thousands. */
+/** Maximum number of half turns between neighbouring keys of all curves; a minute with a hundred joints has thousands. */
 const MAX_HALF_TURNS = 2_000_000;
 
 /** Bytes of an array element, by its type. */

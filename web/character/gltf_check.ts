@@ -26,11 +26,11 @@ const TYPE_OF_PATH: Readonly<Record<string, string>> = {
   scale: "VEC3",
   weights: "SCALAR",
 };
-/** Most elements of an accessor: six indices per vertex of two million triangles. */
+/** Maximum number of elements of an accessor: six indices per vertex of two million triangles. */
 const MAX_COUNT = 12_000_000;
-/** Most numbers of arrays without data, which are zero or compressed, and most decoded numbers. */
+/** Maximum number of values in arrays without data, which are zero or compressed, and maximum number of decoded values. */
 export const MAX_NUMBERS = 16_000_000;
-/** Most nodes of a document: three.js takes seconds for more. */
+/** Maximum number of nodes of a document: three.js takes seconds for more. */
 const MAX_NODES = 16_384;
 /** Deepest nesting of nodes: more would overflow the stack of recursive functions. */
 const MAX_DEPTH = 1024;

@@ -7,7 +7,7 @@ import { Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "t
 import type { Skeleton } from "../engine/character/rig";
 import { StrutError } from "../engine/errors";
 
-/** Most joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
+/** Maximum number of joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
 export const MAX_JOINTS = 512;
 /** Relative difference that is allowed between the scales along two axes, because exporters round. */
 const EVEN = 0.01;
@@ -17,7 +17,7 @@ const AGREEMENT = 1e-3;
 /** Relative change of a bone's length since modelling that is ignored, because files round. */
 const ELSEWHERE = 0.005;
 
-/** Most candidate placements of a skin that are counted; files of real programs have one. */
+/** Maximum number of candidate placements of a skin that are counted; files of real programs have one. */
 const MAX_TRIED = 64;
 
 /** The file's placement of the skin is used up to this ratio of its joint distance to that of the nearest candidate. */
@@ -33,7 +33,7 @@ interface BoundBone {
   readonly inverse: Matrix4;
 }
 
-/** Most joints with which the candidates are compared. */
+/** Maximum number of joints with which the candidates are compared. */
 const MAX_SAMPLED = 256;
 
 /** A skin, and the placement of its modelling space in the character's object. */

@@ -13,7 +13,7 @@ import type { CharacterMotion, Origin } from "./types";
 const RATE_HZ = 60;
 /** Longest clip, seconds; longer ones are cut. */
 const MAX_SECS = 600;
-/** Most numbers that are passed to the engine at once. */
+/** Maximum number of values that are passed to the engine at once. */
 const MAX_FLOATS = 1 << 21;
 
 /**

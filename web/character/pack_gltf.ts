@@ -9,7 +9,7 @@ export interface FileBeside {
   bytes(): Promise<Uint8Array>;
 }
 
-/** Most bytes of all files together. */
+/** Maximum number of bytes of all files together. */
 const MAX_BYTES = 128 * 1024 * 1024;
 
 /**

@@ -22,7 +22,7 @@ import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
 /** Largest file, bytes. */
 const MAX_BYTES = 128 * 1024 * 1024;
-/** Most triangles of a model. */
+/** Maximum number of triangles of a model. */
 const MAX_TRIANGLES = 2_000_000;
 /** Sum of the channels of a colour below which it counts as black, and the grey that replaces it. */
 const [DARK, GREY] = [0.1, 0.6];

@@ -11,7 +11,7 @@ import {
 import { JOINT } from "../humanoid";
 import type { Joints } from "./joints";
 
-/** Least weight with which a vertex belongs to a joint. */
+/** Minimum weight with which a vertex belongs to a joint. */
 const OWN = 0.5;
 
 /** Directions in which the outermost vertices of a foot are searched: all over the sphere, about 8° apart. */

@@ -58,7 +58,7 @@ export const STYLE_HALF_LIFE_SECS = 0.1;
 /** A weight that the engine eases is set to its target once the difference is smaller than this. */
 export const WEIGHT_EPSILON = 1e-3;
 
-/** Most poses of one `push` of a live stylizer. */
+/** Maximum number of poses of one `push` of a live stylizer. */
 export const MAX_PUSH_FRAMES = 4096;
 
 /** An open object and its memory. */

@@ -1,7 +1,7 @@
 /** The classes that the engine recognises in a frame. */
 import type { DatabaseInfo, Reading } from "../engine/types";
 
-/** Most classes that are listed. */
+/** Maximum number of classes that are listed. */
 const READS = 3;
 
 /** The classes with the largest weights, largest first; those without weight are left out. */

@@ -1,7 +1,7 @@
 /** Screen reader announcements of a player. */
 import { html } from "../ui/dom";
 
-/** Least time between two announcements, milliseconds. */
+/** Minimum time between two announcements, milliseconds. */
 const ANNOUNCE_MS = 1000;
 
 export class Announcer {

@@ -44,7 +44,7 @@ import { strings } from "./strings";
 
 /** Distance from the visible area at which it loads, pixels. */
 const NEAR_PX = 200;
-/** Least time between two updates of the clock during playback, milliseconds, since each one causes a repaint. */
+/** Minimum time between two updates of the clock during playback, milliseconds, since each one causes a repaint. */
 const CLOCK_MS = 60;
 /** Time out of sight after which a character is freed, milliseconds. */
 const UNSEEN_MS = 30_000;

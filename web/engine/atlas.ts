@@ -49,14 +49,14 @@ export interface NearestInAtlas {
 export class Atlas extends Handle<glue.Atlas> {
   readonly facts: AtlasFacts;
 
-  /** @param columns most columns; the picture shows frames of the input at equal intervals */
+  /** @param columns maximum number of columns; the picture shows frames of the input at equal intervals */
   constructor(database: Database, input: Input, columns: number) {
     const raw = guarded(() => new glue.Atlas(database.raw as glue.Database, input.raw as glue.Input, columns));
     super(raw, "atlas");
     this.facts = guarded(() => ({ frames: raw.frames(), firsts: raw.firsts() }));
   }
 
-  /** Least D of each line in some columns, m², column after column. @throws StrutError `bad-input` */
+  /** Smallest D of each line in some columns, m², column after column. @throws StrutError `bad-input` */
   draw(view: AtlasView, columns: Uint32Array): Float32Array {
     return this.viewed(view, (raw) => raw.draw(columns));
   }

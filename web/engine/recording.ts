@@ -5,7 +5,7 @@ import * as glue from "./pkg/strut_wasm.js";
 import type { Stylizer } from "./stylizer";
 import { guarded } from "./wasm";
 
-/** Longest part of a motion that is recorded, seconds, and the most memory of a recording, bytes. */
+/** Longest part of a motion that is recorded, seconds, and the maximum memory of a recording, bytes. */
 const LONGEST_SECS = 30;
 const MOST_BYTES = 32e6;
 /** Bytes per frame and style. */

@@ -13,7 +13,7 @@ const PRESET = initialOf(BIAS_FIELDS);
 const HALF = 0.5;
 const OFF = 0.02;
 const NAIVE = 0.5;
-/** Exercise B: a raise slightly outside the band, and the factors over the least width that pass and that are close. */
+/** Exercise B: a raise slightly outside the band, and the factors over the minimum width that pass and that are close. */
 const SLIGHT = 10;
 const WIDER = 0.3;
 /** Exercise C: tolerance of the answer, degrees. */

@@ -16,7 +16,7 @@ const LEARNED = 1.05;
 const CHANGE = 6;
 const ERROR = 2;
 const CLOSE = 1.2;
-/** Exercise C: most keys, largest error, degrees, and the tolerance of a near miss. */
+/** Exercise C: maximum number of keys, largest error, degrees, and the tolerance of a near miss. */
 const KEYS = 3;
 const KEYED = 2;
 const KEYED_NEAR = 2.6;

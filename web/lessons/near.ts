@@ -12,7 +12,7 @@ const PRESET = initialOf(NEAR_FIELDS);
 /** Exercise A: largest ratio of a neighbour's distance to the nearest one's, and the share of it at which K is close. */
 const TIMES = 2;
 const CLOSE = 0.1;
-/** Exercise B: least rotation of a query, degrees, and least translation, metres; tolerance, mm. */
+/** Exercise B: minimum rotation of a query, degrees, and minimum translation, metres; tolerance, mm. */
 const TURNED = 45;
 const MOVED = 0.5;
 const MM_OFF = 0.1;

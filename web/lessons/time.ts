@@ -14,7 +14,7 @@ const EQUAL = 1;
 const OFF = 0.005;
 /** Exercise A: the weight of a learner who confuses it with the delay. */
 const NAIVE = { weight: 0.2, off: 0.02 };
-/** Exercise B: least weight of both styles. */
+/** Exercise B: minimum weight of both styles. */
 const LEAST = 0.25;
 /** Exercise C: step between the weights that its solution tries. */
 const STEP = 0.05;

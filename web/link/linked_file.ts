@@ -2,7 +2,7 @@
 
 /** Key of the file in a link. */
 const FILE_KEY = "file";
-/** Most characters of a file in a link: the limit of messengers and mail programs. */
+/** Maximum number of characters of a file in a link: the limit of messengers and mail programs. */
 const MAX_CHARACTERS = 24_000;
 
 /** A file in a link. */

@@ -101,7 +101,7 @@ export type Side = (typeof SIDES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;
 export type Tab = (typeof TABS)[number];
 
-/** Most keys of a style track. */
+/** Maximum number of keys of a style track. */
 export const MAX_TRACK_KEYS = 1000;
 
 /** Ranges of the knobs and the slider; the model's defaults are the specification's (§1, §7, §8). */

@@ -25,7 +25,7 @@ export interface DroppedInput {
   reading?: FileReading;
 }
 
-/** Most clips of a database that a list offers. */
+/** Maximum number of clips of a database that a list offers. */
 export const MOST_CLIPS = 60;
 
 const CLIP = "clip:";

@@ -2,9 +2,9 @@
 import type { StreamJoints, StreamSkeleton } from "../engine/live/skeleton";
 import { POSE_FLOATS } from "../humanoid";
 
-/** Most bytes of a message, as in a UDP packet. */
+/** Maximum number of bytes of a message, as in a UDP packet. */
 export const MAX_MESSAGE_BYTES = 65_507;
-/** Most joints of a skeleton (`rust/strut-core/src/skeleton.rs`). */
+/** Maximum number of joints of a skeleton (`rust/strut-core/src/skeleton.rs`). */
 const MAX_JOINTS = 512;
 /** Bytes of a binary frame: the time as f64, and a pose of f32, little-endian. */
 export const BINARY_FRAME_BYTES = 8 + 4 * POSE_FLOATS;

@@ -11,7 +11,7 @@ import { askForStyles } from "./ask_for_styles";
 import { BatchCard, type BatchPlace } from "./batch_card";
 import { batchWords as words } from "./strings.en";
 
-/** Most motions that become inputs, and most bytes of them: all of them are in memory. */
+/** Maximum number of motions that become inputs, and maximum number of bytes of them: all of them are in memory. */
 const MOST_INPUTS = 500;
 const MOST_BYTES = 2 ** 30;
 

@@ -2,9 +2,9 @@
 import type { DroppedFile } from "../../client/build/protocol";
 import { Archive, readDirectory, readEntry } from "../../client/build/zip";
 
-/** Most bytes of a file in it. */
+/** Maximum number of bytes of a file in it. */
 const MAX_BYTES = 128 * 1024 * 1024;
-/** Most files of an archive that is examined. */
+/** Maximum number of files of an archive that is examined. */
 const MAX_FILES = 1000;
 
 /** The model of an archive and all files in it; `undefined` if it contains no model, or also clips. */

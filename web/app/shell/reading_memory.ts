@@ -5,7 +5,7 @@ import { askToPersist } from "../ui/storage";
 
 /** Key in localStorage. */
 const KEY = "strut readings";
-/** Most skeletons; the one that was used least recently is removed first. */
+/** Maximum number of skeletons; the one that was used least recently is removed first. */
 const MOST = 100;
 
 /** The part of `localStorage` that is needed. */

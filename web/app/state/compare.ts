@@ -23,7 +23,7 @@ export function candidatesOf(search: SearchName): number | undefined {
   return candidates === undefined ? undefined : Number(candidates);
 }
 
-/** Most columns side by side. */
+/** Maximum number of columns side by side. */
 export const MAX_COLUMNS = 5;
 
 export const COMPARE_FIELDS: Fields<CompareState> = {

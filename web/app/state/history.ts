@@ -8,7 +8,7 @@ export interface UndoRedo {
   redo(): void;
 }
 
-/** Most steps that are kept. */
+/** Maximum number of steps that are kept. */
 const DEPTH = 200;
 
 /** Two stacks of saved states: those before the current one, and those that were undone. */

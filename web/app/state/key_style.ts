@@ -52,9 +52,9 @@ export const KEY_STYLE_RANGES = {
   components: { min: 0, max: 32, digits: 0 },
 } as const satisfies Record<string, Range>;
 
-/** Most training clips that can be selected. */
+/** Maximum number of training clips that can be selected. */
 export const MAX_CLIPS = 1000;
-/** Most style variables of a model. */
+/** Maximum number of style variables of a model. */
 export const MAX_AXES = 3;
 /** Longest expression of a style variable, characters. */
 export const MAX_CHARACTERS = 80;
@@ -65,7 +65,7 @@ export const LENGTH_RANGE = { min: 0.5, max: 30, digits: 2 } as const satisfies 
 export const TRAIL_RATE_HZ = 20;
 /** Longest trail, seconds; older points are removed. */
 export const LONGEST_TRAIL_SECS = 6;
-/** Most points of a trail. */
+/** Maximum number of points of a trail. */
 export const MAX_POINTS = TRAIL_RATE_HZ * LONGEST_TRAIL_SECS + 2;
 
 /** Encodes axes in links, separated by `~`, which no expression contains. */

@@ -39,7 +39,7 @@ export interface WalkState {
 export const WALK_TEMPOS = ["model", "sampled", "fixed"] as const;
 export type WalkTempo = (typeof WALK_TEMPOS)[number];
 
-/** Most blocks of a plan. */
+/** Maximum number of blocks of a plan. */
 export const MAX_BLOCKS = 12;
 export const STEP_RANGE = { min: 1, max: 16, digits: 0 } as const satisfies Range;
 export const TRANSITION_RANGE = { min: 0, max: 8, digits: 0 } as const satisfies Range;

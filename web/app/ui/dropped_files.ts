@@ -1,7 +1,7 @@
 /** Dropped or selected files and folders, each with its path. */
 import type { DroppedFile } from "../../client/build/protocol";
 
-/** Deepest nesting of folders, and most files. */
+/** Deepest nesting of folders, and maximum number of files. */
 const MAX_DEPTH = 16;
 const MAX_FILES = 200_000;
 

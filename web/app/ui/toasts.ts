@@ -11,7 +11,7 @@ import { focusView } from "./focus_view";
 import { errorText } from "./words";
 
 const NOTE_MS = 6000;
-/** Most toasts at a time; the oldest is removed first. */
+/** Maximum number of toasts at a time; the oldest is removed first. */
 const MOST = 3;
 
 /** A button of a message. */

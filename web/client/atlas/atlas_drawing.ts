@@ -16,7 +16,7 @@ export interface Columns {
   columns: Uint32Array;
   /** Number of columns that each of them fills until the others arrive. */
   width: number;
-  /** Least D of each line, m², column after column; infinite for lines without a window. */
+  /** Smallest D of each line, m², column after column; infinite for lines without a window. */
   distances: Float32Array;
 }
 

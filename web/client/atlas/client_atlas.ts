@@ -24,7 +24,7 @@ export class ClientAtlas extends ClientHandle implements OpenedAtlas {
     ({ frames: this.frames, firsts: this.firsts } = facts);
   }
 
-  /** @param columns most columns */
+  /** @param columns maximum number of columns */
   static async open(
     connection: Connection,
     database: ClientDatabase,

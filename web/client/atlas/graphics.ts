@@ -6,8 +6,8 @@ import type { GraphicsCalls } from "./graphics_protocol";
 /** Number of arguments of each call. */
 const ARITY = { open: 1, setLines: 2, draw: 1 } as const satisfies Record<keyof GraphicsCalls, number>;
 /**
- * Columns of the first slice, and the fewest and most columns of a slice. Each slice is one submission; the browser
- * draws between them.
+ * Columns of the first slice, and the minimum and maximum number of columns of a slice. Each slice is one submission; the
+ * browser draws between them.
  */
 const SLICE = { first: 64, least: 32, most: 1024 };
 /** Target duration of a slice, milliseconds. */

@@ -7,6 +7,6 @@ export interface GraphicsCalls {
   open(packed: PackedWindows): Promise<string>;
   /** Sets the line of each window, below `height`; the largest number for windows without a line. */
   setLines(lines: Uint32Array, height: number): Promise<void>;
-  /** Bits of the least D of each line, column after column. */
+  /** Bits of the smallest D of each line, column after column. */
   draw(columns: PackedWindows): Promise<Uint32Array>;
 }

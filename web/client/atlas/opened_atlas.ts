@@ -6,7 +6,7 @@ export type { AtlasFacts, AtlasPart, AtlasView, NearestInAtlas, PackedWindows } 
 
 /** All distances between a motion and a database: columns are frames of the motion at equal intervals, lines are windows. */
 export interface OpenedAtlas extends Readonly<AtlasFacts> {
-  /** Least D of each line in some columns, m², column after column. */
+  /** Smallest D of each line in some columns, m², column after column. */
   draw(view: AtlasView, columns: Uint32Array, options?: CallOptions): Promise<Float32Array>;
   /** The nearest window of a line in a column. */
   nearest(view: AtlasView, column: number, line: number): Promise<NearestInAtlas>;

@@ -4,7 +4,7 @@ import { IndexedDbStore } from "../indexed_db_store";
 import type { TrainedWalk } from "./protocol";
 
 const models = new IndexedDbStore("strut-walks", "models");
-/** Most models that are kept; the least recently used one is removed first. */
+/** Maximum number of models that are kept; the least recently used one is removed first. */
 export const MAX_MODELS = 8;
 /** Names of built files end with a hash of their content. */
 const HASHED = /-([\w-]{8})\.wasm$/;

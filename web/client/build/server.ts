@@ -28,7 +28,7 @@ export interface BuildPort {
   onmessage: ((event: MessageEvent<BuildRequest>) => void) | null;
 }
 
-/** Most bytes of a table of labels. */
+/** Maximum number of bytes of a table of labels. */
 const MAX_TABLE_BYTES = 64 << 20;
 /** Time between two reports of clips that were read, milliseconds. */
 const EVENT_MS = 300;

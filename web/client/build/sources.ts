@@ -2,11 +2,11 @@
 import type { DroppedFile } from "./protocol";
 import { Archive, readDirectory, readEntry, type ZipEntry, ZipError } from "./zip";
 
-/** Most bytes of one clip, as in `strut_formats::bvh`. */
+/** Maximum number of bytes of one clip, as in `strut_formats::bvh`. */
 const MAX_CLIP_BYTES = 256 << 20;
-/** Most unpacked bytes of one archive: its clips and licences together. */
+/** Maximum number of unpacked bytes of one archive: its clips and licences together. */
 const MAX_ARCHIVE_BYTES = 4 * 2 ** 30;
-/** Most clips, as in `strut_formats::strutdb`. */
+/** Maximum number of clips, as in `strut_formats::strutdb`. */
 const MAX_CLIPS = 100_000;
 
 /** A clip that can be read. */
@@ -25,7 +25,7 @@ export interface Sources {
   notes: string[];
 }
 
-/** Names of licence files, of which the first existing one counts, and the most bytes of one; as in `strut_formats::corpus`. */
+/** Names of licence files, of which the first existing one counts, and their maximum size; as in `strut_formats::corpus`. */
 export const LICENCE_NAMES = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
 const MAX_LICENCE_BYTES = 1 << 20;
 
@@ -34,7 +34,7 @@ const isBvh = (path: string): boolean => /\.bvh$/i.test(path);
 
 /**
  * All BVH files among the files, including those in archives.
- * @param archiveBytes most unpacked bytes of one archive
+ * @param archiveBytes maximum number of unpacked bytes of one archive
  */
 export async function findSources(
   files: readonly DroppedFile[],

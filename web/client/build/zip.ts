@@ -5,10 +5,10 @@
  */
 import { crc32 } from "./crc32";
 
-/** Most bytes of an archive's directory, and most entries. */
+/** Maximum number of bytes of an archive's directory, and maximum number of entries. */
 const MAX_DIRECTORY_BYTES = 64 << 20;
 export const MAX_ENTRIES = 200_000;
-/** Most bytes of an empty deflate stream. */
+/** Maximum number of bytes of an empty deflate stream. */
 const EMPTY_BYTES = 2;
 /** An entry is refused if it unpacks to more than `BOMB_BYTES` and to more than `BOMB_RATIO` times its packed size. */
 const BOMB_BYTES = 16 << 20;

@@ -5,7 +5,7 @@
 import { crc32 } from "./crc32";
 import { ZipError } from "./zip";
 
-/** Limits without 64-bit fields, which not every program reads: most bytes and most entries. */
+/** Limits without 64-bit fields, which not every program reads: maximum number of bytes and maximum number of entries. */
 const MAX_BYTES = 0xffff_fffe;
 const MAX_ENTRIES = 0xfffe;
 
@@ -29,7 +29,7 @@ export class ZipWriter {
   #directoryBytes = 0;
   readonly #maxBytes: number;
 
-  /** @param maxBytes most bytes of the archive; tests lower it */
+  /** @param maxBytes maximum number of bytes of the archive; tests lower it */
   constructor(maxBytes = MAX_BYTES) {
     this.#maxBytes = maxBytes;
   }

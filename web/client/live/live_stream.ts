@@ -12,7 +12,7 @@ import type { StylizeOptions } from "../protocol";
 import { heaviest } from "../readings";
 import type { LiveSetup, LiveStats, PerformerStream, StreamFrame } from "./protocol";
 
-/** Most frames that are caught up at once. If more time has passed, as in a hidden page, the rest is skipped. */
+/** Maximum number of frames that are caught up at once. If more time has passed, as in a hidden page, the rest is skipped. */
 const MAX_FRAMES_AT_ONCE = 15;
 /** Number of frames whose latency is kept. */
 const REMEMBERED = 256;

@@ -14,7 +14,7 @@ import { lastMoment, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 /** Longest path, in floats; the engine thins its points. */
 const MAX_PATH_FLOATS = 200_000;
-/** Most seconds of frames that are kept as an input: five minutes at 60 Hz. */
+/** Maximum duration of the frames that are kept as an input: five minutes at 60 Hz. */
 const MAX_KEPT_SECS = 300;
 
 /** A styled frame with its driving state. */

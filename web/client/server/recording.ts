@@ -2,13 +2,13 @@
 import type { StyleKey } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 
-/** Frames per block, and most blocks: five minutes at 60 Hz. */
+/** Frames per block, and maximum number of blocks: five minutes at 60 Hz. */
 const BLOCK = 1800;
 const BLOCKS = 10;
 /** A key is made when a weight changed by more than this, and at most once in this many frames. */
 const MOVED = 0.02;
 const KEY_FRAMES = 6;
-/** Most keys of a track. */
+/** Maximum number of keys of a track. */
 const MAX_KEYS = 1000;
 
 /** Weights, one per style, at a frame. */

@@ -16,7 +16,7 @@ export interface StateChange {
   settled: boolean;
 }
 
-/** Least time between two announcements of the figure's sentence, milliseconds. */
+/** Minimum time between two announcements of the figure's sentence, milliseconds. */
 const SAY_MS = 1000;
 
 /**

@@ -104,7 +104,7 @@ export class DracoDecoder {
 
   /**
    * Decodes a mesh.
-   * @param limit most numbers of the decoded mesh
+   * @param limit maximum number of values in the decoded mesh
    * @throws StrutError `bad-file` if the stream is damaged, has other attributes, or is too long; the decoder cannot be
    * used afterwards
    */

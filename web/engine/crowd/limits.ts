@@ -1,10 +1,10 @@
 /** Limits of a crowd's parameters. They are separate from the crowd because links are read without a crowd. */
 
-/** Most agents of a crowd. */
+/** Maximum number of agents of a crowd. */
 export const MAX_CROWD = 1000;
-/** Most vertices of a field. */
+/** Maximum number of vertices of a field. */
 export const MAX_VERTICES = 12;
-/** Most points of a route. */
+/** Maximum number of points of a route. */
 export const MAX_ROUTE_POINTS = 64;
 
 /**

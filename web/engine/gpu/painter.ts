@@ -32,7 +32,7 @@ export class Painter extends Handle<RawPainter> {
     gpuPackage.guarded(() => this.raw.setLines(lines, height));
   }
 
-  /** Bits of the least D of each line, column after column. @throws StrutError `gpu-lost` */
+  /** Bits of the smallest D of each line, column after column. @throws StrutError `gpu-lost` */
   draw({ rows, windows }: PackedWindows): Promise<Uint32Array> {
     return gpuPackage.awaited(() => this.raw.draw(rows, windows));
   }

@@ -28,7 +28,7 @@ export interface PolygonSize {
 const FULL: PolygonSize = { radius: 92, above: 144, below: 120, reach: 16, bars: true };
 /** Over a picture, with a triangle at most. */
 export const COMPACT: PolygonSize = { radius: 46, above: 76, below: 56, reach: 22, bars: false };
-/** Least distance of labels from the edge of the panel, and largest distance from the centre. */
+/** Minimum distance of labels from the edge of the panel, and largest distance from the centre. */
 const PADDING = 20;
 const MAX_EDGE = 172;
 /** Width while the panel is not displayed. */

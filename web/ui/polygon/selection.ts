@@ -11,7 +11,7 @@ export interface StyleWeight {
 /** The selected styles, in the order of selection; a selected style may have weight 0. */
 export type Selection = readonly StyleWeight[];
 
-/** Most styles of the triangle. */
+/** Maximum number of styles of the triangle. */
 export const TRIANGLE = 3;
 /** Weights below this are dropped when the whole polygon is mixed: they are not visible, and each style costs time. */
 const NEGLIGIBLE = 0.005;

@@ -51,7 +51,7 @@ const RING = 0.55;
 /** Within this distance of the pointer a walker is hit, however small it is, CSS pixels. */
 const REACH_PX = 13;
 /**
- * Which walkers have the finer bodies, and the least height, as a share of the picture's, of walkers whose shadow is an
+ * Which walkers have the finer bodies, and the minimum height, as a share of the picture's, of walkers whose shadow is an
  * outline.
  */
 interface Limits {

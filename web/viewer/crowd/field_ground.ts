@@ -3,7 +3,7 @@
 import { Color, type IUniform, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector3, Vector4 } from "three";
 import type { Theme } from "../themes";
 
-/** Most vertices of a field. */
+/** Maximum number of vertices of a field. */
 export const FIELD_VERTICES = 12;
 
 /** A displayed vertex of a field. */

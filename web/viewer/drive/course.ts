@@ -4,7 +4,7 @@ import { CircleGeometry, Group, Mesh, MeshBasicMaterial, RingGeometry, Shape, Sh
 import { Ribbon } from "../stage/hips_path";
 import type { Theme } from "../themes";
 
-/** Most points of a displayed path; a longer path is simplified. */
+/** Maximum number of points of a displayed path; a longer path is simplified. */
 const POINTS = 512;
 /** Length of a dash and of a gap of the path, metres. */
 const DASH = 0.09;

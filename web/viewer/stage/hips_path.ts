@@ -6,7 +6,7 @@ import type { Theme } from "../themes";
 
 /** Points kept per half. */
 const POINTS = 160;
-/** Least distance between two kept points, metres. */
+/** Minimum distance between two kept points, metres. */
 const SPACING = 0.03;
 /** Length ahead that is drawn, metres. */
 const AHEAD = 2.6;
@@ -40,7 +40,7 @@ export class Ribbon {
   /** Opacity and distance along the ribbon. */
   readonly #strokes: BufferAttribute;
 
-  /** @param points most points of the ribbon */
+  /** @param points maximum number of points of the ribbon */
   constructor(dash: number, points = POINTS) {
     this.#positions = new BufferAttribute(new Float32Array(6 * points), 3).setUsage(DynamicDrawUsage);
     this.#strokes = new BufferAttribute(new Float32Array(4 * points), 2).setUsage(DynamicDrawUsage);

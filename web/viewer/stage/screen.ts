@@ -21,7 +21,7 @@ export function firstLevel(): number {
   return graphics() === "software" ? SOFTWARE_LEVEL : 0;
 }
 
-/** Most queued frames; more would only add latency. */
+/** Maximum number of queued frames; more would only add latency. */
 const MAX_FRAMES = 2;
 
 /**

@@ -180,7 +180,7 @@ class CompareView implements View {
 
   /**
    * If the user has not chosen an input and the database is recorded, a clip of it is compared. Generated motions are
-   * so similar that a copied frame would win.
+   * so similar to each other that copying a frame would be the best method.
    */
   #beginWithRecording(): void {
     const { store, session } = this.#host;

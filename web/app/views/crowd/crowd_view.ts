@@ -40,7 +40,7 @@ export function createView(host: ViewHost): View {
 const words = strings.crowd;
 
 const BUILT_IN: WalkSource = { name: "", file: undefined, neutral: "neutral" };
-/** Most agents if the CPU draws. */
+/** Maximum number of agents if the CPU draws. */
 const SOFTWARE_COUNT = 100;
 /** Updates of the figures and the card per second of the crowd's time. */
 const FIGURES_HZ = 5;

@@ -12,7 +12,7 @@ const FIRST_PLACES = [
 ] as const;
 /** Initial positions for a smaller crowd, whose ground is smaller. */
 const NEW = { reach: 3, intensity: 1 } as const;
-/** Least distance of a new vertex from the others, metres. */
+/** Minimum distance of a new vertex from the others, metres. */
 const ROOM = 3;
 /** Angle from one candidate position for a new vertex to the next, radians, and how far the spiral grows per turn, metres. */
 const GOLDEN_ANGLE = 2.4;

@@ -8,7 +8,7 @@ import { type KnownSkeleton, SURE } from "./corpus";
 
 const words = strings.data.build;
 
-/** Most sentences about missing data. */
+/** Maximum number of sentences about missing data. */
 const MAX_CONCERNS = 3;
 
 export interface BuildPanelListeners {

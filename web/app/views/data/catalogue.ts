@@ -35,7 +35,7 @@ export interface SetFile {
   sha256?: string;
 }
 
-/** Most files of a set. */
+/** Maximum number of files of a set. */
 const MAX_FILES = 10_000;
 
 /**

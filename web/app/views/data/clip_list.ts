@@ -10,7 +10,7 @@ const ROW = { wide: 30, narrow: 92 };
 /** Rows above and below the visible ones that are in the page too. */
 const MARGIN = 6;
 
-/** Most names that the label fields suggest. */
+/** Maximum number of names that the label fields suggest. */
 const MAX_SUGGESTED = 200;
 
 const words = strings.data.list;

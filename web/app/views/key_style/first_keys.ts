@@ -3,7 +3,7 @@ import { MAX_KEYS, type TimedValue } from "../../state/key_style";
 
 /** Shortest and longest cycle that is searched, frames: a running stride and a slow walk. */
 const CYCLE = { min: 14, max: 80 };
-/** Largest distance of a cycle's end from its beginning, and least length of its path, standard deviations. */
+/** Largest distance of a cycle's end from its beginning, and minimum length of its path, standard deviations. */
 const NEAR = 0.35;
 const MIN_WAY = 2.5;
 /** Number of keys of a cycle. */

@@ -3,7 +3,7 @@
  */
 import { MAX_KEYS, type TimedValue } from "../../state/key_style";
 
-/** Least distance of keys, seconds: a frame of the training data. */
+/** Minimum distance of keys, seconds: a frame of the training data. */
 export const MIN_GAP = 1 / 30;
 /** Keys within this distance of a time count as at that time, seconds. */
 const NEAR = MIN_GAP / 2;

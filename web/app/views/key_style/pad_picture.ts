@@ -22,9 +22,9 @@ export interface PadPicture {
 const CELLS = { columns: 84, rows: 60 };
 /** Contour levels as shares of the maximum density. */
 const LEVELS = [0.05, 0.14, 0.28, 0.45, 0.64, 0.84];
-/** Least distance of ticks, units. */
+/** Minimum distance of ticks, units. */
 const TICK_PX = { x: 70, y: 46 };
-/** Most dots: more would only cover each other. */
+/** Maximum number of dots: more would only cover each other. */
 const MAX_DOTS = 2500;
 
 /** The picture's elements, from back to front. */

@@ -42,7 +42,7 @@ export function isSameRequest(a: ModelRequest, b: ModelRequest): boolean {
   );
 }
 
-/** Most models that are kept, so that switching between variables needs no training. */
+/** Maximum number of models that are kept, so that switching between variables needs no training. */
 const MAX_KEPT = 12;
 
 /** Models that were trained on this page, the least recently used first. */

@@ -19,7 +19,7 @@ const MIN_ROW_HEIGHT = 24;
 const MIN_HEIGHT = 120;
 /** Distance of values from the edges of their row, units. */
 const ROW_PADDING = 6;
-/** Least distance of two labels of the ruler, units. */
+/** Minimum distance of two labels of the ruler, units. */
 const LABEL_PX = 72;
 
 /** A range of values. */

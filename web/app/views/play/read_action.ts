@@ -2,7 +2,7 @@
 import type { Reading } from "../../../client/protocol";
 import { isFaint, isUnlike, type Likeness } from "./likeness";
 
-/** Least class weight for a change of the action, and least time between changes. */
+/** Minimum class weight for a change of the action, and minimum time between changes. */
 const SURE = 0.5;
 const MIN_MS = 600;
 

@@ -12,7 +12,7 @@ import { partOf } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
 import type { Performing, ViewerLease } from "../../view";
 
-/** Least time between updates of readouts, so that they are readable. */
+/** Minimum time between updates of readouts, so that they are readable. */
 const READ_OUT_MS = 500;
 
 export interface StageListeners {

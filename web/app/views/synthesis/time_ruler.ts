@@ -6,7 +6,7 @@ export interface TimeRulerOptions {
   time: Scale;
   /** Vertical position of the line, units. */
   y: number;
-  /** Least distance of two labels, units. */
+  /** Minimum distance of two labels, units. */
   labelPx: number;
   /** Label of time 0, with the unit. */
   zero: string;

@@ -12,11 +12,11 @@ import { CHART_HEIGHT, GUTTER, MARGIN, type PlannerLayout, ROWS, STYLE_HEIGHT } 
 
 /** Opacity of the states of a step, first to last. */
 export const STATE_SHADES = [0.95, 0.74, 0.55, 0.38, 0.24] as const;
-/** Least distance of two labels of the ruler, units. */
+/** Minimum distance of two labels of the ruler, units. */
 const LABEL_PX = 60;
 /** Mean width of a letter of a block's name, units. */
 const LETTER_PX = 7;
-/** Least distance of two step numbers, units. */
+/** Minimum distance of two step numbers, units. */
 const NUMBER_PX = 20;
 /** Distance of the two feet's rows, units. */
 const FOOT_ROW = 11;

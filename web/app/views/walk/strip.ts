@@ -12,7 +12,7 @@ import { coloursOf, mixed } from "./colours";
 import { sharesAt } from "./plan";
 import type { PlannedWalk } from "./plan_walker";
 
-/** Least width of a figure, pixels. */
+/** Minimum width of a figure, pixels. */
 const FIGURE_PX = 148;
 const MAX_FIGURES = 9;
 

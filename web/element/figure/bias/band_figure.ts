@@ -12,7 +12,7 @@ import sheet from "./bias.css?inline";
 import { type Band, biasOf, measureBias } from "./bias_measure";
 import { BIAS_FIELDS, BIAS_JOINT, BIAS_RANGES, type BiasState, NO_GUESS } from "./bias_state";
 
-/** Least range of the axis, degrees, so that it does not change while a mark is dragged. */
+/** Minimum range of the axis, degrees, so that it does not change while a mark is dragged. */
 const ENDS = [-50, 100] as const;
 /** Height of the rows, as shares of the picture. */
 const ROW = { input: 0.7, output: 0.22 } as const;

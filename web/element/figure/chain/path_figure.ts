@@ -13,7 +13,7 @@ import sheet from "./chain.css?inline";
 import { farthest, farthestDeviations, jerkOf, measureChain, pathOf, plainOf, WALK_HZ } from "./chain_measure";
 import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, PROMISES, type Promised } from "./chain_state";
 
-/** Least range of the axis, degrees. */
+/** Minimum range of the axis, degrees. */
 const LEAST_EXTENT = 20;
 /** The curve's slope is drawn every `every` frames, with half length `half` frames. */
 const TANGENT = { every: 4, half: 0.8 };

@@ -16,7 +16,7 @@ import { figure } from "../words/words";
 const STEP = 10;
 /** Below the axis the thread leads to the paired instant. */
 const MARGIN: Margin = { left: 32, right: 20, top: 20, bottom: 56 };
-/** Least range of the distances, cm. */
+/** Minimum range of the distances, cm. */
 const LEAST_EXTENT = 1;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;

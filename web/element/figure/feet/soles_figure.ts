@@ -13,7 +13,7 @@ import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_m
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
-/** Least displayed range along the foot, cm: a foot's length, and space to slide; and the displayed range across. */
+/** Minimum displayed range along the foot, cm: a foot's length, and space to slide; and the displayed range across. */
 const ALONG = [-5, 23] as const;
 const ACROSS = 6;
 /** Frames between two rows of the table. */

@@ -17,7 +17,7 @@ import { JUDGE_FIELDS, type JudgeState, METHODS, type Method } from "./judge_sta
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
-/** Least range of the errors, mm. */
+/** Minimum range of the errors, mm. */
 const LEAST_EXTENT = 5;
 /** The compared methods: the selected one, and the other one. */
 const SIDES = ["pick", "rival"] as const;

@@ -55,7 +55,7 @@ export const RECORDED: Readonly<Record<Exclude<Source, "live">, Standing>> = {
 /** Error of another take of the style on the built-in motions, mm. */
 export const BUILT_IN_OTHER_TAKE = standingOf(record.theBuiltInMotions).otherTake;
 
-/** Least content that a method must keep. */
+/** Minimum content that a method must keep. */
 export const CONTENT_LEFT = 0.8;
 
 /** The method whose smoothness is nearest to the input's, among those that keep its content; of equal ones the first. */

@@ -15,7 +15,7 @@ import sheet from "./line.css?inline";
 import { aboveMean, fitOf, measureLine, residual } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
-/** Least range of an axis, degrees: among equal examples every hundredth would fill the picture. */
+/** Minimum range of an axis, degrees: among equal examples every hundredth would fill the picture. */
 const LEAST_EXTENT = 2;
 /** Radius of an example with weight 0 and with weight 1, pixels. */
 const RADIUS = { least: 2, most: 6 };

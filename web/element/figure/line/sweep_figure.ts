@@ -14,7 +14,7 @@ import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 /** Step of an arrow key, as a share of the range; with Shift the fine one. */
 const STEP = 0.02;
 const FINE_STEP = 0.005;
-/** Least range of the errors, degrees. */
+/** Minimum range of the errors, degrees. */
 const LEAST_EXTENT = 0.1;
 
 export const SWEEP: FigureKind<LineState> = {

@@ -22,7 +22,7 @@ export interface MapState {
 export const TEMPERATURE: DialRange = { min: 0.5, max: 20, digits: 1, scale: "log" };
 /** Blur of the components' regions, in deviations of the variables. */
 export const BLUR = 0.3;
-/** Most keys of a cycle. */
+/** Maximum number of keys of a cycle. */
 export const MOST_KEYS = 4;
 /** Upper limit of a cycle's frames. */
 const MOST_FRAMES = 50;

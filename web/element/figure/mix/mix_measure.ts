@@ -24,7 +24,7 @@ export interface Reading {
   rateHz: number;
 }
 
-/** The floor of the least distance, (1 mm)² in cm². */
+/** The floor of the minimum distance, (1 mm)² in cm². */
 export const FLOOR = 0.01;
 /** The smallest distance at which input is half known, cm², and the factor by which δ is widened for unknown input. */
 export const HALF_KNOWN = 25;
@@ -101,7 +101,7 @@ export async function measureMix(engine: LearnEngine, state: MixState): Promise<
     first: first!.square,
     second: second!.square,
     alone: weightAlone([first!.square, second!.square], state.delta),
-    // Without the division by the least distance.
+    // Without the division by the minimum distance.
     plain: weightAlone([first!.square, second!.square], 1 / Math.max(FLOOR, first!.square)),
     heaviest: `${first!.action}/${first!.style}`,
   };

@@ -16,7 +16,7 @@ import { DELTA, MIX_FIELDS, type MixState } from "./mix_state";
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 30;
-/** Least weight for the label of an action. */
+/** Minimum weight for the label of an action. */
 const NAMED = 0.6;
 
 export const READING: FigureKind<MixState> = {

@@ -13,7 +13,7 @@ import sheet from "./near.css?inline";
 import { distanceOf, type Found, foundOf, measureNear } from "./near_measure";
 import { NEAR_FIELDS, NEAR_RANGES, type NearState, NO_GUESS, WINDOWS, type WindowName } from "./near_state";
 
-/** Least range of the axis, mm. */
+/** Minimum range of the axis, mm. */
 const LEAST_EXTENT = 10;
 /** Rows of the table. */
 const TABLE_ROWS = 12;

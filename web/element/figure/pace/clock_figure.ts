@@ -14,7 +14,7 @@ import { PACE_FIELDS, type PaceState } from "./pace_state";
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
-/** Least range of the output axis, relative to the input's length, so that it does not change with the weights. */
+/** Minimum range of the output axis, relative to the input's length, so that it does not change with the weights. */
 const REACH = 1.6;
 
 export const CLOCK: FigureKind<PaceState> = {

@@ -18,7 +18,7 @@ import { POSE_FIELDS, POSE_RANGES, type PoseState } from "./pose_state";
 const STEP = 5;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 30;
-/** Least range of the axis, degrees. */
+/** Minimum range of the axis, degrees. */
 const LEAST_EXTENT = 60;
 
 export const LOGS: FigureKind<PoseState> = {

@@ -291,7 +291,7 @@ class WarpFigure implements FigureInstance<WarpState> {
     this.#handle.place({ x, bottom: yOf(axes, 0), value: frame, text: this.sentence() });
   }
 
-  /** X position of frames of the neutral step, and Y position of the style's. */
+  /** X position of a frame of the neutral step; `#y` is the Y position of a frame of the style's. */
   #x(axes: Axes, frames: number): number {
     return xOf(axes, this.#ms(frames));
   }

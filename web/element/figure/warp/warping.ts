@@ -10,7 +10,7 @@ const ACTION = "walk";
 const CLIP = "walk-pace";
 const CYCLE = 2;
 
-/** Most frames of one step that correspond to a single frame of the other. */
+/** Maximum number of frames of one step that correspond to a single frame of the other. */
 export const MAX_PACE = 3;
 
 /** A step. */

@@ -14,7 +14,7 @@ import { spoken } from "../../../ui/words";
 import { AtlasCanvas } from "./atlas_canvas";
 import { bandsOf, NEAREST, type Rgb, ramp, Shades, type Span, shifted, zoomed } from "./shades";
 
-/** Most columns: a walk of ten seconds has one per frame. */
+/** Maximum number of columns: a walk of ten seconds has one per frame. */
 const MAX_COLUMNS = 600;
 /** Fewest windows that are shown: half a second to two, so that each has lines of its own. */
 const LEAST_SPAN = 60;
@@ -72,7 +72,7 @@ export class AtlasPane {
   /** Cancels the current drawing or opening. */
   #busy = new AbortController();
   #shades: Shades | undefined;
-  /** Least distances by part. */
+  /** Minimum distances by part. */
   #leasts = new Map<AtlasPart, Float32Array>();
   #pointed: { column: number; line: number } | undefined;
   #asking = false;

@@ -1,4 +1,4 @@
-/** Converts distances to shades: each column from its least distance, the brightest, to 3.2 times it. Pure functions. */
+/** Converts distances to shades: each column from its minimum distance, the brightest, to 3.2 times it. Pure functions. */
 
 import type { AtlasPart } from "../../../../client/atlas/opened_atlas";
 
@@ -16,7 +16,7 @@ export const NEAREST: Readonly<Record<AtlasPart, number>> = {
   head: 0.005,
 };
 
-/** Upper bound of the shades, in multiples of the least distance of a column. */
+/** Upper bound of the shades, in multiples of the minimum distance of a column. */
 const FARTHEST = 3.2;
 /** Number of shades. */
 export const SHADES = 256;
@@ -29,7 +29,7 @@ export class Shades {
 
   /**
    * @param nearest smallest lower bound of the shades, metres
-   * @param leasts least distance of each column over all windows, if known: shades then do not change with the view
+   * @param leasts minimum distance of each column over all windows, if known: shades then do not change with the view
    */
   constructor(
     readonly columns: number,
@@ -41,7 +41,7 @@ export class Shades {
     this.leasts = leasts ?? new Float32Array(columns).fill(Number.POSITIVE_INFINITY);
   }
 
-  /** Least distance of each column so far, metres. */
+  /** Minimum distance of each column so far, metres. */
   get least(): Float32Array {
     return this.leasts;
   }
@@ -74,7 +74,7 @@ export class Shades {
   }
 }
 
-/** Shade of a distance: the brightest at the least one, 0 from 3.2 times that on. */
+/** Shade of a distance: the brightest at the minimum distance, 0 from 3.2 times that on. */
 export function shadeOf(distance: number, least: number): number {
   const share = (distance / least - 1) / (FARTHEST - 1);
   return Math.round((SHADES - 1) * (1 - Math.min(1, Math.max(0, share))));

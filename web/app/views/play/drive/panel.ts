@@ -6,7 +6,7 @@ import { spoken } from "../../../ui/words";
 import { driveWords } from "./strings.en";
 
 const words = driveWords.panel;
-/** Least time between updates, so that they are readable. */
+/** Minimum time between updates, so that they are readable. */
 const READ_OUT_MS = 250;
 
 export class DrivePanel {

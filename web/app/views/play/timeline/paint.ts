@@ -29,7 +29,7 @@ const FROM_BELOW = { curve: 36, timing: { top: 31, bottom: 19 } };
 
 /** Space left and right of the axis, so that the flag and the first label are not cut off. */
 const INSET = 6;
-/** Least distance of labels on a ruler. */
+/** Minimum distance of labels on a ruler. */
 const MIN_TICK = 80;
 
 /** Contents of the still layer. Curves are in degrees, one value per frame. */

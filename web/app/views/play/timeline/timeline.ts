@@ -28,7 +28,7 @@ import {
 import { exampleCurves } from "./examples";
 import { Axis, describeBand, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
 
-/** Least span of the curve row, degrees: a still joint remains a flat line. */
+/** Minimum span of the curve row, degrees: a still joint remains a flat line. */
 const MIN_SPAN = 20;
 /** Input time between two lines of the timing map, seconds. */
 const MAP_SECS = 0.1;
