@@ -1,6 +1,6 @@
 /**
- * Starts the page. Its sheets are all here: index.html shows the page before there is a script, and must not change when it
- * comes.
+ * Starts the page. All its style sheets are imported here: index.html shows the page before there is a script, and its
+ * appearance must not change when they load.
  */
 import "./shell/trusted_types";
 import "../ui/tokens.css";
@@ -27,10 +27,10 @@ import { strings } from "./strings/strings";
 import { inSlices, otherTasks } from "./ui/tasks";
 import { errorText } from "./ui/words";
 
-/** Longest wait for a page that is not idle, milliseconds. */
+/** Longest wait for the page to become idle, milliseconds. */
 const IDLE_MS = 3000;
 
-/** Shows a sentence in place of the app. */
+/** Shows a sentence instead of the app. */
 function refuse(root: HTMLElement, sentence: string): void {
   const text = document.createElement("p");
   text.className = "fallback";
@@ -39,11 +39,11 @@ function refuse(root: HTMLElement, sentence: string): void {
   root.replaceChildren(text);
 }
 
-/** Loads the code of the page and what it draws with, in tasks of their own: each keeps the page waiting for a moment only. */
+/** Loads the code of the page and of its renderer, in separate tasks: each blocks the page only briefly. */
 async function loadApp(root: HTMLElement): Promise<typeof App> {
   const [viewer, detected] = await Promise.all([import("../viewer"), startGraphics()]);
   if (detected) viewer.setGraphics(detected);
-  // The page before there is a script has the stage in its place, or hides it where a link names another view.
+  // The page without a script has the stage at its place, or hides it if a link names another view.
   const stage = root.querySelector(".stage");
   const picture = { width: stage?.clientWidth || innerWidth, height: stage?.clientHeight || innerHeight };
   await inSlices(viewer.preparation(picture));
@@ -52,27 +52,27 @@ async function loadApp(root: HTMLElement): Promise<typeof App> {
   return App;
 }
 
-/** Opens the files that the page was opened with. */
+/** Opens the files with which the page was opened. */
 async function openGivenFiles(app: App): Promise<void> {
   onLaunchedFiles((files) => app.open(files));
   if (location.search !== SHARED_QUERY) return;
-  // They are opened once, however often the page is loaded.
+  // They are opened once, however often the page is reloaded.
   history.replaceState(history.state, "", location.pathname + location.hash);
   app.open(await takeShared(new URL("./", location.href).href));
 }
 
-/** Calls back when the page has drawn and is idle, or after a while: Safari does not tell. */
+/** Calls back when the page has been drawn and is idle, or after a while: Safari does not report it. */
 function whenIdle(call: () => void): void {
   if ("requestIdleCallback" in globalThis) requestIdleCallback(call, { timeout: IDLE_MS });
   else setTimeout(call, IDLE_MS);
 }
 
-/** Loads what the first picture does not need. The page works without it. */
+/** Loads resources that the first picture does not need. The page works without them. */
 function loadTheRest(app: App): void {
   whenIdle(() => app.showTips().catch(() => {}));
 }
 
-/** Has the built site kept; a browser that refuses shows it all the same. */
+/** Stores the built site for offline use; the page also works if the browser refuses. */
 function keepBuiltSite(app: App): void {
   if (import.meta.env.PROD && "serviceWorker" in navigator)
     whenIdle(() => keepSite((update) => app.offerUpdate(update)).catch(() => {}));

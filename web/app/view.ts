@@ -1,4 +1,4 @@
-/** What a view is to the page, and what the page is to a view. */
+/** The interfaces between the page and its views. */
 
 import type { DroppedFile } from "../client/build/protocol";
 import type { ExactPoses, FileReading } from "../client/protocol";
@@ -12,77 +12,80 @@ import type { Film } from "./ui/film";
 import type { ProgressLine } from "./ui/progress";
 import type { Toasts } from "./ui/toasts";
 
-/** What a view may ask of the page. */
+/** The page's interface for a view. */
 export interface ViewHost {
   readonly store: Store;
   readonly toasts: Toasts;
-  /** What is open in the engine. */
+  /** The open objects of the engine. */
   readonly session: Session;
-  /** Where the motion stands. */
+  /** The playhead of the motion. */
   readonly playhead: Playhead;
-  /** The lines that show what the session is busy with. */
+  /** The lines that show the session's progress. */
   readonly progress: ProgressLines;
-  /** Aborts when the view is disposed of: listeners that it made with the signal end then. */
+  /** Aborts when the view is disposed of: listeners added with the signal are then removed. */
   readonly signal: AbortSignal;
-  /** Makes a database the app's and shows it in Play, by its name in the URL if it is kept here; whether that worked. */
+  /**
+   * Opens a database in the app and shows it in Play, with its name in the URL if it is stored here. Returns whether
+   * that succeeded.
+   */
   openDatabase(name: string, file: Blob, kept: boolean): Promise<boolean>;
-  /** Goes back to the built-in database. */
+  /** Returns to the built-in database. */
   openBuiltIn(): Promise<boolean>;
-  /** The database that is open: its name for people, and its file unless it is the built-in one. */
+  /** The open database: its display name, and its file unless it is the built-in one. */
   databaseFile(): { name: string; file: Blob | undefined };
-  /** Moves the 3-D viewer into a container of the view's, until another view borrows it. */
+  /** Moves the 3-D viewer into a container of the view, until another view borrows it. */
   borrowViewer(container: HTMLElement): ViewerLease;
-  /** Whether letters and digits act as keys. */
+  /** Whether single-character shortcuts are on. */
   singleKeys(): boolean;
-  /** Says that {@link View.history} has other things to undo or redo. */
+  /** To be called when {@link View.history} has changed. */
   historyChanged(): void;
-  /** Says that {@link View.holdsUnkept} may be another. */
+  /** To be called when {@link View.holdsUnkept} may have changed. */
   workChanged(): void;
-  /** The character that performs; undefined where the mannequin does. */
+  /** The rigged character in use; `undefined` for the mannequin. */
   performing(): Performing | undefined;
-  /** Has the mannequin perform again. */
+  /** Returns to the mannequin. */
   leaveCharacter(): void;
-  /** Asks which joint of the character is which. */
+  /** Opens the joint mapping of the character. */
   checkJoints(): void;
-  /** Opens an input by its name in the library; whether it is open now. */
+  /** Opens an input by its name in the library. Returns whether it is open. */
   chooseInput(name: string): Promise<boolean>;
-  /** Takes the dropped file that is open out of the inputs. */
+  /** Removes the open dropped file from the inputs. */
   removeInput(): Promise<void>;
-  /** Opens a clip of the open database as the input, by its number; whether it is open now. */
+  /** Opens a clip of the open database as the input, by its index. Returns whether it is open. */
   chooseClip(clip: number): Promise<boolean>;
   /**
-   * Opens a database that was built without leaving this view, by its name in the URL if it is kept here; whether that worked.
-   * `renamed` are new names of styles by their former ones.
+   * Opens a database that was built without leaving this view, with its name in the URL if it is stored here. Returns
+   * whether that succeeded. `renamed` are new names of styles by their former ones.
    */
   openBuilt(
     database: { name: string; file: Blob },
     kept: boolean,
     renamed: ReadonlyMap<string, string>,
   ): Promise<boolean>;
-  /** Goes to the view Play. */
+  /** Shows the view Play. */
   showPlay(): void;
-  /** Reads the open file as a person says; whether it could be read so. */
+  /** Reads the open file as the user specifies. Returns whether it could be read so. */
   readAs(reading: FileReading): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */
   chooseFile(): void;
-  /** Makes a motion the input of Play, and goes there; `exact` are the poses that its file was written from. */
+  /** Makes a motion the input of Play, and shows Play; `exact` are the poses from which its file was written. */
   playMotion(name: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void>;
 }
 
-/** A character that performs. */
+/** A rigged character in use. */
 export interface Performing {
   /** Its title, or its file's. */
   readonly name: string;
-  /** Who is to be named with it; empty where nobody is. */
+  /** Authors to be credited; empty if none. */
   readonly credit: string;
-  /** Where its terms stand. */
+  /** Address of its terms. */
   readonly url: string | undefined;
-  /** Whether it is not certain which of its joints is which. */
+  /** Whether its joint mapping is uncertain. */
   readonly unsure: boolean;
   readonly performer: Performer;
 }
 
-/** A line each for databases and files, for inputs, and for the analysis of the present one. */
+/** One line each for databases and files, for inputs, and for the analysis of the current one. */
 export interface ProgressLines {
   readonly database: ProgressLine;
   readonly input: ProgressLine;
@@ -90,22 +93,22 @@ export interface ProgressLines {
   readonly analysis: ProgressLine;
 }
 
-/** The 3-D viewer while a view has it: after every change the view asks for drawing. */
+/** The 3-D viewer while a view has it. After every change the view requests a redraw. */
 export interface ViewerLease {
   readonly viewer: Viewer;
-  /** What the viewer draws in. */
+  /** The element in which the viewer draws. */
   readonly element: HTMLElement;
   invalidate(): void;
-  /** Stops drawing while something else needs the processor. */
+  /** Stops drawing while other work needs the CPU. */
   freeze(frozen: boolean): void;
   readonly film: Film;
-  /** Marks the parts of the body that joints turn; exported pictures do not show it. */
+  /** Marks the parts of the body that joints rotate; exported pictures do not show it. */
   tint(joints: readonly Role[]): void;
 }
 
 /**
- * What keys do, by `KeyboardEvent.key`, letters in lower case. The page listens; it leaves keys to controls that need
- * them, and those of a single character can be switched off.
+ * Actions of keys, by `KeyboardEvent.key`, letters in lower case. The page listens; it leaves keys to controls that
+ * need them, and single-character ones can be turned off.
  */
 export type KeyTable = Readonly<Record<string, () => void>>;
 
@@ -113,22 +116,22 @@ export type KeyTable = Readonly<Record<string, () => void>>;
 export interface View {
   /** Fills the page below the top bar. */
   readonly element: HTMLElement;
-  /** What undo and redo act upon while the view is shown. */
+  /** Target of undo and redo while the view is shown. */
   readonly history: UndoRedo;
   readonly keys?: KeyTable;
-  /** Where a clip is dropped that is to be a style; undefined where none can be. */
+  /** Element on which a clip becomes a style when dropped; `undefined` if there is none. */
   readonly styleTarget?: Element | undefined;
-  /** Whether disposing of the view would lose what a person made; other views are disposed of after a while out of sight. */
+  /** Whether disposing of the view would lose the user's work; other views are disposed of after being hidden for a while. */
   readonly holdsWork?: boolean;
-  /** Whether leaving the page would lose what a person made: the browser does not keep it. */
+  /** Whether leaving the page would lose the user's work, because the browser does not store it. */
   readonly holdsUnkept?: boolean;
   show(): void;
-  /** Another database or input is open, or another body performs. */
+  /** Called when another database or input is open, or another body performs. */
   refresh?(): void;
   hide(): void;
-  /** Makes an input of what cannot be exported as it is shown; false where that cannot be done. */
+  /** Makes an input from a motion that cannot be exported directly; false if that is not possible. */
   keep?(): Promise<boolean>;
-  /** Takes files that were dropped while the view is shown, or that the view takes by its kind. */
+  /** Handles files that were dropped while the view is shown, or whose kind the view accepts. */
   takeFiles?(files: DroppedFile[]): void;
   dispose(): void;
 }

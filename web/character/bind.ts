@@ -1,4 +1,4 @@
-/** A character of three.js bound to the engine: the roles of its joints, its unit and its soles. */
+/** Binds a character of three.js to the engine: the roles of its joints, its unit and its soles. */
 import { type AnimationClip, Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
 import { CharacterRig, likelyRoles, looseFeet } from "../engine/character/rig";
 import { type CharacterGlue, characterPackage } from "../engine/character/wasm";
@@ -11,29 +11,32 @@ import { type SkinSoles, soles } from "./sole";
 import type { BindOptions, GltfLike, Origin, VrmLike } from "./types";
 import { type GltfJson, isRecord, vrmBone, vrmRoles } from "./vrm_humanoid";
 
-/** Metres between the soles' heights of a file and a guess beyond which a mesh's feet are not believed, as a share of the leg. */
+/**
+ * Largest difference between the soles' height measured on the mesh and the guessed one, as a share of the leg. Beyond
+ * it the mesh's feet are ignored.
+ */
 const FARTHEST_SOLE = 0.6;
 
-/** Joints that are at one height in a pose that is the same on both sides. */
+/** Joints that are at the same height in a symmetric pose. */
 const LEVEL = [
   [JOINT.left_upper_leg, JOINT.right_upper_leg],
   [JOINT.left_foot, JOINT.right_foot],
 ] as const;
-/** A body leans from the one angle, and lies from the other, radians. */
+/** From the smaller angle on, a body leans; from the larger one on, it lies; radians. */
 const [LEAST_LEAN, MOST_LEAN] = [0.01, 0.7];
 
 /** Roles that a skeleton must have, as in `rust/strut-core/src/retarget/binding.rs`. */
 const REQUIRED = ROLES.filter((role) => !/shoulder|toes|chest|neck|head/.test(role));
 
-/** A bound character, without what its file allows and what can be made of it. */
+/** A bound character, without its licence and its exports. */
 export interface Bound {
   readonly rig: CharacterRig;
   readonly joints: Joints;
-  /** Joint of each role; −1 where there is none. */
+  /** Joint of each role; −1 for a role without a joint. */
   readonly roles: Int32Array;
-  /** Joints that poses turn: those of roles, and those between them. */
+  /** Joints that poses rotate: joints of roles, and joints between them. */
   readonly driven: Int32Array;
-  /** Those of them that are moved as well. */
+  /** The driven joints that are also translated. */
   readonly moved: MovedJoints;
   /** Units of the hips' parent per unit of the skeleton. */
   readonly hipsScale: number;
@@ -41,7 +44,7 @@ export interface Bound {
   readonly warnings: readonly string[];
 }
 
-/** What a caller gave: an object of three.js, a glTF or a VRM. */
+/** The origin of a caller's object: an object of three.js, a glTF or a VRM. */
 export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
   if ("isObject3D" in root) {
     const object = withBones(root);
@@ -68,7 +71,7 @@ export function originOf(root: Object3D | VrmLike | GltfLike): Origin {
   };
 }
 
-/** The object itself, or where it is a skin alone the one that holds it and its bones. */
+/** The object itself, or for a skin alone the object that holds it and its bones. */
 function withBones(object: Object3D): Object3D {
   const { isSkinnedMesh, skeleton } = object as Partial<SkinnedMesh>;
   const bones = isSkinnedMesh ? (skeleton?.bones.filter(Boolean) ?? []) : [];
@@ -90,16 +93,16 @@ const isObject = (value: unknown): value is Object3D => isRecord(value) && value
 
 /**
  * Binds a character.
- * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it, `load`
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` if an option does not fit it, `load`
  */
 export async function bind(origin: Origin, options?: BindOptions): Promise<Bound> {
   return boundWith(await characterPackage.load(), origin, options);
 }
 
 /**
- * Binds a character with the engine's package, which is loaded.
+ * Binds a character with the engine's package, which must be loaded.
  * @param needsSkin whether a skeleton without a skin is refused
- * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` if an option does not fit it
  */
 export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOptions = {}, needsSkin = true): Bound {
   const given = givenRoles(origin, options.roles ?? {});
@@ -118,7 +121,7 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
   try {
     taken = take(false);
   } catch (thrown) {
-    // A skin that was left over, such as that of the hands, may name few joints of many.
+    // A leftover skin, such as that of the hands, may name few joints of many.
     if (!(thrown instanceof JointsError) || !needsSkin || thrown.joints.length >= nodesOf(origin.object)) throw thrown;
     try {
       taken = take(true);
@@ -155,7 +158,7 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
   }
 }
 
-/** How many nodes an object has that could be joints. */
+/** Number of nodes of an object that could be joints. */
 function nodesOf(object: Object3D): number {
   let nodes = 0;
   object.traverse((node) => {
@@ -164,7 +167,7 @@ function nodesOf(object: Object3D): number {
   return Math.min(nodes, MAX_JOINTS);
 }
 
-/** The joints of a character; feet that hang from the root are put on their legs. */
+/** The joints of a character. Feet that are children of the root are attached to their legs. */
 function hungRight(glue: CharacterGlue, object: Object3D, choice: JointChoice): Joints {
   const joints = jointsOf(object, choice);
   const hung = new Map(looseFeet(glue, joints).map(({ foot, leg }) => [joints.nodes[foot]!, joints.nodes[leg]!]));
@@ -172,8 +175,9 @@ function hungRight(glue: CharacterGlue, object: Object3D, choice: JointChoice): 
 }
 
 /**
- * The turn that stops a body from leaning to one side, where its file was saved in the middle of a motion and says nowhere how the
- * skin stood when it was modelled: its left and right are at one height then. `undefined` where it does not lean.
+ * The rotation that straightens a body leaning to one side. It is needed if its file was saved in the middle of a
+ * motion and does not contain the bind pose: in that pose left and right are at the same height. `undefined` if the
+ * body does not lean.
  */
 function upright({ places }: Joints, { roles, worldFromFile }: CharacterRig): Matrix4 | undefined {
   const toOurs = new Quaternion().fromArray(worldFromFile);
@@ -187,7 +191,7 @@ function upright({ places }: Joints, { roles, worldFromFile }: CharacterRig): Ma
   return new Matrix4().makeRotationFromQuaternion(toOurs.clone().invert().multiply(turn).multiply(toOurs));
 }
 
-/** Joint of each role that is known; −1 for the others. */
+/** Joint of each known role; −1 for the others. */
 function knownRoles({ nodes }: Joints, given: ReadonlyMap<Role, Object3D>): Int32Array {
   return Int32Array.from(ROLES, (role) => {
     const node = given.get(role);
@@ -195,7 +199,7 @@ function knownRoles({ nodes }: Joints, given: ReadonlyMap<Role, Object3D>): Int3
   });
 }
 
-/** Binds joints. @throws JointsError with the joints that there are, and all roles that have none */
+/** Binds joints. @throws JointsError with the existing joints and all roles without a joint */
 function rigOf(glue: CharacterGlue, joints: Joints, known: Int32Array, metresPerUnit: number): CharacterRig {
   try {
     return new CharacterRig(glue, joints, known, metresPerUnit);
@@ -213,7 +217,7 @@ function rigOf(glue: CharacterGlue, joints: Joints, known: Int32Array, metresPer
   }
 }
 
-/** The nodes of roles that are known: by the caller's choice, else as the VRM says. */
+/** The nodes of known roles: chosen by the caller, otherwise from the VRM. */
 function givenRoles({ object, json, vrm, nodeOf }: Origin, chosen: BindOptions["roles"]): Map<Role, Object3D> {
   const nodes = new Map<Role, Object3D>();
   if (vrm) {
@@ -253,7 +257,7 @@ function badChoice(message: string): StrutError {
   });
 }
 
-/** @throws StrutError `bad-file` where a joint of a role, or one above it, is scaled differently along its axes */
+/** @throws StrutError `bad-file` if a joint of a role, or one above it, has different scales along its axes */
 function checkScales(joints: Joints, roles: Int32Array): void {
   for (const role of roles)
     for (let joint = role; joint >= 0; joint = joints.parents[joint]!) {
@@ -265,7 +269,10 @@ function checkScales(joints: Joints, roles: Int32Array): void {
     }
 }
 
-/** Takes soles that can be those of this body: a robe's hem is no sole. Gives whether they can; they are to be forgotten else. */
+/**
+ * Sets soles that are plausible for this body; a robe's hem is not a sole. Returns whether they are plausible;
+ * otherwise they are to be discarded.
+ */
 function isPlausible(rig: CharacterRig, { height, points }: SkinSoles): boolean {
   const guessed = rig.proportions;
   rig.setSole(height, points);
@@ -273,7 +280,7 @@ function isPlausible(rig: CharacterRig, { height, points }: SkinSoles): boolean 
   return Math.abs(rig.proportions[1]! - guessed[1]!) < FARTHEST_SOLE * leg;
 }
 
-/** The joints that poses turn, ascending: those of roles, and those between them. */
+/** The joints that poses rotate, ascending: joints of roles, and joints between them. */
 function drivenJoints({ parents }: Joints, roles: Int32Array): Int32Array {
   const ofRoles = new Set(roles.filter((joint) => joint >= 0));
   const driven = new Set(ofRoles);
@@ -281,7 +288,7 @@ function drivenJoints({ parents }: Joints, roles: Int32Array): Int32Array {
     const between: number[] = [];
     let joint = parents[role]!;
     for (; joint >= 0 && !ofRoles.has(joint); joint = parents[joint]!) between.push(joint);
-    // What is above the hips is between nothing.
+    // Joints above the hips are not between two roles.
     if (joint >= 0) for (const each of between) driven.add(each);
   }
   return Int32Array.from(driven).sort();

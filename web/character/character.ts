@@ -1,4 +1,4 @@
-/** A bound character: what pages apply poses to. */
+/** A bound character, to which pages apply poses. */
 import type { AnimationClip, Object3D } from "three";
 import { StrutError } from "../engine/errors";
 import { JOINT, type Role, restPose } from "../humanoid";
@@ -18,26 +18,26 @@ import type {
   VrmLike,
 } from "./types";
 
-/** Longest step of what swings by itself, seconds: longer ones make springs explode. */
+/** Longest step of the spring bones, seconds: longer ones make springs explode. */
 const LONGEST_STEP = 1 / 30;
 
-/** What a loader knows besides. */
+/** Additional results of a loader. */
 export interface Loaded {
   /** The model as binary glTF, for exports. */
   readonly file?: Uint8Array | undefined;
-  /** Frees what the loader made. */
+  /** Frees the loader's resources. */
   readonly free?: () => void;
 }
 
 /**
- * Binds a character that is in three.js already.
- * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it, `load`
+ * Binds a character that already exists in three.js.
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` if an option does not fit it, `load`
  */
 export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: BindOptions): Promise<Character> {
   return bindLoaded(originOf(root), options);
 }
 
-/** Binds what was loaded. */
+/** Binds a loaded character. */
 export async function bindLoaded(
   origin: Origin,
   options?: BindOptions,
@@ -48,7 +48,7 @@ export async function bindLoaded(
   return new BoundCharacter(origin, bound, loaded);
 }
 
-/** What the file says, or the meta that three-vrm read of it: it has the fields of VRM 1 or of VRM 0. */
+/** The licence in the file, or in the meta that three-vrm read from it, which has the fields of VRM 1 or of VRM 0. */
 function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
   if (json) return licenceOf(json);
   const meta = vrm?.meta as { metaVersion?: unknown } | undefined;
@@ -56,7 +56,7 @@ function licenceOfOrigin({ json, vrm }: Origin): Licence | undefined {
   return licenceOf({ extensions: meta.metaVersion === "0" ? { VRM: { meta } } : { VRMC_vrm: { meta } } });
 }
 
-/** What lets go of the engine, and leaves what was loaded. */
+/** An object that releases its engine resources and keeps what was loaded. */
 interface Releasable {
   release(): void;
 }
@@ -88,7 +88,7 @@ class BoundCharacter implements Character, Releasable {
     this.motions = motionsOf(origin, bound.rig.proportions, (convert) => convert(bound));
     this.licence = licenceOfOrigin(origin);
     this.#hips = bound.joints.nodes[bound.roles[JOINT.hips]!]!;
-    // Skins leave the bounds of the pose in which they were made: three.js would not draw them any more.
+    // Skinned meshes leave the bounds of their bind pose; three.js would cull them.
     for (const { mesh } of bound.joints.skins) mesh.frustumCulled = false;
     this.#driven = Array.from(bound.driven, (joint) => ({ node: bound.joints.nodes[joint]!, offset: 3 + 4 * joint }));
   }

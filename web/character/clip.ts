@@ -1,4 +1,4 @@
-/** A motion on a character as keys of its bones: for clips of three.js and for files. */
+/** A motion on a character as keyframes of its bones: for clips of three.js and for files. */
 import {
   AnimationClip,
   type Object3D,
@@ -12,19 +12,19 @@ import type { Bound } from "./bind";
 import type { CharacterClipOptions, StyledPoses, VrmLike } from "./types";
 import { vrmBone } from "./vrm_humanoid";
 
-/** Keys of a character, one a frame. */
+/** Keyframes of a character, one per frame. */
 export interface Keys {
   /** Seconds; the first is 0. */
   readonly times: Float32Array;
   /** Local translations of the hips in their parent's frame, xyz. */
   readonly hips: Float32Array;
-  /** Of every driven joint its local rotations, xyzw, each the nearer of the two that mean the same. */
+  /** Local rotations of every driven joint, xyzw, with the sign nearer to the previous key. */
   readonly rotations: readonly Float32Array[];
-  /** Local translations of the joints that are moved besides, xyz, by joint. */
+  /** Local translations of the other joints that are moved, xyz, by joint. */
   readonly places: ReadonlyMap<number, Float32Array>;
 }
 
-/** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion is one of finite poses */
+/** The motion on the bones of a character. @throws StrutError `bad-input` unless the motion consists of finite poses */
 export function keysOf(bound: Bound, motion: StyledPoses, inPlace: boolean): Keys {
   return bound.rig.onBody(motion.proportions, () => keysOnBody(bound, motion, inPlace));
 }
@@ -55,7 +55,7 @@ function keysOnBody({ rig, driven, moved, hipsScale }: Bound, motion: StyledPose
   return { times: motion.timeOut.map((time) => time - start), hips, rotations, places };
 }
 
-/** Interpolation goes the short way only between quaternions of the same sign. */
+/** Interpolation takes the shorter path only between quaternions of the same sign. */
 function turnToward(keys: Float32Array, frame: number): void {
   let dot = 0;
   for (let k = 0; k < 4; k++) dot += keys[4 * frame + k]! * keys[4 * frame - 4 + k]!;
@@ -63,8 +63,8 @@ function turnToward(keys: Float32Array, frame: number): void {
 }
 
 /**
- * The motion as a clip of three.js. A track names its node, or the node's uuid where another has the same name. A VRM of
- * three-vrm gets tracks of its normalized bones, which it passes on.
+ * The motion as a clip of three.js. A track names its node, or the node's uuid if another node has the same name. A VRM
+ * of three-vrm gets tracks of its normalized bones, which it copies to the raw ones.
  */
 export function characterClip(
   bound: Bound,
@@ -77,7 +77,7 @@ export function characterClip(
   const counts = new Map<string, number>();
   object.traverse((node) => counts.set(node.name, (counts.get(node.name) ?? 0) + 1));
   const target = (node: Object3D) => (node.name && counts.get(node.name) === 1 ? node.name : node.uuid);
-  // Every track has its own times: three.js changes them in place where a track is moved or scaled.
+  // Every track has its own times: three.js changes them in place when a track is shifted or scaled.
   const times = () => keys.times.slice();
   const { joints, roles, driven } = bound;
   const hips = roles[JOINT.hips]!;
@@ -87,7 +87,7 @@ export function characterClip(
   for (const [i, joint] of driven.entries()) {
     const raw = joints.nodes[joint]!;
     const bone = normalized.get(raw);
-    // A joint that the VRM does not name, such as one more between spine and chest, is left alone by three-vrm.
+    // three-vrm does not change a joint that the VRM does not name, such as an additional one between spine and chest.
     const node = target(bone ?? raw);
     if (joint === hips) {
       const positions = bone ? inWorld(bound, keys.hips) : keys.hips;
@@ -103,10 +103,10 @@ export function characterClip(
   return new AnimationClip(name, keys.times.at(-1) ?? 0, [...tracks, ...kept]);
 }
 
-/** The tracks of a clip that move nothing of the body, in the time of its styled motion. */
+/** The tracks of a clip that do not move the body, retimed to the styled motion. */
 function otherTracks({ joints, roles, driven }: Bound, object: Object3D, clip: AnimationClip, times: Float32Array) {
   const body = new Set<Object3D>(Array.from(driven, (joint) => joints.nodes[joint]!));
-  // What carries the hips is in their motion.
+  // The movement of the hips' ancestors is contained in the motion of the hips.
   for (let joint = roles[JOINT.hips]!; joint >= 0; joint = joints.parents[joint]!) body.add(joints.nodes[joint]!);
   const last = Math.max(times.length - 1, 1);
   const styledTime = (secs: number) => {
@@ -125,7 +125,7 @@ function otherTracks({ joints, roles, driven }: Bound, object: Object3D, clip: A
   });
 }
 
-/** The normalized bone of each raw bone that is a role's, or lies between those of roles. */
+/** The normalized bone of each raw bone that has a role, or lies between bones with roles. */
 function normalizedBones({ humanoid }: VrmLike): Map<Object3D, Object3D> {
   const bones = new Map<Object3D, Object3D>();
   for (const name of [...ROLES.map(vrmBone), "upperChest"]) {
@@ -135,7 +135,7 @@ function normalizedBones({ humanoid }: VrmLike): Map<Object3D, Object3D> {
   return bones;
 }
 
-/** Local rotations of a raw bone as those of its normalized bone, which is aligned with the world at rest. */
+/** Local rotations of a raw bone converted to those of its normalized bone, which is aligned with the world at rest. */
 function fromRest(raw: Float32Array, above: Quaternion, own: Quaternion): Float32Array {
   const values = new Float32Array(raw.length);
   const [turned, back] = [new Quaternion(), own.clone().invert()];
@@ -143,7 +143,7 @@ function fromRest(raw: Float32Array, above: Quaternion, own: Quaternion): Float3
   return values;
 }
 
-/** World rotation of every joint at rest, which normalized bones are relative to. */
+/** World rotation of every joint at rest, to which normalized bones are relative. */
 function restRotations({ joints }: Bound): Quaternion[] {
   const rest: Quaternion[] = [];
   for (const [joint, parent] of joints.parents.entries()) {
@@ -153,7 +153,7 @@ function restRotations({ joints }: Bound): Quaternion[] {
   return rest;
 }
 
-/** Positions of the hips in the character's object: there normalized bones are. */
+/** Positions of the hips in the space of the character's object, which normalized bones use. */
 function inWorld({ joints, roles }: Bound, positions: Float32Array): Float32Array {
   const parent = joints.nodes[joints.parents[roles[JOINT.hips]!]!]!;
   const out = positions.slice();

@@ -1,23 +1,23 @@
-/** Models of other formats as binary glTF, through three.js's exporter: what `toGLB` appends a motion to. */
+/** Converts models of other formats to binary glTF by three.js's exporter, for `toGLB` to append a motion. */
 import type { Object3D } from "three";
 import { nameInFile } from "./joints";
 
 /** A model as binary glTF. */
 export interface Converted {
   readonly file: Uint8Array;
-  /** Number in the file of a node. */
+  /** Index of a node in the file. */
   readonly indexOf: (node: Object3D) => number | undefined;
 }
 
-/** What three.js's own plugins use of the exporter's writer; it is no part of the types. */
+/** The part of the exporter's writer that three.js's own plugins use; it is not in the types. */
 interface Writer {
   readonly nodeMap: ReadonlyMap<Object3D, number>;
   readonly json: { readonly skins?: { skeleton?: number }[]; animations?: { channels: unknown[] }[] };
 }
 
 /**
- * Writes a model and its animations, the object's own placement included.
- * @throws Error of three.js where it cannot be written
+ * Writes a model and its animations, including the object's own placement.
+ * @throws Error of three.js if it cannot be written
  */
 export async function converted(object: Object3D): Promise<Converted> {
   const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
@@ -31,9 +31,9 @@ export async function converted(object: Object3D): Promise<Converted> {
         delete written.extras;
       },
       afterParse() {
-        // It names the first joint, which is not above the others where FBX shares joints between meshes.
+        // It names the first joint, which is not above the others if FBX shares joints between meshes.
         for (const skin of json.skins ?? []) delete skin.skeleton;
-        // A motion that moves nothing is no motion for validators.
+        // Validators reject an animation without channels.
         const moving = json.animations?.filter(({ channels }) => channels.length > 0) ?? [];
         if (moving.length > 0) json.animations = moving;
         else delete json.animations;

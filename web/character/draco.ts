@@ -1,6 +1,6 @@
 /**
- * Writes the meshes of a glTF document that are compressed with Draco as plain arrays. three.js's loader would have a worker of a
- * blob decode them, which policies of pages forbid, and reads what is written here as it reads every other file.
+ * Decompresses the Draco meshes of a glTF document to plain arrays. three.js's loader would decode them in a worker
+ * from a blob, which the policies of some pages forbid; it reads the result as any other file.
  */
 import { DracoDecoder, type DracoMesh } from "../engine/character/draco";
 import { StrutError } from "../engine/errors";
@@ -10,13 +10,14 @@ import { isRecord } from "./vrm_humanoid";
 
 type Json = Record<string, unknown>;
 
-/** What glTF calls 32-bit whole numbers, and lists of triangles. */
+/** glTF's constants for 32-bit whole numbers, and for lists of triangles. */
 const [UINT32, TRIANGLES] = [5125, 4];
 
 /**
  * The file without Draco.
- * @param chunks what {@link checkGltf} has found to be sound
- * @throws StrutError `bad-file` where a mesh cannot be decoded or all together are too long, `load` where the decoder cannot be had
+ * @param chunks chunks that {@link checkGltf} has accepted
+ * @throws StrutError `bad-file` if a mesh cannot be decoded or all together are too long, `load` if the decoder cannot
+ * be loaded
  */
 export async function withoutDraco({ json, binary }: GlbChunks): Promise<Uint8Array<ArrayBuffer>> {
   const document = structuredClone(json);
@@ -26,7 +27,7 @@ export async function withoutDraco({ json, binary }: GlbChunks): Promise<Uint8Ar
   for (const primitive of primitivesOf(document)) {
     const extensions = primitive.extensions as Json;
     if (!isRecord(extensions) || !(DRACO in extensions)) continue;
-    // Files for programs that know no Draco have the plain arrays as well.
+    // Files for programs without Draco contain the plain arrays as well.
     if (isRequired || !meshes.arePlain(primitive)) {
       decoder ??= await DracoDecoder.load();
       meshes.decode(primitive, extensions[DRACO], decoder);
@@ -38,12 +39,12 @@ export async function withoutDraco({ json, binary }: GlbChunks): Promise<Uint8Ar
   return meshes.file();
 }
 
-/** A document whose meshes are decoded one by one, and what is added to its buffer. */
+/** A document whose meshes are decoded one by one, and the data added to its buffer. */
 class Meshes {
   readonly #views: Json[];
   readonly #accessors: Json[];
   readonly #parts: Uint8Array[];
-  /** Primitives of the same arrays are decoded once. */
+  /** Primitives with the same arrays are decoded once. */
   readonly #decoded = new Map<string, Json>();
   #length: number;
   #numbers = 0;
@@ -58,13 +59,13 @@ class Meshes {
     this.#length = paddedLength(binary.length);
   }
 
-  /** Whether all arrays of a primitive are in the file without compression, too. */
+  /** Whether the file also contains all arrays of a primitive uncompressed. */
   arePlain({ attributes, indices }: Json): boolean {
     const all = [indices, ...Object.values(isRecord(attributes) ? attributes : {})];
     return all.every((accessor) => this.#accessors[Number(accessor)]?.bufferView !== undefined);
   }
 
-  /** Gives a primitive plain arrays. */
+  /** Replaces a primitive's arrays by plain ones. */
   decode(primitive: Json, packed: unknown, decoder: DracoDecoder): void {
     const { attributes, indices, mode = TRIANGLES } = primitive;
     if (!isRecord(packed) || !isRecord(packed.attributes) || !isRecord(attributes)) throw damaged();
@@ -101,7 +102,7 @@ class Meshes {
     };
   }
 
-  /** The bytes that a primitive is compressed to. */
+  /** The compressed bytes of a primitive. */
   #stream({ bufferView }: Json): Uint8Array {
     const view = this.#views[Number(bufferView)];
     if (view?.buffer !== 0 || records(this.document, "buffers")[0]!.uri !== undefined) throw damaged();
@@ -109,7 +110,7 @@ class Meshes {
     return this.binary.subarray(start, start + Number(view.byteLength));
   }
 
-  /** Adds an array. Gives the number of its accessor. */
+  /** Adds an array. Returns the index of its accessor. */
   #add(accessor: Json, bytes: Uint8Array): number {
     const view = { buffer: 0, byteOffset: this.#length, byteLength: bytes.length };
     this.#parts.push(bytes);

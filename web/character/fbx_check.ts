@@ -1,21 +1,21 @@
 /**
- * Checks the keys of an FBX file before three.js reads it: its loader makes a key of every half turn between two keys, and
- * never ends where they lie beyond all numbers (`shared/spec/embedding.md` section 6).
+ * Checks the keys of an FBX file before three.js reads it: its loader inserts a key for every half turn between two
+ * keys, and never ends if they are beyond all numbers (`shared/spec/embedding.md` section 6).
  */
 import { StrutError } from "../engine/errors";
 
-/** Most half turns between neighbouring keys of all curves; a minute of a hundred joints has thousands. */
+/** Maximum number of half turns between neighbouring keys of all curves; a minute with a hundred joints has thousands. */
 const MAX_HALF_TURNS = 2_000_000;
 
-/** Bytes of an element of an array, by its type. */
+/** Bytes of an array element, by its type. */
 const ELEMENT_BYTES: Readonly<Record<string, number>> = { b: 1, c: 1, i: 4, f: 4, d: 8, l: 8 };
 /** Bytes of a single value, by its type. */
 const VALUE_BYTES: Readonly<Record<string, number>> = { C: 1, Y: 2, I: 4, F: 4, D: 8, L: 8 };
 
-/** Unpacks what zlib packed. */
+/** Decompresses zlib data. */
 export type Inflate = (packed: Uint8Array) => Uint8Array;
 
-/** @throws StrutError `bad-file` where times do not rise, or values jump beyond all bounds */
+/** @throws StrutError `bad-file` if times do not increase, or values jump beyond all bounds */
 export function checkFbx(file: Uint8Array, inflate: Inflate): void {
   let halfTurns = 0;
   for (const { name, values } of file[0] === "K".charCodeAt(0) ? binaryArrays(file, inflate) : textArrays(file)) {
@@ -36,7 +36,10 @@ interface Keys {
 
 const NAMES = ["KeyTime", "KeyValueFloat"];
 
-/** The records of a binary file follow one another, those inside of a record behind its values; damaged ones end it. */
+/**
+ * The records of a binary file are consecutive; nested records come after their parent's values. Damaged records end
+ * the sequence.
+ */
 function* binaryArrays(file: Uint8Array, inflate: Inflate): Generator<Keys> {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const isLong = view.getUint32(23, true) >= 7500;
@@ -79,7 +82,7 @@ function numbersOf(type: string, bytes: Uint8Array): ArrayLike<number> {
   return type === "l" ? Array.from(new BigInt64Array(buffer), Number) : new Uint8Array(buffer);
 }
 
-/** In a text the values stand behind the name, up to the next brace. */
+/** In a text file the values come after the name, up to the next brace. */
 function* textArrays(file: Uint8Array): Generator<Keys> {
   const text = new TextDecoder().decode(file);
   for (const [, name, list] of text.matchAll(/(KeyTime|KeyValueFloat):[^{}]*\{\s*a:([^}]*)/g))

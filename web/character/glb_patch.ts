@@ -1,6 +1,6 @@
 /**
- * Binary glTF, taken apart and put together; and one more animation in it: the document is written again, and the bytes of its
- * buffer stay what they are, the new ones behind them.
+ * Splits and joins binary glTF, and appends an animation: the document is rewritten, the bytes of its buffer stay
+ * unchanged, and the new ones are appended.
  */
 import { StrutError } from "../engine/errors";
 import { BufferBuilder } from "../formats/glb";
@@ -11,16 +11,16 @@ const [MAGIC, JSON_CHUNK, BINARY_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
 /** Chunks of a binary glTF. */
 export interface GlbChunks {
   readonly json: Record<string, unknown>;
-  /** The buffer; empty where there is none. */
+  /** The buffer; empty if there is none. */
   readonly binary: Uint8Array;
 }
 
-/** An animation to append; one key of every channel a time. */
+/** An animation to append; every channel has one key per time. */
 export interface NewAnimation {
   readonly name: string;
   readonly times: Float32Array;
   readonly channels: readonly {
-    /** Number of the node. */
+    /** Index of the node. */
     readonly node: number;
     readonly path: "translation" | "rotation";
     readonly values: Float32Array;
@@ -28,7 +28,7 @@ export interface NewAnimation {
 }
 
 /**
- * Takes a file apart. Its numbers are believed only where they fit the file.
+ * Splits a file. Sizes in it are used only if they fit the file.
  * @throws StrutError `bad-file`
  */
 export function chunksOf(file: Uint8Array): GlbChunks {
@@ -50,11 +50,11 @@ export function chunksOf(file: Uint8Array): GlbChunks {
   return { json, binary };
 }
 
-/** A length rounded up to the 4 bytes at whose multiples everything in a file begins. */
+/** A length rounded up to a multiple of 4 bytes, the alignment of everything in a file. */
 export const paddedLength = (bytes: number): number => bytes + (-bytes & 3);
 
 /**
- * Puts a file together.
+ * Joins a file.
  * @param parts the buffer, piece by piece; each begins at a multiple of 4 bytes
  */
 export function glbOf(json: object, parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
@@ -89,8 +89,9 @@ function noGlb(message: string): StrutError {
 }
 
 /**
- * The file with one more animation.
- * @throws StrutError `bad-file` if the file is no binary glTF, or refers to its buffer in a way that cannot be extended
+ * The file with an additional animation.
+ * @throws StrutError `bad-file` if the file is not binary glTF, or refers to its buffer in a way that cannot be
+ * extended
  */
 export function withAnimation(file: Uint8Array, animation: NewAnimation): Uint8Array<ArrayBuffer> {
   const { json, binary } = chunksOf(file);

@@ -1,6 +1,6 @@
 /**
- * Checks a glTF document before three.js reads it: an accessor that lies about its buffer would make it throw a `RangeError`
- * at best (`shared/spec/embedding.md` section 6).
+ * Checks a glTF document before three.js reads it: an accessor beyond its buffer would make it throw a `RangeError` at
+ * best (`shared/spec/embedding.md` section 6).
  */
 import { StrutError } from "../engine/errors";
 import { isRecord } from "./vrm_humanoid";
@@ -17,36 +17,36 @@ export const COMPONENTS: Readonly<Record<string, number>> = {
   MAT3: 9,
   MAT4: 16,
 };
-/** Lists of what has names. */
+/** Lists whose elements have names. */
 const NAMED = ["scenes", "nodes", "meshes", "skins", "materials", "animations", "cameras", "textures", "images"];
-/** Type of what moves, by its path. */
+/** Accessor type of an animation channel, by its path. */
 const TYPE_OF_PATH: Readonly<Record<string, string>> = {
   translation: "VEC3",
   rotation: "VEC4",
   scale: "VEC3",
   weights: "SCALAR",
 };
-/** Most elements of an accessor: six indices a vertex of two million triangles. */
+/** Maximum number of elements of an accessor: six indices per vertex of two million triangles. */
 const MAX_COUNT = 12_000_000;
-/** Most numbers of the arrays that have no data, which are zero or compressed, and most of those that are decoded. */
+/** Maximum number of values in arrays without data, which are zero or compressed, and maximum number of decoded values. */
 export const MAX_NUMBERS = 16_000_000;
-/** Most nodes of a document: three.js takes seconds for more. */
+/** Maximum number of nodes of a document: three.js takes seconds for more. */
 const MAX_NODES = 16_384;
-/** Most nodes that may lie in one another: more would exhaust the stack of whoever walks them. */
+/** Deepest nesting of nodes: more would overflow the stack of recursive functions. */
 const MAX_DEPTH = 1024;
 /** Largest side of an image, pixels. */
 const MAX_PIXELS = 8192;
 /** The compression of meshes that `draco.ts` decodes. */
 export const DRACO = "KHR_draco_mesh_compression";
-/** Textures that three.js needs further files for. */
+/** The texture format for which three.js needs additional files. */
 const KTX2 = "KHR_texture_basisu";
 /** Compressions of arrays that three.js's own decoder reads. */
 const PACKED = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /**
- * Checks a document and what it says of its buffer.
- * @param binary the buffer that lies in the file
- * @throws StrutError `bad-file` with what is wrong
+ * Checks a document and its references to its buffer.
+ * @param binary the buffer in the file
+ * @throws StrutError `bad-file` if it is invalid; the message says why
  */
 export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): void {
   const required = Array.isArray(json.extensionsRequired) ? (json.extensionsRequired as unknown[]) : [];
@@ -55,7 +55,7 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
       `The textures of this model are KTX2 files (${KTX2}), which cannot be read here.`,
       "Export it with textures of PNG, JPEG or WebP.",
     );
-  // Others make three.js fail where nobody can catch it.
+  // Names of other types make three.js fail with errors that cannot be caught.
   for (const list of NAMED)
     if (records(json, list).some(({ name }) => name !== undefined && typeof name !== "string"))
       throw broken("A name in this model is no text.");
@@ -91,7 +91,7 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
   checkNodes(records(json, "nodes"));
 }
 
-/** A packed array lies in its buffer, and unpacks to what it says. */
+/** A packed array must lie in its buffer, and unpack to its declared size. */
 function checkPacked(packed: unknown, view: Record<string, unknown>, bufferBytes: readonly number[]): void {
   if (packed === undefined) return;
   const { buffer, byteOffset, byteLength, byteStride, count } = isRecord(packed) ? packed : {};
@@ -116,7 +116,7 @@ function checkAccessor(accessor: Record<string, unknown>, views: readonly Record
     throw broken("An array of this model is longer than its data.");
 }
 
-/** As many values a key as are moved: three.js's mixer counts in steps of those, and never arrives otherwise. */
+/** Every key must have as many values as are animated: three.js's mixer steps by this number, and never ends otherwise. */
 function checkAnimation(animation: Record<string, unknown>, accessors: readonly Record<string, unknown>[]): void {
   const samplers = records(animation, "samplers");
   for (const { sampler, target } of records(animation, "channels")) {
@@ -130,7 +130,7 @@ function checkAnimation(animation: Record<string, unknown>, accessors: readonly 
   }
 }
 
-/** Nodes are a forest: every one has at most one parent and is not below itself. */
+/** Nodes are a forest: every node has at most one parent and is not its own descendant. */
 function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   if (nodes.length > MAX_NODES) throw broken("This model has too many nodes.");
   const parents = new Int32Array(nodes.length).fill(-1);
@@ -140,7 +140,7 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
       if (!(index in parents) || parents[index] !== -1) throw broken("The nodes of this model are no tree.");
       parents[index] = i;
     }
-  // In a circle nobody is without a parent: from there every step leads on.
+  // In a cycle no node is without a parent, and following parents never ends.
   const depth = new Int32Array(nodes.length);
   for (let i = 0; i < nodes.length; i++) {
     const path: number[] = [];
@@ -153,7 +153,7 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   }
 }
 
-/** @throws StrutError `bad-file` where a PNG or JPEG picture is larger than graphics cards take */
+/** @throws StrutError `bad-file` if a PNG or JPEG image is larger than GPUs support */
 function checkImage(bytes: Uint8Array): void {
   const { width, height } = pngSize(bytes) ?? jpegSize(bytes) ?? { width: 0, height: 0 };
   if (Math.max(width, height) <= MAX_PIXELS) return;
@@ -174,7 +174,7 @@ function pngSize(bytes: Uint8Array): Size | undefined {
   return { width: view.getUint32(16), height: view.getUint32(20) };
 }
 
-/** The size stands in the first segment whose marker is one of a frame. */
+/** The size is in the first segment with a frame marker. */
 function jpegSize(bytes: Uint8Array): Size | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 4 || view.getUint16(0) !== 0xffd8) return undefined;
@@ -187,7 +187,7 @@ function jpegSize(bytes: Uint8Array): Size | undefined {
   return undefined;
 }
 
-/** A whole number from 0 up; `NaN` for anything else, which is in no range. */
+/** A whole number from 0 up; `NaN` for anything else, which is out of every range. */
 function size(value: unknown): number {
   return typeof value === "number" && Number.isSafeInteger(value) && value >= 0 ? value : Number.NaN;
 }
@@ -207,7 +207,7 @@ export function primitivesOf(json: Record<string, unknown>): Record<string, unkn
   );
 }
 
-/** A list of a document, empty where it has none. @throws StrutError `bad-file` where it is no list of objects */
+/** A list of a document, empty if it is missing. @throws StrutError `bad-file` if it is not a list of objects */
 export function records(json: Record<string, unknown>, key: string): Record<string, unknown>[] {
   const list = json[key];
   if (list === undefined) return [];

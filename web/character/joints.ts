@@ -1,39 +1,42 @@
 /**
- * The skeleton of a character in three.js: nodes of skins and what is above them, in the pose in which the skin was modelled
- * (`shared/spec/embedding.md` section 5.1 and 5.2). Everything is measured inside the character's object, whose own
- * placement belongs to the page.
+ * The skeleton of a character in three.js: nodes of skins and their ancestors, in the pose in which the skin was
+ * modelled (`shared/spec/embedding.md` section 5.1 and 5.2). Everything is measured in the space of the character's
+ * object, whose own placement belongs to the page.
  */
 import { Matrix4, type Object3D, Quaternion, type SkinnedMesh, Vector3 } from "three";
 import type { Skeleton } from "../engine/character/rig";
 import { StrutError } from "../engine/errors";
 
-/** Most joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
+/** Maximum number of joints that the engine binds, as in `rust/strut-core/src/skeleton.rs`. */
 export const MAX_JOINTS = 512;
-/** Share by which the scales along two axes may differ: exporters round. */
+/** Relative difference that is allowed between the scales along two axes, because exporters round. */
 const EVEN = 0.01;
-/** Share of a skin's size within which its joints agree where the skin lies. */
+/** Share of a skin's size within which its joints agree on the skin's placement. */
 const AGREEMENT = 1e-3;
 
-/** Share by which a bone may be longer or shorter than when it was modelled: files round. */
+/** Relative change of a bone's length since modelling that is ignored, because files round. */
 const ELSEWHERE = 0.005;
 
-/** Most answers to where a skin lies that are counted: files of real programs have one. */
+/** Maximum number of candidate placements of a skin that are counted; files of real programs have one. */
 const MAX_TRIED = 64;
 
-/** Distance of the joints, over that of the nearest answer, up to which the skin lies where the file says. */
+/** The file's placement of the skin is used up to this ratio of its joint distance to that of the nearest candidate. */
 const MUCH_NEARER = 2;
 
-/** A bone of a skin: where it lies in the character's object, and from the skin's space to it in the pose of the skin. */
+/**
+ * A bone of a skin: its position in the character's object, and the transform from the skin's space to it in the skin's
+ * bind pose.
+ */
 interface BoundBone {
   readonly bone: Object3D;
   readonly matrix: Matrix4;
   readonly inverse: Matrix4;
 }
 
-/** Most joints by which it is found which answer leaves them nearest. */
+/** Maximum number of joints with which the candidates are compared. */
 const MAX_SAMPLED = 256;
 
-/** A skin, and where the space in which it was modelled lies in the character's object. */
+/** A skin, and the placement of its modelling space in the character's object. */
 export interface Skin {
   readonly mesh: SkinnedMesh;
   readonly objectFromSkin: Matrix4;
@@ -44,31 +47,34 @@ export interface Joints extends Skeleton {
   /** The node of each joint; the first is the character's object itself. */
   readonly nodes: readonly Object3D[];
   readonly skins: readonly Skin[];
-  /** Scale of each joint's children, folded into the offsets. */
+  /** Scale of each joint's children, included in the offsets. */
   readonly scales: Float64Array;
-  /** Whether the scale of each joint is the same along all axes, and mirrors nothing. */
+  /** Whether the scale of each joint is the same along all axes, without mirroring. */
   readonly even: readonly boolean[];
-  /** Where each joint lies in the bind pose, in the character's object. */
+  /** Position of each joint in the bind pose, in the character's object. */
   readonly places: readonly Vector3[];
-  /** Whether the joints agree where the skins lie. */
+  /** Whether the joints agree on the placement of the skins. */
   readonly isSure: boolean;
-  /** Joints whose node hangs elsewhere, or lies elsewhere below its parent, than the joint does: poses move them, too. */
+  /** Joints whose node has another parent, or another position below its parent, than the joint: poses translate them, too. */
   readonly moved: readonly number[];
-  /** Joints that were left out, as the engine binds at most 512. */
+  /** Number of joints that were left out, as the engine binds at most 512. */
   readonly dropped: number;
 }
 
-/** Which joints a character has. */
+/** Selects the joints of a character. */
 export interface JointChoice {
-  /** Nodes that are joints whether a skin follows them or not. */
+  /** Nodes that are joints whether a skin uses them or not. */
   readonly chosen?: Iterable<Object3D>;
-  /** Whether it must have a skin; without one all nodes that show nothing are joints, at rest as they lie. */
+  /**
+   * Whether it must have a skin. Without one, all nodes that display nothing are joints, with their current pose as the
+   * rest pose.
+   */
   readonly needsSkin?: boolean;
-  /** Whether all nodes that show nothing are joints although there are skins: one that was left over names few. */
+  /** Whether all nodes that display nothing are joints although there are skins; a leftover skin names few. */
   readonly all?: boolean;
-  /** How skins are turned of which the joints do not agree where they lie. */
+  /** Rotation of skins whose joints do not agree on their placement. */
   readonly turn?: Matrix4;
-  /** Nodes that hang on other ones than their parents. */
+  /** Nodes that are attached to other nodes than their parents. */
   readonly hung?: ReadonlyMap<Object3D, Object3D>;
 }
 
@@ -126,7 +132,7 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
       places.push(new Vector3());
       continue;
     }
-    // A mixer that plays has left the nodes in the middle of a motion: where a skin says how they were modelled, it is asked.
+    // A playing mixer has left the nodes in the middle of a motion. If a skin contains their bind pose, it is used.
     const place = new Vector3();
     if (bound) {
       place.setFromMatrixPosition(bound);
@@ -168,14 +174,14 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
   };
 }
 
-/** The name that a node has in its file: loaders change names for three.js. */
+/** The name of a node in its file: loaders change names for three.js. */
 export function nameInFile({ name, userData }: Object3D): string {
-  // The loaders of glTF and of FBX keep it in different places.
+  // The loaders of glTF and of FBX store it in different properties.
   const kept: unknown = userData.name ?? userData.originalName;
   return typeof kept === "string" ? kept : name;
 }
 
-/** Whether a node has another distance from its parent than when it was modelled. */
+/** Whether a node's distance from its parent has changed since modelling. */
 function liesElsewhere({ position }: Object3D, scale: number, modelled: number): boolean {
   return Math.abs(position.length() * scale - modelled) > ELSEWHERE * Math.max(modelled, position.length() * scale);
 }
@@ -185,10 +191,10 @@ function showsNothing(node: Object3D): boolean {
   return !("geometry" in node || "isLight" in node || "isCamera" in node);
 }
 
-/** Where every node lies inside the object. */
+/** The matrix of every node in the space of the object. */
 function matricesIn(object: Object3D): Map<Object3D, Matrix4> {
   const matrices = new Map<Object3D, Matrix4>([[object, new Matrix4()]]);
-  // A map grows while it is walked: parents come before their children.
+  // A map can grow during iteration: parents come before their children.
   for (const [node, matrix] of matrices)
     for (const child of node.children) {
       const local = new Matrix4().compose(child.position, child.quaternion, child.scale);
@@ -197,7 +203,7 @@ function matricesIn(object: Object3D): Map<Object3D, Matrix4> {
   return matrices;
 }
 
-/** The skins, and of every joint that they name where it lay when they were modelled. */
+/** The skins, and the position of each of their joints when they were modelled. */
 function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>, turn: Matrix4 | undefined) {
   const skins: Skin[] = [];
   let isSure = true;
@@ -211,7 +217,7 @@ function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>, tur
       return matrix && inverse && inverse.determinant() !== 0 ? [{ bone: bone!, matrix, inverse }] : [];
     });
     if (present.length === 0) return;
-    // The file's own space, that of the mesh, and that in which the skeleton hangs.
+    // The file's own space, the mesh's space, and the space of the skeleton's parent.
     const own = new Set<Object3D>(bones);
     const roots = new Set(bones.flatMap((bone) => (bone?.parent && !own.has(bone.parent) ? [bone.parent] : [])));
     const places = [mesh, ...roots].slice(0, MAX_TRIED).flatMap((node) => matrices.get(node) ?? []);
@@ -226,12 +232,12 @@ function skinsOf(object: Object3D, matrices: ReadonlyMap<Object3D, Matrix4>, tur
 }
 
 /**
- * Every joint that lies as it was modelled says the same of where its skin lies: the matrix that most agree with. So a file
- * that was saved in another pose is still bound in the pose of its skin.
+ * Every joint that is still in the bind pose gives the same placement of its skin: the matrix on which most joints
+ * agree. So a file that was saved in another pose is still bound in the skin's bind pose.
  *
- * Where fewer than half agree, as in a file that was saved in the middle of a motion, those that do may be the fingers of one
- * hand. Then the matrix is taken that leaves the joints nearest to where they lie: one of those that files use (`ofFile`), unless
- * another one is much nearer.
+ * If fewer than half agree, as in a file that was saved in the middle of a motion, the agreeing ones may be the fingers
+ * of one hand. Then the matrix is chosen that brings the joints nearest to their current positions: one of those that
+ * files use (`ofFile`), unless another one is much nearer.
  */
 function agreed(present: readonly BoundBone[], ofFile: readonly Matrix4[]): { place: Matrix4; isSure: boolean } {
   const matrices = present.map(({ matrix, inverse }) => matrix.clone().multiply(inverse));
@@ -255,7 +261,7 @@ function agreed(present: readonly BoundBone[], ofFile: readonly Matrix4[]): { pl
   return { place: own.distance <= MUCH_NEARER * any.distance ? own.place : any.place, isSure: false };
 }
 
-/** A matrix with another scale: that of the bones' own matrices tells the skin's unit. */
+/** A matrix with another scale: the scale of the bones' own matrices gives the skin's unit. */
 function resized(matrix: Matrix4, scale: number): Matrix4 {
   const position = new Vector3().setFromMatrixPosition(matrix);
   return rigid(matrix)
@@ -263,7 +269,7 @@ function resized(matrix: Matrix4, scale: number): Matrix4 {
     .setPosition(position);
 }
 
-/** Joints of a skin where they were modelled and where they lie: a few hundred say enough. */
+/** Joints of a skin, where they were modelled and where they are now; a few hundred are enough. */
 function sampled(present: readonly BoundBone[]): { modelled: Vector3; lies: Vector3 }[] {
   const step = Math.ceil(present.length / MAX_SAMPLED);
   return present
@@ -274,7 +280,7 @@ function sampled(present: readonly BoundBone[]): { modelled: Vector3; lies: Vect
     }));
 }
 
-/** How far the joints lie from where they were modelled, together, if the skin lies so. */
+/** Sum of the distances between the joints' positions and their modelled positions under a placement of the skin. */
 function distanceOf(joints: ReturnType<typeof sampled>, objectFromSkin: Matrix4): number {
   const place = new Vector3();
   return joints.reduce(
@@ -295,7 +301,7 @@ function sizeOf(matrix: Matrix4): { mean: number; even: boolean } {
   const lengths = [x.length(), y.length(), z.length()];
   const mean = (lengths[0]! + lengths[1]! + lengths[2]!) / 3;
   const spread = Math.max(...lengths) - Math.min(...lengths);
-  // Turned children of unevenly scaled joints are sheared.
+  // Rotated children of unevenly scaled joints are sheared.
   const shear = Math.max(Math.abs(x.dot(y)), Math.abs(y.dot(z)), Math.abs(z.dot(x)));
   const even = mean > 0 && spread <= EVEN * mean && shear <= EVEN * mean * mean && matrix.determinant() > 0;
   return { mean, even };
@@ -307,8 +313,8 @@ function rigid(matrix: Matrix4): Matrix4 {
 }
 
 /**
- * Leaves out chains at the ends of the tree, the shortest first, until the engine can bind the rest: hair, faces and skirts
- * are many short chains, and limbs are long ones.
+ * Removes leaf chains of the tree, the shortest first, until the engine can bind the rest: hair, faces and skirts are
+ * many short chains, and limbs are long ones.
  */
 function dropLeafChains(
   kept: Set<Object3D>,
@@ -333,7 +339,7 @@ function dropLeafChains(
     }
     if (chains.length === 0) return;
     chains.sort((a, b) => a.length - b.length);
-    // As many as are too many, but at most half: what is left of the tree has other ends then.
+    // As many chains as are in excess, but at most half: afterwards the tree has other leaves.
     for (const { nodes } of chains.slice(0, Math.ceil(chains.length / 2))) {
       if (kept.size <= MAX_JOINTS) return;
       for (const node of nodes) kept.delete(node);

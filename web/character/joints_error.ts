@@ -1,17 +1,17 @@
-/** The error of a skeleton whose joints cannot be told: it carries what a person needs to choose them. */
+/** The error of a skeleton whose joints cannot be identified. It contains the data that the user needs to choose them. */
 import { type ErrorParts, StrutError } from "../engine/errors";
 import type { Role } from "../humanoid";
 
-/** What a {@link JointsError} is made of. */
+/** Contents of a {@link JointsError} as plain data. */
 export interface JointsErrorParts extends ErrorParts {
   missing: readonly Role[];
   joints: readonly string[];
   roles: Readonly<Partial<Record<Role, string>>>;
 }
 
-/** A `bad-file` whose joints a person can choose: `loadCharacter(source, { roles })`. */
+/** A `bad-file` error whose joints the user can choose: `loadCharacter(source, { roles })`. */
 export class JointsError extends StrutError {
-  /** Roles that a body needs and that have no joint, all of them; empty where the joints are there but do not make a human. */
+  /** All required roles without a joint; empty if the joints exist but do not form a human. */
   readonly missing: readonly Role[];
   /** Names of all joints; parents come before their children. */
   readonly joints: readonly string[];

@@ -1,25 +1,25 @@
-/** What the author of a model allows (`shared/spec/embedding.md` section 5.8). */
+/** Permissions by the author of a model (`shared/spec/embedding.md` section 5.8). */
 import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
-/** What a model's file says on its use. */
+/** Terms of use in a model's file. */
 export interface Licence {
   /** Name of the model. */
   readonly title: string;
   /** Names of its authors. */
   readonly authors: readonly string[];
-  /** Where the terms stand. */
+  /** Address of the terms. */
   readonly url?: string;
-  /** Whether the author is to be named. */
+  /** Whether the author must be named. */
   readonly credit: boolean;
-  /** Whether everybody may perform the character. */
+  /** Whether everyone may perform the character. */
   readonly everybody: boolean;
-  /** Whether the model may be handed on with another motion in it. */
+  /** Whether the model may be redistributed with another motion in it. */
   readonly mayExport: boolean;
 }
 
 /**
- * The licence in a glTF document: VRM's meta, else the copyright notice; `undefined` where there is neither. What a VRM leaves
- * out has the default of its specification, and a value that is not known is taken as the strictest.
+ * The licence in a glTF document: VRM's meta, otherwise the copyright notice; `undefined` if it has neither. Fields
+ * that a VRM omits have the default of its specification, and an unknown value counts as the strictest.
  */
 export function licenceOf(json: GltfJson): Licence | undefined {
   const vrm = vrmOf(json);
@@ -36,7 +36,7 @@ export function licenceOf(json: GltfJson): Licence | undefined {
 function ofVrm1(meta: Record<string, unknown>): Licence {
   const { avatarPermission, modification, allowRedistribution, creditNotation } = meta;
   const url = address(meta.otherLicenseUrl) ?? address(meta.licenseUrl);
-  // Modified files may be handed on under one value only; with the other one they are for oneself.
+  // Modified files may be redistributed under one value only; the other one allows private use.
   const mayExport = modification === "allowModificationRedistribution" && allowRedistribution === true;
   return {
     title: text(meta.name),
@@ -48,7 +48,7 @@ function ofVrm1(meta: Record<string, unknown>): Licence {
   };
 }
 
-/** Licences of VRM 0 that allow to hand on what was changed. */
+/** Licences of VRM 0 that allow redistribution of modified files. */
 const MODIFIABLE = ["CC0", "CC_BY", "CC_BY_NC", "CC_BY_SA", "CC_BY_NC_SA"];
 
 /** VRM 0.x, `VRM.meta`. */
@@ -67,7 +67,7 @@ function ofVrm0(meta: Record<string, unknown>): Licence {
 
 const text = (value: unknown): string => (typeof value === "string" ? value.trim() : "");
 
-/** A web address; others, such as scripts, are no place to lead people to. */
+/** A web address; others, such as scripts, must not become links. */
 function address(value: unknown): string | undefined {
   return /^https?:\/\//i.test(text(value)) ? text(value) : undefined;
 }

@@ -1,4 +1,4 @@
-/** Loads characters and motions of files: GLB, VRM 0 and 1, FBX, and for motions VRM Animation. */
+/** Loads characters and motions from files: GLB, VRM 0 and 1, FBX, and for motions VRM Animation. */
 import { Group, type Object3D } from "three";
 import { characterPackage } from "../engine/character/wasm";
 import { cancelled, StrutError } from "../engine/errors";
@@ -24,25 +24,25 @@ import { vrmaOf } from "./vrm_humanoid";
 /** Height of the mannequin and of its hips, metres. */
 const MANNEQUIN_METRES = 1.75;
 const HIPS_METRES = DEFAULT_PROPORTIONS[3 * JOINT.hips + 1]!;
-/** Heights of bodies as shares of the mannequin's between which they keep their size: children, toys and giants of tales. */
+/** Bodies between these shares of the mannequin's height keep their size: children, toys and giants. */
 const [SHORTEST, TALLEST] = [0.2, 6];
 
 /** Options of {@link loadCharacter}. */
 export interface LoadCharacterOptions extends CallOptions, BindOptions {
-  /** Asked where the author does not allow everybody to perform the character; without it that is refused. */
+  /** Asked if the author does not allow everyone to perform the character. Without it, the character is refused. */
   accept?: (licence: Licence) => boolean | Promise<boolean>;
   /**
-   * Whether {@link Character.toGLB} will be wanted, `true` unless it is given: a model of FBX is then written as glTF while it
-   * is loaded.
+   * Whether {@link Character.toGLB} will be needed; `true` by default. An FBX model is then converted to glTF while
+   * loading.
    */
   glb?: boolean;
 }
 
 /**
  * Loads and binds a character.
- * @param importVrm imports three-vrm when the file is a VRM; without it hair and clothes do not swing
- * @throws StrutError `bad-file` with what is wrong with the file, `licence` where its use was not accepted, `load` where it
- *   cannot be had, `cancelled`
+ * @param importVrm imports three-vrm if the file is a VRM; without it hair and clothes do not swing
+ * @throws StrutError `bad-file` if the file is invalid, `licence` if its use was not accepted, `load` if it cannot be
+ * loaded, `cancelled`
  */
 export async function loadCharacter(
   source: CharacterSource,
@@ -75,10 +75,10 @@ export async function loadCharacter(
 }
 
 /**
- * The motions of a file, whether a figure is in it or not. They hold no memory of the engine: what they need is taken when
- * they are read, and given back.
- * @param call also what is known of the joints, as for {@link loadCharacter}
- * @throws StrutError `bad-file` with what is wrong with the file, `load` where it cannot be had, `cancelled`
+ * The motions of a file, with or without a character in it. They hold no engine memory: it is allocated when they are
+ * read, and then freed.
+ * @param call also the known joints, as for {@link loadCharacter}
+ * @throws StrutError `bad-file` if the file is invalid, `load` if it cannot be loaded, `cancelled`
  */
 export async function loadMotions(
   source: CharacterSource,
@@ -93,7 +93,7 @@ export async function loadMotions(
   try {
     if (origin.clips.length === 0) return [];
     const glue = await characterPackage.load();
-    // A VRM Animation rests on the ground.
+    // A VRM Animation stands on the ground.
     const { roles, soleHeight = isVrma ? 0 : undefined, metresPerUnit } = call;
     const options = unitOf(model, {
       ...(roles && { roles }),
@@ -121,7 +121,7 @@ export async function loadMotions(
   }
 }
 
-/** An object in another one that has metres, as those of people. */
+/** An object in a parent that is scaled to metres, like a human body. */
 function scaledBy(object: Object3D, scale: number): Object3D {
   const group = new Group();
   group.add(object);
@@ -159,12 +159,12 @@ async function loaded(
   return model;
 }
 
-/** The options of a model's binding, with the unit that its format says. */
+/** The options of a model's binding, with the unit of its format. */
 function unitOf({ metresPerUnit }: ReadModel, options: BindOptions): BindOptions {
   return metresPerUnit === undefined ? options : { metresPerUnit, ...options };
 }
 
-/** @throws StrutError `licence` unless everybody may perform the character or it was accepted */
+/** @throws StrutError `licence` unless everyone may perform the character or the licence was accepted */
 async function checkLicence(licence: Licence | undefined, accept: LoadCharacterOptions["accept"]): Promise<void> {
   if (!licence || licence.everybody || (await accept?.(licence))) return;
   const message = "The author of this model does not allow everybody to perform it.";

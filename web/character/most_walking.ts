@@ -1,12 +1,12 @@
-/** Which of several motions in a file is the one to begin with: somebody who opens a character wants to see it walk. */
+/** Chooses the first of several motions in a file to show: the one that looks most like walking. */
 import { JOINT, POSE_FLOATS } from "../humanoid";
 import type { CharacterMotion } from "./types";
 
-/** Names of walks, and of walks that go another way than forwards. */
+/** Names of walks, and of walks in other directions than forwards. */
 const WALK = /walk/i;
 const OTHER_WAY = /back|left|right|strafe|side|turn|crouch|start|stop|injured|drunk/i;
 
-/** The number of the motion that walks most: by its name, else by how far its legs swing. −1 where there is none. */
+/** Index of the motion that walks most: by its name, otherwise by how far its legs swing. −1 if there is none. */
 export function mostWalking(motions: readonly CharacterMotion[]): number {
   const walks = motions.flatMap(({ name }, i) => (WALK.test(name) ? [i] : []));
   if (walks.length > 0) return walks.find((i) => !OTHER_WAY.test(motions[i]!.name)) ?? walks[0]!;

@@ -1,4 +1,7 @@
-/** The motions in a file as poses, through the binding that performs poses (`shared/spec/embedding.md` 5.6). */
+/**
+ * The motions in a file as poses, through the same binding as the poses that are performed (`shared/spec/embedding.md`
+ * 5.6).
+ */
 import { type AnimationClip, AnimationMixer, Matrix4, type Object3D, Quaternion, Vector3 } from "three";
 import { StrutError } from "../engine/errors";
 import { bvhText } from "../formats/bvh";
@@ -6,17 +9,17 @@ import { POSE_FLOATS } from "../humanoid";
 import type { Bound } from "./bind";
 import type { CharacterMotion, Origin } from "./types";
 
-/** Frames a second at which clips are sampled. */
+/** Frames per second at which clips are sampled. */
 const RATE_HZ = 60;
-/** Longest clip, seconds; what is longer is cut. */
+/** Longest clip, seconds; longer ones are cut. */
 const MAX_SECS = 600;
-/** Most numbers that are handed to the engine at once. */
+/** Maximum number of values that are passed to the engine at once. */
 const MAX_FLOATS = 1 << 21;
 
 /**
  * The motions of a file.
  * @param proportions the body of its bones
- * @param on converts with the bones bound
+ * @param on runs a conversion with the bones bound
  */
 export function motionsOf(
   { object, clips }: Origin,
@@ -36,7 +39,7 @@ export function motionsOf(
   });
 }
 
-/** The poses of a clip; its bones are left as they were. */
+/** The poses of a clip; its bones are restored afterwards. */
 function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, frames: number): Float32Array {
   const { nodes, parents, scales } = joints;
   const hung = nodes.flatMap((node, joint) => (joint > 0 && node.parent !== nodes[parents[joint]!] ? [joint] : []));
@@ -55,7 +58,7 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
       const some = Math.min(atOnce, frames - start);
       const locals = new Float32Array(7 * nodes.length * some);
       for (let frame = 0; frame < some; frame++) {
-        // At its very end a repeated clip is at its beginning.
+        // At its exact end, a looping clip is at its beginning.
         mixer.setTime(Math.min((start + frame) / RATE_HZ, Math.max(clip.duration - 1e-6, 0)));
         for (const [joint, node] of nodes.entries()) {
           const at = 7 * (frame * nodes.length + joint);
@@ -93,7 +96,7 @@ function posesOf({ rig, joints }: Bound, object: Object3D, clip: AnimationClip, 
   return poses;
 }
 
-/** Where a node is in an object. */
+/** The matrix of a node in the space of an object. */
 function matrixIn(object: Object3D, node: Object3D): Matrix4 {
   const matrix = new Matrix4();
   for (let at: Object3D | null = node; at && at !== object; at = at.parent)

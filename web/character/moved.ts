@@ -1,6 +1,6 @@
 /**
- * Joints that poses move as well as turn: feet that hang from the root instead of on their legs, as in rigs for inverse kinematics,
- * and bones that lie elsewhere in the file than when the skin was modelled.
+ * Joints that poses translate as well as rotate: feet that are children of the root instead of their legs, as in rigs
+ * for inverse kinematics, and bones whose position in the file differs from the bind pose.
  */
 import { type Object3D, Quaternion, Vector3 } from "three";
 import { JOINT } from "../humanoid";
@@ -9,22 +9,22 @@ import type { Joints } from "./joints";
 export class MovedJoints {
   /** The joints, ascending. */
   readonly joints: readonly number[];
-  /** Local translations in the frames of the nodes' parents, xyz a joint, by the last {@link update}. */
+  /** Local translations in the frames of the nodes' parents, xyz per joint, of the last {@link update}. */
   readonly positions: Float32Array;
-  /** Local rotations in the same frames, xyzw a joint. */
+  /** Local rotations in the same frames, xyzw per joint. */
   readonly rotations: Float32Array;
   readonly #skeleton: Joints;
   readonly #hips: number;
-  /** Joint of the node's parent, of each moved joint. */
+  /** Joint of the node's parent, for each moved joint. */
   readonly #above: readonly number[];
-  /** From each joint's parent in that one's bind frame. */
+  /** Offset from each joint's parent, in the parent's bind frame. */
   readonly #offsets: readonly Vector3[];
   readonly #turns: readonly Quaternion[];
   readonly #places: readonly Vector3[];
   readonly #turn = new Quaternion();
   readonly #place = new Vector3();
 
-  /** @param driven joints that poses turn */
+  /** @param driven joints that poses rotate */
   constructor(skeleton: Joints, roles: Int32Array, driven: Int32Array) {
     this.#skeleton = skeleton;
     this.#hips = roles[JOINT.hips]!;
@@ -43,7 +43,7 @@ export class MovedJoints {
     this.#places = nodes.map(() => new Vector3());
   }
 
-  /** Takes what the engine wrote: the translation of the hips, then the local rotation of every joint. */
+  /** Updates the joints from the engine's output: the translation of the hips, then the local rotation of every joint. */
   update(frame: ArrayLike<number>): void {
     if (this.joints.length === 0) return;
     const { parents, scales } = this.#skeleton;

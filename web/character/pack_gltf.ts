@@ -1,4 +1,4 @@
-/** A `.gltf` with files beside it as one binary glTF: what the rest of the room reads, checks and writes. */
+/** Packs a `.gltf` with its files into one binary glTF, which the other modules read, check and write. */
 import { StrutError } from "../engine/errors";
 import { glbOf, paddedLength } from "./glb_patch";
 import { isRecord } from "./vrm_humanoid";
@@ -9,14 +9,14 @@ export interface FileBeside {
   bytes(): Promise<Uint8Array>;
 }
 
-/** Most bytes of all files together. */
+/** Maximum number of bytes of all files together. */
 const MAX_BYTES = 128 * 1024 * 1024;
 
 /**
- * One file of several. What the document has as data stays there.
- * @param document the bytes of the `.gltf`, which lies at `path`
- * @param beside gives a file that the document names; `undefined` where it is not there
- * @throws StrutError `bad-file` where the document is none, or names files that are missing
+ * Packs several files into one. Data inside the document stays there.
+ * @param document the bytes of the `.gltf` at `path`
+ * @param beside returns a file that the document names; `undefined` if it is missing
+ * @throws StrutError `bad-file` if the document is invalid, or names files that are missing
  */
 export async function packedGltf(
   document: Uint8Array,
@@ -47,7 +47,7 @@ export async function packedGltf(
     return found;
   };
 
-  // All buffers become one, each at its place in it.
+  // All buffers are joined into one; each has its offset in it.
   const starts: number[] = [];
   for (const buffer of records(json.buffers)) starts.push(add((await take(buffer.uri)) ?? new Uint8Array()));
   const bufferViews: Record<string, unknown>[] = records(json.bufferViews).map((view) => ({
@@ -79,18 +79,18 @@ export async function packedGltf(
   );
 }
 
-/** A picture that is missing has no place: three.js leaves it out, and a note says so. */
+/** A missing image has no source: three.js leaves it out, and a note says so. */
 function withSource(image: Record<string, unknown>): Record<string, unknown> {
   return image.bufferView === undefined && image.uri === undefined ? { ...image, uri: "data:," } : image;
 }
 
-/** The files of a `.gltf` among others: by the path that the document names, from its own folder. */
+/** The files of a `.gltf` among others, by the path in the document, relative to its own folder. */
 export function packedWith(document: FileBeside, files: readonly FileBeside[]): Promise<Uint8Array<ArrayBuffer>> {
   const folder = document.path.replace(/[^/]*$/, "");
   const beside = async (uri: string) => {
     const path = `${folder}${uri.replace(/^\.\//, "")}`;
     const name = uri.replace(/^.*\//, "");
-    // A person who drops the files together drops them without their folders.
+    // Files that are dropped together come without their folders.
     const found =
       files.find((file) => file.path === path) ?? files.find((file) => file.path.replace(/^.*\//, "") === name);
     return found?.bytes();
@@ -103,7 +103,7 @@ function parsed(document: Uint8Array): Record<string, unknown> {
     const json: unknown = JSON.parse(new TextDecoder().decode(document));
     if (isRecord(json) && isRecord(json.asset)) return json;
   } catch {
-    // The same sentence as for what is no document.
+    // The same message as for an invalid document.
   }
   throw new StrutError({
     code: "bad-file",
@@ -112,7 +112,7 @@ function parsed(document: Uint8Array): Record<string, unknown> {
   });
 }
 
-/** The bytes of a `data:` address; `undefined` for other addresses. */
+/** The bytes of a `data:` URL; `undefined` for other URLs. */
 function dataOf(uri: string): Uint8Array | undefined {
   const [, base64, text] = /^data:[^,]*?(;base64)?,(.*)$/s.exec(uri) ?? [];
   if (text === undefined) return undefined;

@@ -1,6 +1,6 @@
 /**
- * Reads models: GLB, VRM 0 and 1, VRM Animation, FBX. A file is checked before three.js reads it, and loads nothing from
- * elsewhere (`shared/spec/embedding.md` section 6).
+ * Reads models: GLB, VRM 0 and 1, VRM Animation, FBX. A file is checked before three.js reads it, and loads no external
+ * files (`shared/spec/embedding.md` section 6).
  */
 import {
   Group,
@@ -22,36 +22,36 @@ import { type GltfJson, isRecord, vrmOf } from "./vrm_humanoid";
 
 /** Largest file, bytes. */
 const MAX_BYTES = 128 * 1024 * 1024;
-/** Most triangles of a model. */
+/** Maximum number of triangles of a model. */
 const MAX_TRIANGLES = 2_000_000;
-/** Sum of the channels of a colour below which it is black, and the grey that takes its place. */
+/** Sum of the channels of a colour below which it counts as black, and the grey that replaces it. */
 const [DARK, GREY] = [0.1, 0.6];
-/** Extensions of materials that many files have and three.js does not show. */
+/** Material extensions that many files have and three.js does not display. */
 const UNSHOWN_MATERIALS = ["KHR_materials_pbrSpecularGlossiness", "KHR_techniques_webgl", "KHR_materials_common"];
 /** Oldest FBX that three.js reads. */
 const MIN_FBX = 7000;
 
 /**
- * Where a character comes from: an address, the file as a `Blob` or its bytes, or several files of which one is a `.gltf` and
- * the others those that it names.
+ * Source of a character: a URL, the file as a `Blob` or its bytes, or several files of which one is a `.gltf` and the
+ * others the files that it names.
  */
 export type CharacterSource = string | URL | ArrayBuffer | ArrayBufferView | Blob | readonly File[];
 
-/** Imports `@pixiv/three-vrm`; gives nothing, or rejects, where the page does not have it. */
+/** Imports `@pixiv/three-vrm`. Resolves with `undefined`, or rejects, if the page does not have it. */
 export type ImportVrm = () => Promise<{ VRMLoaderPlugin: new (parser: never) => unknown } | undefined>;
 
-/** How a model is read. */
+/** Options of reading a model. */
 export interface ReadOptions {
-  /** Sees the document of a glTF before anything else of it is read. */
+  /** Receives the document of a glTF before anything else of it is read. */
   inspect?: (document: GltfJson) => void | Promise<void>;
-  /** Whether {@link ReadModel.glb} is wanted of a model of another format. */
+  /** Whether {@link ReadModel.glb} is needed for a model of another format. */
   wantsGlb?: boolean;
   importVrm?: ImportVrm | undefined;
 }
 
 /**
  * Reads a file.
- * @throws StrutError `bad-file` with what is wrong with it, and what `inspect` throws
+ * @throws StrutError `bad-file` if it is invalid, and errors of `inspect`
  */
 export async function readModel(file: Uint8Array<ArrayBuffer>, options: ReadOptions): Promise<ReadModel> {
   const model = await (isFbx(file) ? readFbx(file, options) : readGlb(file, options));
@@ -64,18 +64,18 @@ export async function readModel(file: Uint8Array<ArrayBuffer>, options: ReadOpti
   }
 }
 
-/** A file as three.js has it. */
+/** A file as read by three.js. */
 export interface ReadModel {
   readonly origin: Origin;
-  /** The model as binary glTF; `undefined` where it cannot be written so. */
+  /** The model as binary glTF; `undefined` if it cannot be converted. */
   readonly glb: Uint8Array | undefined;
-  /** Metres a unit of the model, where its format says so by itself. */
+  /** Metres per unit of the model, if its format defines it. */
   readonly metresPerUnit: number | undefined;
 }
 
 /**
  * The bytes of a source.
- * @throws StrutError `bad-file` where it is too large or no source, `load` where it cannot be had, `cancelled`
+ * @throws StrutError `bad-file` if it is too large or not a source, `load` if it cannot be loaded, `cancelled`
  */
 export async function bytesOf(
   source: CharacterSource,
@@ -94,7 +94,7 @@ export async function bytesOf(
 
 async function sourceBytes(source: CharacterSource, signal: AbortSignal | undefined): Promise<Uint8Array<ArrayBuffer>> {
   if (typeof source === "string" || source instanceof URL) return fetched(source, signal);
-  // By what they are, not by their class: a frame has classes of its own.
+  // Checked by structure, not by class: another frame has classes of its own.
   if (ArrayBuffer.isView(source)) {
     const { buffer, byteOffset, byteLength } = source;
     return checkedSize(byteLength, async () => new Uint8Array(buffer, byteOffset, byteLength).slice().buffer);
@@ -117,20 +117,20 @@ async function fetched(address: string | URL, signal: AbortSignal | undefined): 
   return checkedSize(Number(response.headers.get("Content-Length") ?? 0), () => response.arrayBuffer());
 }
 
-/** The one of several files that says how they belong together. @throws StrutError `bad-file` where there is none */
+/** The `.gltf` among several files. @throws StrutError `bad-file` if there is none */
 function documentOf(files: readonly File[]): File {
   const document = files.find(({ name }) => /\.gltf$/i.test(name)) ?? (files.length === 1 ? files[0] : undefined);
   if (document) return document;
   throw badFile("None of these files is a .gltf.", "Give one file, or a .gltf with the files that it names.");
 }
 
-/** A `.gltf` with what it names as one binary file; other files as they are. */
+/** A `.gltf` with its files packed into one binary file; other files unchanged. */
 async function packedIfSplit(
   bytes: Uint8Array<ArrayBuffer>,
   source: CharacterSource,
   signal: AbortSignal | undefined,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  // A document begins as JSON does; everything else has a mark of its own.
+  // A document begins like JSON; all other formats have a signature.
   if (!/^\uFEFF?\s*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)))) return bytes;
   const { packedGltf, packedWith } = await import("./pack_gltf");
   if (Array.isArray(source)) {
@@ -143,7 +143,7 @@ async function packedIfSplit(
   }
   const base = typeof source === "string" || source instanceof URL ? addressOf(source) : undefined;
   return packedGltf(bytes, async (uri) => {
-    // Only what lies beside the document or below it.
+    // Only files in the document's folder or below it.
     const address = base && /^(?![/\\]|[a-z][a-z0-9+.-]*:)/i.test(uri) ? new URL(encodeURI(uri), base) : undefined;
     if (!address?.href.startsWith(new URL(".", base).href)) return undefined;
     return fetched(address, signal).catch((thrown: unknown) => {
@@ -157,7 +157,7 @@ function addressOf(source: string | URL): URL {
   return new URL(source, typeof document === "object" ? document.baseURI : undefined);
 }
 
-/** @throws StrutError `bad-file` where a file is larger than it may be, before it is read where its size is known */
+/** @throws StrutError `bad-file` if a file is larger than the limit; checked before reading if its size is known */
 async function checkedSize(bytes: number, read: () => Promise<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
   if (bytes > MAX_BYTES) throw tooLarge(bytes);
   const buffer = await read();
@@ -176,7 +176,7 @@ function isFbx(file: Uint8Array): boolean {
   return head.startsWith("Kaydara FBX Binary") || /^;\s*FBX/.test(head);
 }
 
-/** The version of an FBX file, as 7400 for 7.4; 0 where it does not say. */
+/** The version of an FBX file, as 7400 for 7.4; 0 if it is missing. */
 function fbxVersion(file: Uint8Array): number {
   const head = new TextDecoder("latin1").decode(file.subarray(0, 2048));
   if (!head.startsWith("Kaydara")) return Number(/FBXVersion:\s*(\d+)/.exec(head)?.[1] ?? 0);
@@ -201,18 +201,18 @@ async function readFbx(file: Uint8Array<ArrayBuffer>, { wantsGlb }: ReadOptions)
   await textures();
   const { unitScaleFactor } = inner.userData;
   const metresPerUnit = typeof unitScaleFactor === "number" && unitScaleFactor > 0 ? unitScaleFactor / 100 : 0.01;
-  // The file's own axes are turned inside, and the object that the page places has metres.
+  // The file's own axes are converted inside, and the object that the page places is in metres.
   const object = new Group();
   object.add(inner);
   object.scale.setScalar(metresPerUnit);
   object.animations = inner.animations;
   const origin = { ...originOf(object), notes: textureNotes(dropEmptyTextures(object)) };
-  // Without it the character performs all the same.
+  // Without it the character can still perform.
   const glb = wantsGlb ? await converted(object).catch(() => undefined) : undefined;
   return { origin: glb ? { ...origin, indexOf: glb.indexOf } : origin, glb: glb?.file, metresPerUnit };
 }
 
-/** A wait for all that a manager has begun to load, whether it could be loaded or not. */
+/** Returns a wait for everything that a manager has started to load, whether loading succeeds or not. */
 function ended(manager: LoadingManager): () => Promise<void> {
   let hasBegun = false;
   manager.onStart = () => {
@@ -227,8 +227,8 @@ function ended(manager: LoadingManager): () => Promise<void> {
 }
 
 /**
- * Takes away textures that could not be loaded, such as those in other files: they would be black, and in no file. What is black
- * without them is grey. Gives how many there were.
+ * Removes textures that could not be loaded, such as those in other files: they would be black, and missing in exports.
+ * Materials that would be black without them become grey. Returns the number of removed textures.
  */
 function dropEmptyTextures(object: Object3D): number {
   const lost = new Set<Texture>();
@@ -243,7 +243,7 @@ function dropEmptyTextures(object: Object3D): number {
   return lost.size;
 }
 
-/** Sentences on textures that are not there. */
+/** Sentences on missing textures. */
 function textureNotes(lost: number): string[] {
   if (lost === 0) return [];
   const [some, are, them] = lost === 1 ? ["One texture", "it is", "it"] : [`${lost} textures`, "they are", "them"];
@@ -252,7 +252,7 @@ function textureNotes(lost: number): string[] {
   ];
 }
 
-/** Sentences on what three.js cannot show of a document's materials. */
+/** Sentences on materials of a document that three.js cannot display. */
 function materialNotes({ extensionsUsed }: GltfJson): string[] {
   const used = Array.isArray(extensionsUsed) ? (extensionsUsed as unknown[]).map(String) : [];
   const unknown = used.filter((name) => UNSHOWN_MATERIALS.includes(name));
@@ -272,7 +272,7 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
   };
   const loader = new GLTFLoader(manager);
   const used = Array.isArray(document.extensionsUsed) ? (document.extensionsUsed as unknown[]) : [];
-  // Three.js's own decoder, which few need.
+  // three.js's own decoder, which few files need.
   if (used.some((name) => /meshopt_compression$/.test(String(name))))
     loader.setMeshoptDecoder((await import("three/addons/libs/meshopt_decoder.module.js")).MeshoptDecoder);
   const plugin = vrmOf(document) && (await vrmPlugin(importVrm));
@@ -286,7 +286,7 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
   return { origin: vrm ? { ...origin, vrm } : origin, glb: file, metresPerUnit: undefined };
 }
 
-/** three-vrm's plugin of the loader where the page has it: it makes hair and clothes swing. */
+/** three-vrm's loader plugin, if the page has it: it makes hair and clothes swing. */
 async function vrmPlugin(importVrm: ImportVrm | undefined): Promise<((parser: unknown) => unknown) | undefined> {
   try {
     const module = await importVrm?.();
@@ -296,14 +296,14 @@ async function vrmPlugin(importVrm: ImportVrm | undefined): Promise<((parser: un
   }
 }
 
-/** Files refer to nothing outside: only what they hold themselves is read. */
+/** A loading manager that refuses external references: files may only refer to their own contents. */
 function closedManager(): LoadingManager {
   const manager = new LoadingManager();
   manager.setURLModifier((url) => (/^(blob|data):/.test(url) ? url : "data:,"));
   return manager;
 }
 
-/** Runs what reads a file, which may be anything: what is thrown by three.js says little to people. */
+/** Runs a reader on an untrusted file and replaces three.js's errors, which mean little to users. */
 export async function reading<T>(read: () => Promise<T>): Promise<T> {
   try {
     return await read();
@@ -322,7 +322,7 @@ function badFile(message: string, hint: string): StrutError {
   return new StrutError({ code: "bad-file", message, hint });
 }
 
-/** @throws StrutError `bad-file` where there are more triangles than can be drawn */
+/** @throws StrutError `bad-file` if there are too many triangles to draw */
 function checkTriangles(object: Object3D): void {
   let triangles = 0;
   object.traverse((node) => {
@@ -333,7 +333,7 @@ function checkTriangles(object: Object3D): void {
   throw badFile("This model has more than two million triangles.", "Simplify its meshes.");
 }
 
-/** Frees what a model holds on the graphics card. */
+/** Frees a model's GPU resources. */
 export function free(object: Object3D): void {
   object.traverse((node) => {
     (node as Partial<Mesh>).geometry?.dispose();

@@ -1,4 +1,4 @@
-/** Where the soles of a character lie, read from what is drawn of its feet (`shared/spec/embedding.md` 5.4). */
+/** Positions of a character's soles, measured on the meshes of its feet (`shared/spec/embedding.md` 5.4). */
 import {
   type BufferAttribute,
   type InterleavedBufferAttribute,
@@ -11,10 +11,10 @@ import {
 import { JOINT } from "../humanoid";
 import type { Joints } from "./joints";
 
-/** Weight from which a vertex belongs to a joint. */
+/** Minimum weight with which a vertex belongs to a joint. */
 const OWN = 0.5;
 
-/** Directions in which the outermost vertices of a foot are looked for: all over the sphere, about 8° apart. */
+/** Directions in which the outermost vertices of a foot are searched: all over the sphere, about 8° apart. */
 const DIRECTIONS = Array.from({ length: 700 }, (_, i) => {
   const [y, turn] = [1 - (2 * i + 1) / 700, i * Math.PI * (3 - Math.sqrt(5))];
   const radius = Math.sqrt(1 - y * y);
@@ -26,16 +26,16 @@ export interface SkinSoles {
   /** Height of the lowest vertex of the feet along the body's up axis. */
   readonly height: number;
   /**
-   * Vertices that can touch the ground first when a foot turns, five numbers each: side (0 left), part (0 foot, 1 toes), and
-   * where it lies from the joint of that part, xyz along the axes of the file.
+   * Vertices that can touch the ground first when a foot rotates, five numbers each: side (0 left), part (0 foot, 1
+   * toes), and position relative to the joint of that part, xyz along the axes of the file.
    */
   readonly points: Float32Array;
 }
 
 /**
- * The soles; `undefined` where no skin follows the feet.
- * @param roles joint of each role, −1 where there is none
- * @param worldFromFile from the axes of the file to ours, xyzw
+ * The soles; `undefined` if no skin follows the feet.
+ * @param roles joint of each role, −1 for a role without a joint
+ * @param worldFromFile rotation from the axes of the file to Strut's, xyzw
  */
 export function soles(joints: Joints, roles: Int32Array, worldFromFile: ArrayLike<number>): SkinSoles | undefined {
   const toOurs = new Quaternion().fromArray(worldFromFile);
@@ -62,14 +62,14 @@ export function soles(joints: Joints, roles: Int32Array, worldFromFile: ArrayLik
   return Number.isFinite(height) ? { height, points: Float32Array.from(points) } : undefined;
 }
 
-/** A joint and all below it. */
+/** A joint and all its descendants. */
 function descendants({ parents }: Joints, joint: number): Set<number> {
   const found = new Set(joint < 0 ? [] : [joint]);
   for (const [other, parent] of parents.entries()) if (found.has(parent)) found.add(other);
   return found;
 }
 
-/** The vertices of some joints that lie farthest in each direction, from a joint of them in the bind pose. */
+/** The vertices of some joints that lie farthest in each direction, relative to a joint in the bind pose. */
 function outermost(
   joints: Joints,
   joint: number,
@@ -107,7 +107,10 @@ function outermost(
   return found.filter((a, i) => found.findIndex((b) => a.equals(b)) === i);
 }
 
-/** Meshes without a skin that hang on a joint, such as the feet of a robot, and where their vertices lie in the bind pose. */
+/**
+ * Meshes without a skin that are children of a joint, such as the feet of a robot, and the positions of their vertices
+ * in the bind pose.
+ */
 function hardParts(joints: Joints, joint: number) {
   const parts: { position: BufferAttribute | InterleavedBufferAttribute; matrix: Matrix4 }[] = [];
   const isJoint = new Set<Object3D>(joints.nodes);

@@ -5,14 +5,14 @@ import { ROLES, type Role } from "../humanoid";
 /** VRM's bone of a role: `left_upper_arm` is `leftUpperArm`. */
 export const vrmBone = (role: Role): string => role.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase());
 
-/** What is read of a glTF document; everything in it may be wrong. */
+/** The part of a glTF document that is read; none of it can be trusted. */
 export interface GltfJson {
   readonly extensionsUsed?: unknown;
   readonly extensions?: Readonly<Record<string, unknown>>;
   readonly asset?: { readonly copyright?: unknown };
 }
 
-/** The extension of VRM 1 and of VRM 0, whichever a document has. */
+/** The extension of VRM 1 or of VRM 0 in a document. */
 export function vrmOf(json: GltfJson): { version: 0 | 1; extension: Record<string, unknown> } | undefined {
   for (const [name, version] of [["VRMC_vrm", 1] as const, ["VRM", 0] as const]) {
     const extension = json.extensions?.[name];
@@ -21,7 +21,7 @@ export function vrmOf(json: GltfJson): { version: 0 | 1; extension: Record<strin
   return undefined;
 }
 
-/** The extension of a VRM Animation, which tells its bones as VRM 1 does. */
+/** The extension of a VRM Animation, which lists its bones as VRM 1 does. */
 export function vrmaOf(json: GltfJson): Record<string, unknown> | undefined {
   const extension = json.extensions?.VRMC_vrm_animation;
   return isRecord(extension) ? extension : undefined;
@@ -33,9 +33,9 @@ export function isRecord(value: unknown): value is Record<string, unknown> {
 }
 
 /**
- * Number of the node of each role, as a VRM or a VRM Animation declares it; `undefined` for other files. What is the chest here carries neck and
- * shoulders: `upperChest` where there is one.
- * @throws StrutError `bad-file` where the humanoid is missing, or names a bone twice
+ * Index of the node of each role, as declared by a VRM or a VRM Animation; `undefined` for other files. The chest of
+ * Strut carries neck and shoulders: it is `upperChest` if there is one.
+ * @throws StrutError `bad-file` if the humanoid is missing, or names a bone twice
  */
 export function vrmRoles(json: GltfJson): Partial<Record<Role, number>> | undefined {
   const vrm = vrmOf(json);

@@ -1,6 +1,7 @@
 /**
- * The text of a BVH file as bytes: in UTF-8, but for names that the engine read in another encoding. It gives each of their bytes
- * from 0x80 on as a character from U+10FE80 on (`write_text` in `rust/strut-formats/src/bvh/write.rs`).
+ * Converts the text of a BVH file to bytes: UTF-8, except for names that the engine read in another encoding. The
+ * engine represents each of their bytes from 0x80 on as a character from U+10FE80 on (`write_text` in
+ * `rust/strut-formats/src/bvh/write.rs`).
  */
 const ESCAPED = /[\u{10FE80}-\u{10FEFF}]/u;
 

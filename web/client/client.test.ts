@@ -14,7 +14,7 @@ afterEach(() => {
   workers = [];
 });
 
-/** How a client is started in a test: its workers by their number, and its patience. */
+/** Settings of a client in a test: its workers by index, and its patience. */
 interface Start {
   spawn?: (count: number) => WorkerPort;
   patience?: Partial<Patience>;
@@ -210,7 +210,7 @@ describe("an exchange of the database", () => {
   test("goes on from the shown frame, where it is shown and as it looks", async () => {
     const { client, database } = await playingFirst();
     let before = await client.step(0);
-    // The walker is elsewhere than the input by now.
+    // By now the walker is not at the input's position.
     for (let i = 0; i < 180; i++) before = await client.step(1 / 60);
     const first = worker();
     const exchanging = client.exchangeDatabase({ kind: "demo" });
@@ -223,7 +223,7 @@ describe("an exchange of the database", () => {
     expect(after.inputFrame - before.inputFrame).toBeGreaterThan(0.5);
     expect(after.inputFrame - before.inputFrame).toBeLessThan(1.5);
     expect(after.timeOut).toBeCloseTo(before.timeOut + 1 / 60, 6);
-    // A walk at 1.5 m/s goes 0.025 m in a frame; where the root was moved, it would be by decimetres.
+    // A walk at 1.5 m/s moves 0.025 m in a frame; a displaced root would move by decimetres.
     expect(Math.hypot(after.pose[0]! - before.pose[0]!, after.pose[2]! - before.pose[2]!)).toBeLessThan(0.04);
     const turns = after.pose.map((v, i) => Math.abs(v - before.pose[i]!));
     expect(Math.max(...turns.slice(3))).toBeLessThan(0.1);

@@ -53,9 +53,10 @@ export async function createStrutClient(setup?: EngineClientSetup): Promise<Stru
 }
 
 /**
- * Starts a worker that takes calls at once and answers them when its engine is loaded; what cannot be loaded rejects them.
- * @param preload the set of built-in motions that is opened first; for `first` an engine is loaded that only plays such sets,
- * and another takes its place when more is asked for
+ * Starts a worker that takes calls at once and answers them when its engine is loaded. Calls reject if their part
+ * cannot be loaded.
+ * @param preload the set of built-in motions that is opened first; for `first`, an engine is loaded that only plays
+ * such sets, and another replaces it when more is needed
  * @param workers how the workers of both are started; tests replace it
  */
 export function startStrutClient(
@@ -67,7 +68,7 @@ export function startStrutClient(
   return new SingleSessionClient(new EngineClient({ spawn: spawnStart, preload }), start, false);
 }
 
-/** How workers are started. */
+/** Functions that start workers. */
 interface Spawners {
   spawn?: () => WorkerPort;
   spawnStart?: () => WorkerPort;
@@ -79,7 +80,7 @@ function spawnStartWorker(): WorkerPort {
 
 type BuiltInInput = Extract<InputSource, { kind: "built-in" }>;
 
-/** What is open. */
+/** The open database and input. */
 interface Opened {
   database: ClientDatabase;
   /** The input and its session. */
@@ -89,27 +90,27 @@ interface Opened {
 class SingleSessionClient implements StrutClient {
   onRestart: ((restarted: Restarted) => void) | undefined;
   private opened: Opened | undefined;
-  /** The character that is steered over the open database. */
+  /** The driven character on the open database. */
   private steered: ClientDrive | undefined;
-  /** The performer who is styled on the open database. */
+  /** The live performer styled on the open database. */
   private performer: LiveStream | undefined;
   private options: StylizeOptions = DEFAULT_OPTIONS;
   private loop: [loop: boolean, range: FrameRange | undefined] = [true, undefined];
-  /** Requests to open run one after another, so that the last one wins. */
+  /** Open requests run one after another, so that the last one wins. */
   private opening: Promise<unknown> = Promise.resolve();
-  /** The last frame that was shown of the open input. */
+  /** The last displayed frame of the open input. */
   private shown: ShownFrame | undefined;
-  /** From what was shown before to what is gone on with, and the output time at which that began. */
+  /** The fade from what was displayed before to the present playback, and the output time at which it began. */
   private fade: { transition: Transition; beginSecs: number } | undefined;
-  /** The frame that was asked for last. */
+  /** The last requested frame. */
   private showing: Promise<unknown> = Promise.resolve();
-  /** The exchange under way. */
+  /** The exchange in progress. */
   private exchanging: Promise<unknown> | undefined;
   private disposed = false;
 
   /**
-   * @param start starts another engine that can do everything, with the set of built-in motions that it loads at once
-   * @param whole whether `engine` can do everything, too, or only play the first set of motions
+   * @param start starts a full engine, which loads a set of built-in motions at once
+   * @param whole whether `engine` is a full engine; otherwise it only plays the first set of motions
    */
   constructor(
     private engine: EngineClient,
@@ -203,7 +204,7 @@ class SingleSessionClient implements StrutClient {
   }
 
   step(dtSecs: number): Promise<LiveFrame> {
-    // What stands still is shown as it is.
+    // While paused, the frame is shown without a fade.
     if (!(dtSecs > 0)) this.fade = undefined;
     return this.show((session) => session.step(dtSecs));
   }
@@ -275,7 +276,7 @@ class SingleSessionClient implements StrutClient {
       this.closeDrive();
       this.closeLive();
       this.steered = drive;
-      // What is asked next is answered after these.
+      // Calls made from now on are answered after these.
       if (this.options !== asked) drive.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
       return drive.info;
     });
@@ -325,8 +326,8 @@ class SingleSessionClient implements StrutClient {
   }
 
   /**
-   * Resolves when the engine can do everything. Where none that can is on the way, or it does not come, another is started and
-   * goes on with what is open.
+   * Resolves when the engine is a full one. If no full engine is being loaded, or it fails to load, another is started
+   * and continues with the open database and input.
    * @throws StrutError as for {@link exchangeDatabase}
    */
   private async completed(call: CallOptions | undefined): Promise<void> {
@@ -334,14 +335,14 @@ class SingleSessionClient implements StrutClient {
       this.exchanging?.catch(() => {}),
       call?.signal,
     );
-    // A database that was asked for before may have come with such an engine.
+    // A database requested earlier may have brought a full engine.
     const complete = async () => {
       if (!this.whole) await this.openBeside(this.openedDatabase().database.source, undefined);
     };
     await unlessCancelled(this.inTurn(complete), call?.signal);
   }
 
-  /** Opens a database in another engine, to which `turn` has what is open moved. */
+  /** Opens a database in another engine, to which `turn` moves what is open. */
   private async openBeside(
     source: DatabaseSource,
     call: CallOptions | undefined,
@@ -358,7 +359,7 @@ class SingleSessionClient implements StrutClient {
     }
   }
 
-  /** Has what is open played on by another engine, which has a database of its own open. */
+  /** Continues playback in another engine, which has a database of its own open. */
   private async moveTo(engine: EngineClient, database: ClientDatabase, call: CallOptions | undefined): Promise<void> {
     const played = this.opened?.playing?.motion.source;
     let playing: Opened["playing"];
@@ -368,10 +369,10 @@ class SingleSessionClient implements StrutClient {
       const source = played.kind === "built-in" && from.kind === "demo" ? inSet(played, from.set) : played;
       const motion = await engine.openMotion(source, call);
       playing = { motion, session: await this.createSession(database, motion, call?.signal, engine) };
-      // Its first frames are slow: another time they would be missed.
+      // The first frames of a session are slow; during playback they would be dropped.
       await playing.session.seek(this.shown?.inputFrame ?? 0);
     }
-    // The frame that is being made is shown, and gone on from.
+    // The frame in progress is displayed first, and playback continues from it.
     await this.showing.catch(() => {});
     if (this.disposed) throw disposed("client");
     if (call?.signal?.aborted) throw cancelled(call.signal.reason);
@@ -382,7 +383,7 @@ class SingleSessionClient implements StrutClient {
     this.whole = true;
     this.opened = { database, playing };
     if (playing) {
-      // What was asked of the session before meanwhile.
+      // Calls made on the previous session meanwhile.
       playing.session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
       playing.session.setLoop(...this.loop).catch(() => {});
       if (this.shown) this.continueFrom(this.shown).catch(() => {});
@@ -412,7 +413,7 @@ class SingleSessionClient implements StrutClient {
     return frame;
   }
 
-  /** A session with the present options, without the styles that only another database had. */
+  /** A session with the current options, without the styles that only another database had. */
   private async createSession(
     database: ClientDatabase,
     motion: ClientMotion,
@@ -422,7 +423,7 @@ class SingleSessionClient implements StrutClient {
     const asked = this.options;
     const options = optionsKnownTo(database.info, asked);
     const session = await engine.createSession(database, motion, options, signal && { signal });
-    // What is asked next is answered after these.
+    // Calls made from now on are answered after these.
     if (this.options === asked) this.options = options;
     else session.configure(optionsKnownTo(database.info, this.options)).catch(() => {});
     session.setLoop(...this.loop).catch(() => {});
@@ -469,17 +470,17 @@ class SingleSessionClient implements StrutClient {
   }
 }
 
-/** Whether a database or an input is in the set of motions that a page begins with. */
+/** Whether a database or an input is in the first set of motions. */
 function isFirst(source: DatabaseSource | InputSource): boolean {
   return "set" in source && source.set === "first";
 }
 
-/** A built-in input as it is in a set. */
+/** The source of a built-in input in a set. */
 function inSet({ kind, name }: BuiltInInput, set: BuiltInSet | undefined): InputSource {
   return { kind, name, ...(set && { set }) };
 }
 
-/** Settles as `promise` does, or rejects when its caller cancels: others may wait for it, too. */
+/** Settles as `promise` does, or rejects when the caller cancels. The promise continues, because others may wait for it. */
 function unlessCancelled(promise: Promise<unknown> | undefined, signal: AbortSignal | undefined): Promise<unknown> {
   return new Promise((resolve, reject) => {
     const cancel = () => reject(cancelled(signal?.reason));

@@ -1,13 +1,13 @@
 /**
- * A worker as the client sees it: calls with cancellation and progress, and another worker in its place after a fault, in
- * which all that was open is opened again under the same numbers.
+ * A worker as the client sees it: calls with cancellation and progress. After a fault, another worker replaces it, and
+ * everything that was open is opened again under the same ids.
  */
 import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
 import { sendPlain } from "./plain";
 import type { CallOptions, OpenMemory, Progress } from "./protocol";
 
-/** As much of a `Worker` as the connection needs. */
+/** The part of a `Worker` that the connection needs. */
 export interface WorkerPort {
   postMessage(message: Request): void;
   terminate(): void;
@@ -15,46 +15,46 @@ export interface WorkerPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** How long a silent worker is waited for. */
+/** Time limits for a silent worker. */
 export interface Patience {
-  /** A worker that says nothing for so long, though it was asked, is sent a ping; milliseconds. */
+  /** A worker with pending calls that sends nothing for this time is sent a ping; milliseconds. */
   silenceMs: number;
-  /** A worker that does not answer a ping for so long is replaced; milliseconds. */
+  /** A worker that does not answer a ping within this time is replaced; milliseconds. */
   pingMs: number;
-  /** A worker that reads a file in one piece may be silent for so long; milliseconds, ten minutes unless given. */
+  /** Longest silence of a worker that reads a file in one piece; milliseconds, ten minutes by default. */
   readingMs?: number;
 }
 
-/** {@link Patience.readingMs} unless given: a database of gigabytes on a slow machine takes minutes. */
+/** Default of {@link Patience.readingMs}: a database of gigabytes on a slow machine takes minutes. */
 const READING_MS = 600_000;
 
 export const DEFAULT_PATIENCE: Patience = { silenceMs: 20_000, pingMs: 5000 };
 
-/** Makes a call that does not wait until everything is reopened. */
+/** Makes a call without waiting until everything is reopened. */
 export type Post = <M extends Method>(method: M, args: Arguments<M>) => Promise<Result<M>>;
 
-/** Something open in the worker, as the connection reopens it. */
+/** An open object in the worker that the connection can reopen. */
 export interface Reopenable {
   readonly id: Id;
   /** Why it takes no more calls; `undefined` while it is open. */
   readonly closed: StrutError | undefined;
-  /** What it takes. */
+  /** Its memory. */
   readonly memory: OpenMemory;
-  /** Opens it in a new worker under the same number. */
+  /** Opens it in a new worker under the same id. */
   reopen(post: Post): Promise<unknown>;
-  /** Closes it for good. */
+  /** Closes it permanently. */
   lose(reason: StrutError): void;
 }
 
-/** What happened to what was open when another worker took the place of one that failed. */
+/** Result of reopening everything after a failed worker was replaced. */
 export interface Restart {
-  /** The fault, a sentence for people. */
+  /** The fault, a sentence for the user. */
   message: string;
-  /** What could not be opened again, and why. */
+  /** Objects that could not be reopened, and the reasons. */
   lost: { thing: Reopenable; reason: string }[];
 }
 
-/** Calls during which a worker may be silent: they read files in one piece, the others work in time slices. */
+/** Calls during which a worker may be silent: they read files in one piece. The others work in time slices. */
 const SILENT: ReadonlySet<Method> = new Set([
   "openDatabase",
   "builtInInputs",
@@ -65,7 +65,7 @@ const SILENT: ReadonlySet<Method> = new Set([
   "counterpart",
   "exportBvh",
 ]);
-/** Calls that open something under the number that is their first argument. */
+/** Calls that open something under the id in their first argument. */
 const OPENING: ReadonlySet<Method> = new Set([
   "openDatabase",
   "openMotion",
@@ -90,9 +90,9 @@ const STYLING: ReadonlySet<Method> = new Set([
 
 interface Pending {
   method: Method;
-  /** Number of what the call opens. */
+  /** Id of the object that the call opens. */
   opens: Id | undefined;
-  /** Whether its caller has cancelled it and waits no longer. */
+  /** Whether its caller has cancelled it and no longer waits. */
   abandoned: boolean;
   resolve(value: Result<Method>): void;
   reject(error: StrutError): void;
@@ -102,21 +102,21 @@ interface Pending {
 export class Connection {
   onRestart: ((restart: Restart) => void) | undefined;
   private worker: WorkerPort | undefined;
-  /** Settles when the worker is loaded and everything is reopened; `undefined` where it must be started first. */
+  /** Settles when the worker is loaded and everything is reopened; `undefined` if it must be started first. */
   private running: Promise<void> | undefined;
   private disposed = false;
   private readonly pending = new Map<number, Pending>();
   private whenIdle: (() => void)[] = [];
   private lastCall = 0;
   private lastId = 0;
-  /** In the order of opening, so that everything follows what it was made of. */
+  /** In the order of opening, so that every object comes after those it was made from. */
   private readonly open = new Set<Reopenable>();
-  /** Whether the present worker has styled anything: if not, reopening the same would probably fail again. */
+  /** Whether the current worker has styled anything. If not, reopening the same objects would probably fail again. */
   private proven = true;
   /** Argument of `onRestart`, called once the new worker is ready. */
   private restart: Restart | undefined;
   private silence: ReturnType<typeof setTimeout> | undefined;
-  /** Ends the wait for a worker that is loading. */
+  /** Rejects the wait for a worker that is loading. */
   private failStart: (error: StrutError) => void = () => {};
 
   constructor(
@@ -125,7 +125,7 @@ export class Connection {
   ) {}
 
   /**
-   * Resolves when the worker takes calls. A worker that could not be started is tried again.
+   * Resolves when the worker takes calls. If a worker could not be started, another attempt is made.
    * @throws StrutError `load`, `unsupported` or `disposed`
    */
   ready(): Promise<void> {
@@ -134,23 +134,23 @@ export class Connection {
     return this.running;
   }
 
-  /** A number for something that is to be opened. */
+  /** A new id for an object to be opened. */
   nextId(): Id {
     this.lastId += 1;
     return this.lastId;
   }
 
-  /** From now on something is reopened after a fault. */
+  /** Registers an object to be reopened after a fault. */
   keep(thing: Reopenable): void {
     this.open.add(thing);
   }
 
-  /** What everything open takes. */
+  /** Memory of all open objects. */
   memory(): OpenMemory[] {
     return [...this.open].filter(({ closed }) => !closed).map(({ memory }) => memory);
   }
 
-  /** Closes something that was disposed of, and what was made of it. */
+  /** Closes a disposed object and those made from it. */
   forget(thing: Reopenable): void {
     for (const kept of this.open) if (kept.closed) this.open.delete(kept);
     // Without a worker there is nothing to close.
@@ -176,12 +176,12 @@ export class Connection {
     return answer.finally(() => signal?.removeEventListener("abort", cancel)) as Promise<Result<M>>;
   }
 
-  /** Resolves when no call is under way. */
+  /** Resolves when no call is in progress. */
   idle(): Promise<void> {
     return this.pending.size === 0 ? Promise.resolve() : new Promise((resolve) => this.whenIdle.push(resolve));
   }
 
-  /** Ends the worker and answers every call with an error. */
+  /** Terminates the worker and rejects every call. */
   dispose(): void {
     this.disposed = true;
     const error = disposed("client");
@@ -192,7 +192,7 @@ export class Connection {
 
   private whenReady(act: () => void, reject: (error: StrutError) => void): void {
     const running = this.ready();
-    // A worker may have failed, or been ended, between its start and this callback.
+    // A worker may have failed, or been terminated, between its start and this callback.
     const goesOn = () => running === this.running && !this.disposed;
     running.then(() => (goesOn() ? act() : this.whenReady(act, reject)), reject);
   }
@@ -242,7 +242,7 @@ export class Connection {
     });
   }
 
-  /** Opens in a new worker all that was open in the one before. */
+  /** Reopens in a new worker everything that was open in the previous one. */
   private async reopenAll(worker: WorkerPort): Promise<void> {
     for (const thing of this.open) {
       if (this.worker !== worker) return this.ready();
@@ -262,7 +262,7 @@ export class Connection {
 
   private postNow<M extends Method>(method: M, args: Arguments<M>): Promise<Result<M>> {
     return new Promise<Result<Method>>((resolve, reject) => {
-      // What is reopened shows nothing of whether the engine works with it.
+      // Reopening an object does not show that the engine works with it.
       const call: Pending = { method, opens: undefined, abandoned: false, resolve, reject, onProgress: undefined };
       this.post(++this.lastCall, call, args);
     }) as Promise<Result<M>>;
@@ -275,8 +275,9 @@ export class Connection {
   }
 
   /**
-   * Watches for a worker that was ended from outside, which says nothing. Its silence alone does not tell: after the machine
-   * was asleep, or the page in the browser's history, the timer fires before the messages that have arrived are handled.
+   * Detects a worker that was terminated from outside, which sends no message. Silence alone is not enough: after the
+   * machine slept, or the page was in the browser's history, the timer fires before the messages that have arrived are
+   * handled.
    */
   private watch(silentMs = 0): void {
     clearTimeout(this.silence);
@@ -323,7 +324,7 @@ export class Connection {
     if (this.pending.size === 0) for (const resolve of this.whenIdle.splice(0)) resolve();
   }
 
-  /** Ends the worker; all that it had not answered is rejected. */
+  /** Terminates the worker and rejects all unanswered calls. */
   private stop(error: StrutError): void {
     clearTimeout(this.silence);
     this.worker?.terminate();
@@ -334,7 +335,7 @@ export class Connection {
     this.tellIdle();
   }
 
-  /** Starts another worker in the place of one that failed. */
+  /** Replaces a failed worker. */
   private replace(error: StrutError): void {
     this.restart ??= { message: error.message, lost: [] };
     if (!this.proven) for (const thing of this.open) this.lose(thing, "It failed twice in a row.");
@@ -344,7 +345,7 @@ export class Connection {
   }
 }
 
-/** The error of an engine that could not be made ready. What fails then is no bug: the browser refuses the code. */
+/** The error of an engine that could not be loaded. It is not a bug: the browser refuses the code. */
 function notReady(error: ErrorParts): StrutError {
   if (error.code !== "fault") return new StrutError(error);
   return new StrutError({

@@ -42,7 +42,7 @@ const restarted = (client: EngineClient) =>
     client.onRestart = resolve;
   });
 
-/** The poses of so many steps of a sixtieth of a second. */
+/** The poses of `steps` steps of 1/60 s. */
 async function played(session: ClientSession, steps: number): Promise<Float32Array[]> {
   const poses: Float32Array[] = [];
   for (let i = 0; i < steps; i++) poses.push((await session.step(1 / 60)).pose);
@@ -55,7 +55,7 @@ beforeAll(async () => {
   proudWalk = new TextEncoder().encode(proud).buffer as ArrayBuffer;
 });
 
-/** An object as the reactive state of Vue, Svelte and MobX is: each object in it is a proxy, which no port sends. */
+/** A reactive object as in Vue, Svelte and MobX: each object in it is a proxy, which no port can send. */
 function reactive<T extends object>(value: T): T {
   return new Proxy(value, {
     get: (target, name) => {
@@ -153,7 +153,7 @@ describe("handles", () => {
     await new Promise((resolve) => setTimeout(resolve));
     controller.abort("changed my mind");
     await expect(opening).rejects.toMatchObject({ code: "cancelled", cause: "changed my mind" });
-    // The worker opens no more than it closes.
+    // The worker opens no more objects than it closes.
     await client.builtInMotions();
     await new Promise((resolve) => setTimeout(resolve, 2000));
     const restart = restarted(client);
@@ -220,7 +220,7 @@ describe("handles", () => {
     const { frames } = await motion.on(database);
     const { open, wasmBytes } = await client.memory();
     expect(open.map(({ kind }) => kind)).toEqual(["database", "motion", "session", "stylizer"]);
-    // Its poses, and what is searched.
+    // Its poses, and the search index.
     expect(open[0]!.bytes).toBeGreaterThan(database.info.frames * POSE_FLOATS * 4);
     expect(open[1]!.bytes).toBeGreaterThan(file + frames * POSE_FLOATS * 4);
     expect(open.reduce((sum, { bytes }) => sum + bytes, 0)).toBeLessThan(wasmBytes + file);
@@ -310,7 +310,7 @@ test("the ranges of options are the engine's", async () => {
 });
 
 describe("a worker that is killed", () => {
-  /** Three sessions and a stylizer, over two databases and two motions, each somewhere else. */
+  /** Three sessions and a stylizer, over two databases and two motions, each at a different position. */
   async function openThree() {
     const { client, database, motion, info } = await openDemo();
     const other = await client.openDatabase({ kind: "demo" });

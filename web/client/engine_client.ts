@@ -1,6 +1,6 @@
 /**
- * The engine for callers on another thread: any number of databases, motions, sessions and live stylizers in one worker, and
- * the models of walks and key styles, which run on the calling thread.
+ * The engine for callers on another thread: any number of databases, motions, sessions and live stylizers in one
+ * worker, and the models of walks and key styles, which run on the calling thread.
  */
 import type { BuiltInSet } from "../engine/built_in";
 import { disposed } from "../engine/errors";
@@ -25,7 +25,7 @@ import {
 /** How the workers are started and watched; tests replace it. */
 export interface EngineClientSetup {
   spawn?: () => WorkerPort;
-  /** A set of built-in motions that begins to load with the engine. */
+  /** A set of built-in motions that starts loading with the engine. */
   preload?: BuiltInSet;
   spawnBuild?: () => BuildWorkerPort;
   patience?: Partial<Patience>;
@@ -33,17 +33,17 @@ export interface EngineClientSetup {
 
 /** Event after a fault. */
 export interface EngineRestart {
-  /** What failed, a sentence for people. */
+  /** What failed, a sentence for the user. */
   message: string;
-  /** Handles that could not be reopened and take no more calls, and why. */
+  /** Handles that could not be reopened and take no more calls, and the reasons. */
   lost: { thing: object; reason: string }[];
 }
 
 /**
- * The caller owns every returned handle and disposes of it. Sources are copied and kept. After a fault all calls
- * under way reject with code `fault`; another worker takes the place of the one that failed, everything is reopened with its
- * options and place, and `onRestart` is called. What cannot be reopened is closed; after a second fault before anything was
- * styled, everything is.
+ * The caller owns every returned handle and disposes of it. Sources are copied and kept. After a fault, all pending
+ * calls reject with code `fault`, another worker replaces the failed one, everything is reopened with its options and
+ * position, and `onRestart` is called. What cannot be reopened is closed. After a second fault before anything was
+ * styled, everything is closed.
  */
 export class EngineClient {
   onRestart: ((restart: EngineRestart) => void) | undefined;
@@ -85,18 +85,18 @@ export class EngineClient {
     return this.connection.call("builtInInputs", [set]);
   }
 
-  /** A motion, which is read when it is first used with a database. */
+  /** Opens a motion, which is read when it is first used with a database. */
   async openMotion(source: InputSource, options?: CallOptions): Promise<ClientMotion> {
     const { connection } = this;
     const id = connection.nextId();
-    // The caller may use its bytes otherwise; they are needed again after a fault.
+    // The caller may reuse its bytes; they are needed again after a fault.
     const { exact, ...kept } =
       source.kind === "bvh" ? { ...source, bytes: source.bytes.slice() } : { ...source, exact: undefined };
     await connection.call("openMotion", [id, kept], options);
     return new ClientMotion(connection, id, kept, exact);
   }
 
-  /** A motion that is played in a database. */
+  /** Creates a session that plays a motion in a database. */
   async createSession(
     database: ClientDatabase,
     motion: ClientMotion,
@@ -112,7 +112,7 @@ export class EngineClient {
     return new ClientSession(connection, id, database, motion, all);
   }
 
-  /** Poses that are styled as they arrive. */
+  /** Creates a stylizer for poses as they arrive. */
   async createStylizer(
     database: ClientDatabase,
     options: Partial<StylizeOptions> = {},
@@ -125,12 +125,12 @@ export class EngineClient {
     return new ClientStylizer(connection, id, database, all, STYLE_HALF_LIFE_SECS);
   }
 
-  /** Opens something of a kind that is not loaded with the engine. */
+  /** Opens an object of a kind whose code is not loaded with the engine. */
   openBy<T>(open: (connection: Connection) => Promise<T>): Promise<T> {
     return open(this.connection);
   }
 
-  /** A motion on a database as a picture of every distance, with so many columns at most; see `atlas/`. */
+  /** Opens an atlas: a motion on a database as a picture of all distances, with at most `columns` columns; see `atlas/`. */
   async openAtlas(
     database: ClientDatabase,
     motion: ClientMotion,
@@ -141,24 +141,24 @@ export class EngineClient {
     return ClientAtlas.open(this.connection, database, motion, columns, options);
   }
 
-  /** A walk model, trained first where a database is given. */
+  /** Opens a walk model, trained first if a database is given. */
   async openWalk(source: WalkModelSource, options?: CallOptions): Promise<WalkModel> {
     const { openWalk } = await import("./models/walk");
     return this.own(await openWalk(source, options, this.spawnBuild));
   }
 
-  /** A key-style model, trained first where motions are given. */
+  /** Opens a key-style model, trained first if motions are given. */
   async openKeyStyle(source: KeyStyleModelSource, options?: CallOptions): Promise<KeyStyleModel> {
     const { openKeyStyle } = await import("./models/key_style");
     return this.own(await openKeyStyle(source, options, this.spawnBuild));
   }
 
-  /** Whether a handle is of this client. */
+  /** Whether a handle belongs to this client. */
   owns(handle: ClientHandle): boolean {
     return handle.isOf(this.connection);
   }
 
-  /** Runs `work` with what builds databases, in a worker of its own that ends with it. */
+  /** Runs `work` with a build client, whose worker ends with it. */
   async build<T>(work: (builds: BuildClient) => Promise<T>): Promise<T> {
     const { createBuildClient } = await import("./build/client");
     const builds = this.own(createBuildClient(this.spawnBuild));
@@ -170,18 +170,18 @@ export class EngineClient {
     }
   }
 
-  /** What the engine in the worker holds; models are not in it. */
+  /** Memory of the engine in the worker; models are not in it. */
   async memory(): Promise<MemoryInfo> {
     return { ...(await this.connection.call("memory", [])), open: this.connection.memory() };
   }
 
-  /** Disposes of everything once all calls under way are answered. */
+  /** Disposes of everything once all pending calls are answered. */
   async retire(): Promise<void> {
     await this.connection.idle();
     this.dispose();
   }
 
-  /** Closes everything, models and builds too, and ends the workers. */
+  /** Closes everything, including models and builds, and terminates the workers. */
   dispose(): void {
     this.disposed = true;
     this.connection.dispose();
@@ -199,7 +199,7 @@ export class EngineClient {
   }
 }
 
-/** @throws StrutError with why it is not open any more */
+/** @throws StrutError with the reason why it is no longer open */
 function openId(handle: Reopenable): number {
   if (handle.closed) throw handle.closed;
   return handle.id;

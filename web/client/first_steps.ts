@@ -1,2 +1,2 @@
-/** The walk that a page shows until the engine is there. */
+/** The walk that a page shows until the engine is loaded. */
 export { FirstSteps } from "../engine/first_steps";

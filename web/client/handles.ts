@@ -1,4 +1,7 @@
-/** Handles of what is open in the worker. Disposing of one closes it there, with all that was made of it. */
+/**
+ * Handles of the objects that are open in the worker. Disposing of a handle closes its object there, with all objects
+ * made from it.
+ */
 import { disposed, type StrutError } from "../engine/errors";
 import type { Styled } from "../engine/types";
 import type { Connection, Post, Reopenable } from "./connection";
@@ -28,25 +31,25 @@ import type {
 } from "./protocol";
 import { sizeOf } from "./protocol";
 
-// What things take in WebAssembly's memory, bytes, as `docs/embedding.md` says it was measured.
-/** A frame of a database. */
+// Sizes in WebAssembly's memory, bytes, as measured in `docs/embedding.md`.
+/** Per frame of a database. */
 const DATABASE_FRAME_BYTES = 620;
-/** A frame of a motion on the body of a database: its pose. */
+/** Per frame of a motion on the body of a database: its pose. */
 const POSE_BYTES = 348;
-/** Each byte of a BVH file, where it was read for a database: its text and its joints. */
+/** Per byte of a BVH file that was read for a database: its text and its joints. */
 const BVH_SHARE = 2;
-/** A stream that is styled, with what it remembers. */
+/** Per stream that is styled, with its history. */
 const STREAM_BYTES = 70_000;
-/** A frame of a whole motion that was styled. */
+/** Per frame of a whole motion that was styled. */
 const STYLED_FRAME_BYTES = 1225;
 
-/** Owner of something open in the worker. It survives a fault of the engine; see `EngineClient.onRestart`. */
+/** Owner of an open object in the worker. It survives a fault of the engine; see `EngineClient.onRestart`. */
 export abstract class ClientHandle implements Reopenable {
   private reason: StrutError | undefined;
 
   /**
-   * @param uses what it was made of
-   * @param noun for messages
+   * @param uses objects that it was made from
+   * @param noun noun for messages
    */
   protected constructor(
     protected readonly connection: Connection,
@@ -62,7 +65,7 @@ export abstract class ClientHandle implements Reopenable {
     return this.reason ?? this.uses.find((used) => used.closed)?.closed;
   }
 
-  /** Whether its worker is behind this connection. */
+  /** Whether it belongs to the worker behind this connection. */
   isOf(connection: Connection): boolean {
     return this.connection === connection;
   }
@@ -77,7 +80,7 @@ export abstract class ClientHandle implements Reopenable {
     this.reason ??= reason;
   }
 
-  /** What it takes. */
+  /** Its memory. */
   abstract readonly memory: OpenMemory;
 
   abstract reopen(post: Post): Promise<unknown>;
@@ -107,12 +110,12 @@ export class ClientDatabase extends ClientHandle {
     return post("openDatabase", [this.id, this.source]);
   }
 
-  /** Its neutral clips: their numbers and names. */
+  /** Indices and names of its neutral clips. */
   neutralClips(): Promise<{ clip: number; name: string }[]> {
     return this.call("neutralClips", [this.id]);
   }
 
-  /** A clip, by its number. */
+  /** A clip, by its index. */
   clip(clip: number): Promise<DatabaseClip> {
     return this.call("clipOfDatabase", [this.id, clip]);
   }
@@ -120,7 +123,7 @@ export class ClientDatabase extends ClientHandle {
 
 /** An open motion, which can be used with any database. */
 export class ClientMotion extends ClientHandle {
-  /** Databases that it was read for. */
+  /** Databases for which it was read. */
   private readonly databases = new Set<ClientDatabase>();
   /** `undefined` until it is known. */
   private durationSecs: number | undefined;
@@ -141,19 +144,19 @@ export class ClientMotion extends ClientHandle {
     return { kind: "motion", bytes: read.reduce((sum, bytes) => sum + bytes, file) };
   }
 
-  /** Frames at a database's rate; 0 until its duration is known. */
+  /** Frames at a database's frame rate; 0 until its duration is known. */
   framesOn({ info }: ClientDatabase): number {
     return this.durationSecs === undefined ? 0 : Math.round(this.durationSecs * info.rateHz);
   }
 
-  /** Notes that it was read for a database. */
+  /** Records that it was read for a database. */
   usedWith(database: ClientDatabase): void {
     for (const known of this.databases) if (known.closed) this.databases.delete(known);
     this.databases.add(database);
   }
 
   /**
-   * What its file says.
+   * Facts of its file.
    * @throws StrutError as for {@link on}
    */
   async read(options?: CallOptions): Promise<MotionFacts> {
@@ -163,8 +166,9 @@ export class ClientMotion extends ClientHandle {
   }
 
   /**
-   * The motion on the humanoid of a database and at its rate.
-   * @throws StrutError `bad-file` if it is no motion that Strut can read, `bad-input` for a built-in one that there is not
+   * The motion on the humanoid of a database and at its frame rate.
+   * @throws StrutError `bad-file` if it is not a motion that Strut can read, `bad-input` for a built-in one that does
+   * not exist
    */
   async on(database: ClientDatabase, options?: CallOptions): Promise<InputInfo> {
     const exact = this.exactOn(database);
@@ -175,12 +179,12 @@ export class ClientMotion extends ClientHandle {
     return info;
   }
 
-  /** The motion as a style really performs it, where that is known: a built-in one, in a worker with counterparts. */
+  /** The motion as performed in a style, if it is known: a built-in one, in a worker with counterparts. */
   counterpart(style: string): Promise<Performed | undefined> {
     return this.call("counterpart", [this.id, style]);
   }
 
-  /** The search for neighbours by kd-trees beside the exact one, over the whole motion, in a worker that has kd-trees. */
+  /** Compares the search for neighbours by kd-trees with the exact one over the whole motion, in a worker that has kd-trees. */
   async compareSearch(
     database: ClientDatabase,
     neighbours: number,
@@ -192,7 +196,7 @@ export class ClientMotion extends ClientHandle {
     return figures;
   }
 
-  /** The whole motion in a style; `bvh` asks for the text of a BVH file, too. */
+  /** The whole motion in a style; `bvh` also requests the text of a BVH file. */
   async stylize(
     database: ClientDatabase,
     options: StylizeOptions,
@@ -204,7 +208,7 @@ export class ClientMotion extends ClientHandle {
     return styled;
   }
 
-  /** The poses that the file was written from, where they fit a database as they are. */
+  /** The poses from which the file was written, if they fit a database unchanged. */
   private exactOn({ info }: ClientDatabase): Float32Array | undefined {
     const { poses, proportions, rateHz } = this.exact ?? {};
     const fits = rateHz === info.rateHz && proportions?.every((value, i) => value === info.proportions[i]);
@@ -225,9 +229,9 @@ export class ClientMotion extends ClientHandle {
 export class ClientSession extends ClientHandle {
   private loop = true;
   private range: FrameRange | undefined;
-  /** Where playback stands; `undefined` before the first frame. */
+  /** Playback position; `undefined` before the first frame. */
   private inputFrame: number | undefined;
-  /** Whether the worker keeps the whole motion styled. */
+  /** Whether the worker keeps the whole styled motion. */
   private hasStyled = false;
 
   constructor(
@@ -259,27 +263,27 @@ export class ClientSession extends ClientHandle {
     this.range = range;
   }
 
-  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the present content in the present style). */
+  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the current content in the current style). */
   async step(dtSecs: number): Promise<LiveFrame> {
     return this.stand(await this.call("step", [this.id, dtSecs]));
   }
 
-  /** Jumps to an input frame; the engine is warmed up on the frames before it. */
+  /** Jumps to an input frame. The engine is warmed up on the frames before it. */
   async seek(inputFrame: number): Promise<LiveFrame> {
     return this.stand(await this.call("seek", [this.id, inputFrame]));
   }
 
-  /** Goes on from a frame as something else showed it: from the same place and at the same time. */
+  /** Continues from a frame that something else displayed: from the same position and at the same time. */
   async continueFrom(shown: ShownFrame): Promise<LiveFrame> {
     return this.stand(await this.call("continueFrom", [this.id, shown]));
   }
 
-  /** The whole motion in the present options. */
+  /** The whole motion with the current options. */
   analyse(options?: CallOptions): Promise<Analysis> {
     return this.whole(this.call("analyse", [this.id], options));
   }
 
-  /** The examples of the database behind what {@link analyse} gives. */
+  /** The examples of the database behind the result of {@link analyse}. */
   examples(subject: CurveSubject, options?: CallOptions): Promise<Examples> {
     return this.whole(this.call("examples", [this.id, subject], options));
   }
@@ -295,7 +299,7 @@ export class ClientSession extends ClientHandle {
     return post("createSession", [this.id, setup]);
   }
 
-  /** Gives what was made of the whole styled motion, which the worker keeps then. */
+  /** Returns a result made from the whole styled motion, which the worker then keeps. */
   private async whole<T>(making: Promise<T>): Promise<T> {
     const made = await making;
     this.hasStyled = true;
@@ -308,21 +312,22 @@ export class ClientSession extends ClientHandle {
   }
 }
 
-/** What {@link ClientStylizer.setStyles} may change besides the styles. */
+/** Further changes of {@link ClientStylizer.setStyles}. */
 export interface StyleChange {
-  /** Styles of the parts of the body that have their own; as they are if there are none. */
+  /** Styles of the parts of the body that have their own; unchanged if missing. */
   parts?: StylizeOptions["parts"];
-  /** Half-life with which this change and those after it are taken up, 0 for at once. */
+  /** Half-life of this change and those after it, 0 for an immediate change. */
   halfLifeSecs?: number;
 }
 
 /**
- * Styles poses as they arrive, with no latency. After a fault it restarts with the present options, as after {@link reset}.
+ * Styles poses as they arrive, with no latency. After a fault it restarts with the current options, as after {@link
+ * reset}.
  */
 export class ClientStylizer extends ClientHandle {
-  /** Frames by which the output lags behind the input. */
+  /** Number of frames by which the output lags behind the input. */
   readonly latencyFrames = 0;
-  /** Settles when the worker has the present options. */
+  /** Settles when the worker has the current options. */
   private changing: Promise<unknown> = Promise.resolve();
 
   constructor(
@@ -341,7 +346,7 @@ export class ClientStylizer extends ClientHandle {
 
   /**
    * Takes effect with the next {@link push}.
-   * @throws StrutError `bad-input` for a style or part that there is not, at once
+   * @throws StrutError `bad-input` for an unknown style or part, at once
    */
   setStyles(styles: StyleWeights, { parts, halfLifeSecs }: StyleChange = {}): void {
     this.change({ styles, ...(parts && { parts }) }, halfLifeSecs ?? this.halfLifeSecs);
@@ -356,7 +361,7 @@ export class ClientStylizer extends ClientHandle {
   }
 
   /**
-   * Styles the next poses, one frame of the database's rate apart, on its humanoid.
+   * Styles the next poses, one frame apart at the database's rate, on its humanoid.
    * @param poses a whole number of poses, at most `MAX_PUSH_FRAMES`; copied
    */
   async push(poses: Float32Array): Promise<Styled> {
@@ -381,7 +386,7 @@ export class ClientStylizer extends ClientHandle {
     this.follow(this.call("restyle", [this.id, this.options, halfLifeSecs]));
   }
 
-  /** A change that fails is reported by the next push. */
+  /** A failed change is reported by the next push. */
   private follow(change: Promise<unknown>): void {
     this.changing = change;
     change.catch(() => {});

@@ -1,6 +1,6 @@
-/** What the browser keeps for this page in IndexedDB: one store of one kind of thing a database. */
+/** Storage of this page in IndexedDB: one database with one store for each kind of object. */
 export class IndexedDbStore {
-  /** @param keyPath field of the things that is their key; without it the key is given with each */
+  /** @param keyPath field of the objects that is their key; without it the key is passed with each object */
   constructor(
     private readonly database: string,
     private readonly store: string,
@@ -8,8 +8,8 @@ export class IndexedDbStore {
   ) {}
 
   /**
-   * Runs one request; resolves when what it did is on the disk.
-   * @throws DOMException where the browser has no storage, or it is full
+   * Runs one request. Resolves when its result is on the disk.
+   * @throws DOMException if the browser has no storage, or it is full
    */
   async transact<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
     const database = await this.#open();

@@ -1,7 +1,7 @@
-/** A frame as it is shown. */
+/** A displayed frame. */
 import type { Reading } from "../engine/types";
 
-/** What is on screen at one instant of live playback. */
+/** The displayed state at one instant of live playback. */
 export interface LiveFrame {
   /** Styled pose. */
   pose: Float32Array;
@@ -13,7 +13,7 @@ export interface LiveFrame {
   timeOut: number;
   /** Feet planted by the engine. */
   planted: [left: boolean, right: boolean];
-  /** The heaviest classes, heaviest first, at most three. */
+  /** The recognised classes with the largest weights, largest first, at most three. */
   reads: Reading[];
   /** Mean cost of the last styled frames in the engine, milliseconds. */
   frameMs: number;

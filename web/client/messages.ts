@@ -25,33 +25,33 @@ import type {
   StylizeOptions,
 } from "./protocol";
 
-/** Number of an open thing. The client chooses it, so that a thing keeps its number when it is reopened. */
+/** Id of an open object. The client chooses it, so that an object keeps its id when it is reopened. */
 export type Id = number;
 
-/** What a session is made of. */
+/** Settings of a session. */
 export interface SessionSetup {
   database: Id;
   motion: Id;
   options: StylizeOptions;
   loop: boolean;
   range: FrameRange | undefined;
-  /** Where playback stands; `undefined` before the first frame. */
+  /** Playback position; `undefined` before the first frame. */
   inputFrame: number | undefined;
 }
 
-/** What the worker answers. The first argument of a call that opens something is the number that it gets. */
+/** The worker's calls. The first argument of a call that opens an object is the object's id. */
 export interface WorkerCalls {
   openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
   /** Names of the motions of a built-in set, the default first. */
   builtInInputs(set: BuiltInSet): string[];
-  /** The neutral clips of a database: their numbers and names. */
+  /** Indices and names of the neutral clips of a database. */
   neutralClips(database: Id): { clip: number; name: string }[];
   clipOfDatabase(database: Id, clip: number): DatabaseClip;
-  /** The motion is read when it is first used with a database. */
+  /** Opens a motion, which is read when it is first used with a database. */
   openMotion(motion: Id, source: InputSource): undefined;
-  /** What a motion's file says. */
+  /** Facts of a motion's file. */
   readMotion(motion: Id): MotionFacts;
-  /** A motion on the humanoid of a database and at its rate. */
+  /** A motion on the humanoid of a database and at its frame rate. */
   motionOn(motion: Id, database: Id): InputInfo;
   stylize(motion: Id, database: Id, options: StylizeOptions, bvh: boolean): StyledClip;
   counterpart(motion: Id, style: string): Performed | undefined;
@@ -65,7 +65,7 @@ export interface WorkerCalls {
   analyse(session: Id): Analysis;
   examples(session: Id, subject: CurveSubject): Examples;
   exportBvh(session: Id): string;
-  /** The motion on a database as a picture of so many columns at most. */
+  /** Opens an atlas: the motion on a database as a picture of at most `columns` columns. */
   openAtlas(atlas: Id, motion: Id, database: Id, columns: number): AtlasFacts;
   drawAtlas(atlas: Id, view: AtlasView, columns: Uint32Array): { distances: Float32Array };
   nearestInAtlas(atlas: Id, view: AtlasView, column: number, line: number): NearestInAtlas;
@@ -73,42 +73,42 @@ export interface WorkerCalls {
   packAtlas(atlas: Id, view: AtlasView): PackedWindows;
   packAtlasColumns(atlas: Id, view: AtlasView): PackedWindows;
   atlasLines(atlas: Id, view: AtlasView): { lines: Uint32Array };
-  /** A motion in every style of a database: the whole of it or of a range, as far as there is room. */
+  /** Records a motion in every style of a database: the whole of it or a range, within the memory limit. */
   recordMotion(motion: Id, database: Id, options: StylizeOptions, range: FrameRange | undefined): RecordedMotion;
   createStylizer(stylizer: Id, database: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   restyle(stylizer: Id, options: StylizeOptions, halfLifeSecs: number): undefined;
   push(stylizer: Id, poses: Float32Array): Styled;
   reset(stylizer: Id): undefined;
-  /** Opens a driven character at a place. */
+  /** Opens a driven character at a position. */
   openDrive(drive: Id, database: Id, options: StylizeOptions, root: Root): DriveInfo;
   drive(drive: Id, dtSecs: number, control: DriveControl): DriveFrame;
   restyleDrive(drive: Id, options: StylizeOptions): undefined;
   resetDrive(drive: Id, root: Root): undefined;
   driven(drive: Id): Driven;
-  /** Has a motion be these poses on a database, of its body and at its rate, rather than what its file says. */
+  /** Replaces a motion's file by these poses on a database, of its body and at its frame rate. */
   takePoses(motion: Id, database: Id, poses: Float32Array): undefined;
   memory(): WasmMemory;
-  /** Closes something and all that was made of it; nothing happens where it is not open. */
+  /** Closes an object and all objects made from it. Does nothing if it is not open. */
   close(id: Id): undefined;
 }
 
 export type Method = keyof WorkerCalls;
 export type Arguments<M extends Method> = Parameters<WorkerCalls[M]>;
-/** What a method resolves to. */
+/** Result type of a method. */
 export type Result<M extends Method> = ReturnType<WorkerCalls[M]>;
 
-/** A call under way; the client numbers its calls. */
+/** A call in progress; the client numbers its calls. */
 export type Call = { [M in Method]: { kind: "call"; id: number; method: M; args: Arguments<M> } }[Method];
 
 /**
- * Page → worker. A cancellation that comes too late has no effect; a `ping` is answered by a `pong` at once; a `preload`, of a
- * set of built-in motions that will be needed, is not answered.
+ * Page → worker. A cancellation that arrives too late has no effect. A `ping` is answered by a `pong` at once. A
+ * `preload`, of a set of built-in motions that will be needed, is not answered.
  */
 export type Request = Call | { kind: "cancel"; id: number } | { kind: "ping" } | { kind: "preload"; set: BuiltInSet };
 
 /** Worker → page. Every call is answered by one `result` or `failure`, after any number of `progress`. */
 export type Reply =
-  /** Sent once, unasked: the engine is loaded, or could not be. */
+  /** Sent once, without a request: the engine is loaded, or could not be loaded. */
   | { kind: "ready" }
   | { kind: "not-ready"; error: ErrorParts }
   | { kind: "pong" }

@@ -11,7 +11,7 @@ import {
   TRAINED_METHODS,
 } from "./protocol";
 
-/** Ranges of the numbers, both ends included: `rust/strut-core/src/transfer/options.rs`. */
+/** Inclusive ranges of the numbers: `rust/strut-core/src/transfer/options.rs`. */
 export const OPTION_RANGES = {
   k: [1, 1000],
   lambda: [1e-4, 1e4],
@@ -22,7 +22,7 @@ export const OPTION_RANGES = {
 } as const satisfies Partial<Record<keyof StylizeOptions, readonly [number, number]>>;
 
 /**
- * Options with some of them changed.
+ * Applies changes to options.
  * @throws StrutError `bad-input` for an unknown option, a number outside its range, or a name that the database lacks
  */
 export function changedOptions(
@@ -32,7 +32,7 @@ export function changedOptions(
 ): StylizeOptions {
   const unknown = Object.keys(change).find((name) => !Object.hasOwn(DEFAULT_OPTIONS, name));
   if (unknown !== undefined) throw refusal(`There is no option '${unknown}'`, Object.keys(DEFAULT_OPTIONS));
-  // A copy: what a framework or a page changes in its own object later says nothing.
+  // A copy: later changes of the caller's object have no effect.
   const options = plain({ ...present, ...change });
   for (const [name, [min, max]] of Object.entries(OPTION_RANGES)) {
     const value = options[name as keyof typeof OPTION_RANGES];
@@ -54,7 +54,7 @@ export function changedOptions(
   return options;
 }
 
-/** Options without the styles and labels that a database lacks; the same object where it has all of them. */
+/** Options without the styles and labels that a database lacks; the same object if it has all of them. */
 export function optionsKnownTo(database: DatabaseInfo, options: StylizeOptions): StylizeOptions {
   const { styles } = database;
   const labelled = hasClass(database, options);
@@ -71,12 +71,12 @@ export function optionsKnownTo(database: DatabaseInfo, options: StylizeOptions):
   };
 }
 
-/** All weights that options name. */
+/** All weights in the options. */
 function weightsIn({ styles, parts, track }: StylizeOptions): StyleWeights[] {
   return [styles, ...Object.values(parts), ...track.map((key) => key.styles)];
 }
 
-/** Whether a database has frames of the action and style that the input is said to have. */
+/** Whether a database has frames of the action and style that are set for the input. */
 function hasClass({ classes }: DatabaseInfo, { action, inputStyle }: StylizeOptions): boolean {
   return classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));
 }

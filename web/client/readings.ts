@@ -1,10 +1,10 @@
-/** What the engine recognises in a frame. */
+/** The classes that the engine recognises in a frame. */
 import type { DatabaseInfo, Reading } from "../engine/types";
 
-/** Classes that are named. */
+/** Maximum number of classes that are listed. */
 const READS = 3;
 
-/** The heaviest classes, heaviest first; those without weight are left out. */
+/** The classes with the largest weights, largest first; those without weight are left out. */
 export function heaviest(
   classes: readonly Pick<DatabaseInfo["classes"][number], "action" | "style">[],
   weights: Float32Array,

@@ -19,7 +19,7 @@ const TABLE = {
   hang: () => new Promise<void>(() => {}),
 };
 
-/** Both ends of a worker, joined without a thread. */
+/** Both ends of a worker, connected without a thread. */
 function joined() {
   let spawned = 0;
   const spawn = () => {

@@ -1,9 +1,9 @@
-/** Calls into a worker by name: the client is made from the interface, the server from a table of functions. */
+/** Calls into a worker by name. The client is made from the interface, the server from a table of functions. */
 import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
 
 import { sendPlain } from "./plain";
 
-/** Methods that answer with promises. */
+/** Methods that return promises. */
 export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
 
 /** A call on its way to the worker. */
@@ -16,7 +16,7 @@ export interface CallMessage {
 /** The worker's answer. */
 export type AnswerMessage = { id: number } & ({ value: unknown } | { error: ErrorParts });
 
-/** As much of a worker as the client needs. */
+/** The part of a worker that the client needs. */
 export interface ClientPort {
   postMessage(message: CallMessage, transfer: Transferable[]): void;
   terminate(): void;
@@ -24,7 +24,7 @@ export interface ClientPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** As much of a worker's scope as the server needs. */
+/** The part of a worker's scope that the server needs. */
 export interface ServerPort {
   postMessage(message: AnswerMessage, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<CallMessage>) => void) | null;
@@ -35,7 +35,7 @@ interface Pending {
   reject(error: StrutError): void;
 }
 
-/** Makes calls to a worker that starts with the first of them; one that failed is replaced by the next call. */
+/** Makes calls to a worker that starts with the first call. A failed worker is replaced at the next call. */
 export class RpcClient {
   readonly #spawn: () => ClientPort;
   #port: ClientPort | undefined;
@@ -54,7 +54,7 @@ export class RpcClient {
     this.#spawn = spawn;
   }
 
-  /** Calls a method; the buffers of `transfer` go with it. @throws StrutError the worker's, `cancelled` or `disposed` */
+  /** Calls a method; the buffers of `transfer` are transferred. @throws StrutError the worker's, `cancelled` or `disposed` */
   call(method: string, args: unknown[], signal?: AbortSignal, transfer: Transferable[] = []): Promise<unknown> {
     if (this.#disposed) return Promise.reject(disposed(this.what));
     if (signal?.aborted) return Promise.reject(cancelled(signal.reason));
@@ -76,7 +76,7 @@ export class RpcClient {
     return answer.finally(() => signal?.removeEventListener("abort", cancel));
   }
 
-  /** Ends the worker; calls under way are rejected. */
+  /** Terminates the worker and rejects pending calls. */
   dispose(): void {
     this.#disposed = true;
     this.#stop(disposed(this.what));
@@ -108,7 +108,7 @@ export class RpcClient {
   }
 }
 
-/** An object whose methods are calls: those of `T`, whose last argument may be options with a `signal`. */
+/** An object whose methods are remote calls: the methods of `T`, whose last argument may be options with a `signal`. */
 export function remote<T extends object>(client: RpcClient, arity: { readonly [K in keyof T]: number }): T {
   const methods = Object.entries<number>(arity as Readonly<Record<string, number>>).map(([name, count]) => {
     const call = (...args: unknown[]) => {
@@ -134,7 +134,7 @@ export function answerCalls(port: ServerPort, table: Methods): void {
   };
 }
 
-/** The buffers of the typed arrays in an answer at any depth: the table gives arrays with no other owner. */
+/** The buffers of the typed arrays in an answer at any depth. The table returns arrays without another owner. */
 function buffersOf(value: unknown): ArrayBuffer[] {
   if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
   if (typeof value !== "object" || value === null) return [];

@@ -1,4 +1,4 @@
-/** A page's client: an engine that only plays, and one that can do everything in its place. */
+/** A page's client: an engine that only plays, and a full one that replaces it. */
 import { afterEach, expect, test, vi } from "vitest";
 import { walksIn } from "../../tests/clips";
 import { InlineWorker } from "../../tests/inline_worker";
@@ -10,7 +10,7 @@ import type { StrutClient } from "./protocol";
 const FIRST = { kind: "demo", set: "first" } as const;
 const WALK = { kind: "built-in", name: "neutral walk", set: "first" } as const;
 
-/** What an engine that only plays answers; anything else fails the test. */
+/** Calls that an engine that only plays answers; any other call fails the test. */
 const PLAYS = new Set<Call["method"]>([
   ...(["openDatabase", "builtInInputs", "openMotion", "motionOn", "createSession", "configure", "setLoop"] as const),
   ...(["step", "seek", "continueFrom", "close"] as const),
@@ -21,7 +21,7 @@ let start: InlineWorker;
 let others: InlineWorker[];
 afterEach(() => client.dispose());
 
-/** A page that plays the first motions; `spawn` starts the engines that can do everything. */
+/** A page that plays the first motions; `spawn` starts the full engines. */
 async function playing(spawn = () => new InlineWorker()): Promise<void> {
   others = [];
   start = new InlineWorker(({ method }) =>
@@ -41,7 +41,7 @@ async function playing(spawn = () => new InlineWorker()): Promise<void> {
   await client.setLoop(true);
 }
 
-/** The worker of a package without any of the built-in motions besides the first. */
+/** The worker of a package that has only the first built-in motions. */
 const withoutOthers = () =>
   new InlineWorker(({ method, args }) =>
     method === "openDatabase" && JSON.stringify(args[1]) === JSON.stringify({ kind: "demo" })
@@ -79,7 +79,7 @@ test("what it cannot do is done by another engine where the exchange fails", asy
   const [bvh, whole] = await Promise.all([client.exportBvh(), client.analyse()]);
   expect(bvh).toContain("HIERARCHY");
   expect(whole.timeOut.length).toBeGreaterThan(10);
-  // One for both.
+  // One engine for both.
   expect(others.map(({ terminated }) => terminated)).toEqual([true, false]);
   const after = await client.step(1 / 60);
   expect(after.inputFrame - before.inputFrame).toBeGreaterThan(0);

@@ -1,19 +1,19 @@
-/** The fade from a pose that was shown to what takes its place: its difference is added at first, and halves again and again. */
+/** The fade from a displayed pose to the motion that replaces it: the difference is added and decays exponentially. */
 import { exp, inverse, JOINTS, log, multiply, quaternionAt, type Vector } from "../humanoid";
 
-/** Time in which the difference halves, seconds. */
+/** Half-life of the difference, seconds. */
 const HALF_LIFE_SECS = 0.08;
-/** A share of the difference that cannot be seen. */
+/** A share of the difference that is invisible. */
 const INVISIBLE = 2e-3;
 
 export class Transition {
-  /** What is added to the height of the root, metres, and turns each joint. */
+  /** Offset of the root's height, metres, and rotation of each joint. */
   private constructor(
     private readonly height: number,
     private readonly turns: readonly Vector[],
   ) {}
 
-  /** From one pose to another in the same place. */
+  /** A transition from one pose to another at the same position. */
   static between(shown: Float32Array, next: Float32Array): Transition {
     const turns = Array.from({ length: JOINTS }, (_, joint) =>
       log(multiply(rotation(shown, joint), inverse(rotation(next, joint)))),
@@ -21,7 +21,7 @@ export class Transition {
     return new Transition(shown[1]! - next[1]!, turns);
   }
 
-  /** Changes a pose to what is shown of it `secs` after the beginning; false where there is nothing left to change. */
+  /** Adds the remaining difference to a pose, `secs` after the beginning. Returns false if there is none left. */
   apply(pose: Float32Array, secs: number): boolean {
     const share = 0.5 ** (Math.max(0, secs) / HALF_LIFE_SECS);
     if (share < INVISIBLE) return false;

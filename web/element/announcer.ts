@@ -1,16 +1,16 @@
-/** What a player has screen readers say. */
+/** Screen reader announcements of a player. */
 import { html } from "../ui/dom";
 
-/** Least time between two announcements, milliseconds. */
+/** Minimum time between two announcements, milliseconds. */
 const ANNOUNCE_MS = 1000;
 
 export class Announcer {
-  /** The live region, seen by nobody. */
+  /** The visually hidden live region. */
   readonly element = html("p", { class: "visually-hidden", role: "status" });
   #announcement: ReturnType<typeof setTimeout> | undefined;
   #announcedAt = 0;
 
-  /** Has a sentence said, one a second at most; the last one counts. */
+  /** Announces a sentence, at most one per second; the last one counts. */
   say(sentence: string): void {
     clearTimeout(this.#announcement);
     const wait = Math.max(0, this.#announcedAt + ANNOUNCE_MS - performance.now());

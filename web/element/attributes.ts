@@ -1,6 +1,6 @@
 /**
- * The attributes of `<strut-player>`: one table, of which its properties, `custom-elements.json`, the types for JSX, the
- * parameters of `embed.html` and the table in `docs/embedding.md` are made.
+ * The attributes of `<strut-player>` in one table, from which its properties, `custom-elements.json`, the types for
+ * JSX, the parameters of `embed.html` and the table in `docs/embedding.md` are made.
  */
 import { decodeSelection, encodeSelection } from "../link/fields";
 import { CAMERA_PRESETS, GHOST_MODES } from "../link/play";
@@ -8,21 +8,21 @@ import type { Selection } from "../ui/polygon/selection";
 
 /** One attribute. */
 export interface Attribute<T> {
-  /** The value where the attribute is missing or no value. */
+  /** The value if the attribute is missing or invalid. */
   initial: T;
   /** The type of the property, in TypeScript. */
   type: string;
   /** Whether the attribute is a boolean one: present or not. */
   isFlag: boolean;
-  /** The value that a text stands for; `undefined` where it is none. */
+  /** Parses a text; `undefined` if it is invalid. */
   parse(text: string): T | undefined;
-  /** The text that stands for a value; `null` where the attribute is to be taken away. */
+  /** The text of a value; `null` to remove the attribute. */
   write(value: T): string | null;
-  /** A sentence for people. */
+  /** A sentence for documentation. */
   doc: string;
 }
 
-/** What the bar and the stage can offer. */
+/** Controls that the bar and the stage can show. */
 export const CONTROLS = ["play", "seek", "styles", "ghost", "fullscreen", "link"] as const;
 export type Control = (typeof CONTROLS)[number];
 
@@ -51,7 +51,7 @@ function choice<const T extends string>(values: readonly [T, ...T[]], doc: strin
   return { initial: values[0], type, isFlag: false, parse, write: (value) => value, doc };
 }
 
-/** `proud:0.5,old:0.5` as in links; a name without a weight has all of it. */
+/** `proud:0.5,old:0.5` as in links; a name without a weight has full weight. */
 function parseStyles(value: string): Selection | undefined {
   const named = value.split(",").map((part) => (part.includes(":") ? part.trim() : `${part.trim()}:1`));
   return decodeSelection(named.join(","));
@@ -110,7 +110,7 @@ export type AttributeName = keyof typeof ATTRIBUTES;
 /** The value of an attribute. */
 export type ValueOf<K extends AttributeName> = (typeof ATTRIBUTES)[K] extends Attribute<infer T> ? T : never;
 
-/** The name that an attribute has as a property: that of `disable-zoom` is `disableZoom`. */
+/** The name of an attribute as a property: `disable-zoom` becomes `disableZoom`. */
 export type PropertyName<K extends string> = K extends `${infer A}-${infer B}` ? `${A}${Capitalize<B>}` : K;
 
 export function propertyOf(name: string): string {
@@ -126,7 +126,7 @@ export function readAttribute<K extends AttributeName>(element: Element, name: K
   return (given === null ? undefined : attribute.parse(given)) ?? attribute.initial;
 }
 
-/** Writes a property into an element's attribute: a value, its text, or what frameworks give for “none” and “present”. */
+/** Writes a property to an element's attribute: a value, its text, or what frameworks pass for “none” and “present”. */
 export function writeProperty<K extends AttributeName>(element: Element, name: K, value: unknown): void {
   const attribute = ATTRIBUTES[name] as unknown as Attribute<unknown>;
   const text = typeof value === "boolean" || value === null || value === undefined ? (value ? "" : null) : undefined;

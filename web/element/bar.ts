@@ -10,7 +10,7 @@ import { strings } from "./strings";
 
 export interface BarListeners {
   onPlay: () => void;
-  /** A time was chosen, as an input frame. */
+  /** Called when a time was selected, as an input frame. */
   onSeek: (frame: number) => void;
   onGhost: () => void;
   onFullscreen: () => void;
@@ -28,7 +28,7 @@ export class Bar {
   #rateHz = 60;
   #frames = 1;
 
-  /** @param site address of the playground; empty where it is not known */
+  /** @param site URL of the playground; empty if it is not known */
   constructor(listeners: BarListeners, site: string) {
     this.#play = new PlayButton(listeners.onPlay);
     this.#play.element.part.add("play");
@@ -57,7 +57,7 @@ export class Bar {
     this.frame = 0;
   }
 
-  /** Which of the controls are there. */
+  /** The controls to show. */
   set controls(controls: readonly Control[]) {
     const show = (element: Element, on: boolean) => element.toggleAttribute("hidden", !on);
     show(this.#play.element, controls.includes("play"));
@@ -85,7 +85,7 @@ export class Bar {
     this.#ghost.title = `${strings.ghost[ghost]} (G)`;
   }
 
-  /** Address of what is shown, in the playground. */
+  /** URL of the displayed state in the playground. */
   set href(href: string) {
     this.#link.href = href;
   }
@@ -96,7 +96,7 @@ export class Bar {
     this.#seek.max = String(Math.max(1, frames - 1));
   }
 
-  /** The input frame that is shown. */
+  /** The displayed input frame. */
   set frame(frame: number) {
     const [now, duration] = [frame / this.#rateHz, (this.#frames - 1) / this.#rateHz];
     setText(this.#clock, clock(now));

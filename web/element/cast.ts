@@ -1,33 +1,33 @@
-/** The character of a player: loaded where its attribute names one, the page's own where the page gave it. */
+/** The character of a player: loaded from its attribute, or an object given by the page. */
 import type { LoadCharacterOptions } from "../character/load";
 import type { CharacterSource } from "../character/read";
 import type { Character } from "../character/types";
 import type { CallOptions } from "../client/protocol";
 import { loadCharacter } from "./host";
 
-/** Where a character comes from: an address, empty for the mannequin, a file, or what `loadCharacter` gave. */
+/** Source of a character: a URL, empty for the mannequin, a file, or a result of `loadCharacter`. */
 export type CastSource = CharacterSource | Character;
 
 export class Cast {
-  /** Asked where the author does not allow everybody to perform a character; without it that is refused. */
+  /** Asked if the author does not allow everyone to perform a character; without it the character is refused. */
   accept: LoadCharacterOptions["accept"];
   readonly #onChange: (character: Character | undefined) => void;
   #character: Character | undefined;
-  /** Whether the character was loaded here, and is to be freed. */
+  /** Whether the character was loaded here, and must be freed. */
   #isOwn = false;
   #loading: AbortController | undefined;
 
-  /** `onChange` is called when another one performs; the one before is freed right after. */
+  /** `onChange` is called when another character performs; the previous one is freed right after. */
   constructor(onChange: (character: Character | undefined) => void) {
     this.#onChange = onChange;
   }
 
-  /** Who performs; undefined where the mannequin does. */
+  /** The character in use; `undefined` for the mannequin. */
   get character(): Character | undefined {
     return this.#character;
   }
 
-  /** Takes another character; what performs stays until it is loaded, and where that fails. @throws StrutError */
+  /** Changes the character; the current one stays until the new one is loaded, and if loading fails. @throws StrutError */
   async take(source: CastSource, call: CallOptions = {}): Promise<void> {
     this.#loading?.abort();
     const loading = new AbortController();
@@ -45,7 +45,7 @@ export class Cast {
     }
   }
 
-  /** Frees what was loaded; the mannequin performs. */
+  /** Frees the loaded character; the mannequin performs. */
   dispose(): void {
     this.#loading?.abort();
     this.#set(undefined, false);

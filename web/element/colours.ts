@@ -1,12 +1,12 @@
-/** The colours around a player: whether they are dark, and those that the page chose. */
+/** The colours around a player: whether they are dark, and custom colours of the page. */
 import type { ThemeColours, ThemeName } from "../viewer";
 
-/** Whether the element's colours are the dark ones: `probe` has the colour black in the dark ones alone. */
+/** Whether the element's colours are dark: `probe` is black only in the dark theme. */
 export function themeOf(probe: Element): ThemeName {
   return getComputedStyle(probe).color.replaceAll(" ", "") === "rgb(0,0,0)" ? "dark" : "light";
 }
 
-/** Colours of the scene that the page chose by custom properties. */
+/** Colours of the scene that the page set by custom properties. */
 export function ownColours(element: Element): Partial<ThemeColours> {
   const style = getComputedStyle(element);
   const own = (name: string) => hex(style.getPropertyValue(`--strut-${name}`).trim());
@@ -19,7 +19,7 @@ export function ownColours(element: Element): Partial<ThemeColours> {
   };
 }
 
-/** A CSS colour as three.js reads it: `#rrggbb`; `undefined` for what is none. */
+/** Converts a CSS colour to `#rrggbb` for three.js; `undefined` if it is invalid. */
 function hex(colour: string): string | undefined {
   if (colour === "" || !CSS.supports("color", colour)) return undefined;
   const context = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d")!;

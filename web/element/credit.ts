@@ -1,4 +1,4 @@
-/** Who made the character that performs, over the stage. */
+/** Credits of the character in use, over the stage. */
 import type { Licence } from "../character/licence";
 import { html } from "../ui/dom";
 import { strings } from "./strings";
@@ -6,7 +6,7 @@ import { strings } from "./strings";
 export class Credit {
   readonly element = html("p", { class: "credit", part: "credit", hidden: true });
 
-  /** Shows whom a licence wants to be named; nothing where it names nobody. */
+  /** Shows the names that a licence requires; hidden if there are none. */
   show(licence: Licence | undefined): void {
     const { title = "", authors = [], url, credit = false } = licence ?? {};
     const text = authors.length > 0 ? strings.credit(title, authors) : title;

@@ -16,7 +16,7 @@ export class Deferred {
         reject(reason);
       };
     });
-    // A rejection that no caller awaits is not an unhandled rejection.
+    // Prevents an unhandled rejection if no caller awaits it.
     this.promise.catch(() => undefined);
   }
 }

@@ -1,4 +1,4 @@
-/** What `<strut-player>` tells, with its types: `reference.ts` has the same for documents. */
+/** Events of `<strut-player>` with their types; `reference.ts` has the same for documentation. */
 import type { LiveFrame } from "../client/protocol";
 
 /** Detail of the event `frame`. */
@@ -6,23 +6,23 @@ export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" |
 
 /** The events of a player by their names. */
 export interface StrutPlayerEventMap {
-  /** The figure is on the screen. */
+  /** The figure is displayed. */
   ready: Event;
-  /** Loading has come so far, 0 to 1. */
+  /** Progress of loading, 0 to 1. */
   progress: CustomEvent<{ label: string; fraction: number }>;
-  /** A visitor chose styles; bubbles. */
+  /** A visitor changed the styles; bubbles. */
   stylechange: CustomEvent<{ styles: Record<string, number> }>;
   /** A new frame of the motion. */
   frame: CustomEvent<FrameDetail>;
-  /** It begins to play. */
+  /** Playback started. */
   play: Event;
-  /** It stands. */
+  /** Playback was paused. */
   pause: Event;
-  /** Something failed; what was on the stage stays. */
+  /** An operation failed; the displayed figure stays. */
   error: CustomEvent<{ error: unknown }>;
 }
 
-/** An element whose listeners know what they hear. */
+/** An element with typed event listeners. */
 export type PlayerTarget = Omit<HTMLElement, "addEventListener" | "removeEventListener"> &
   Listening<"addEventListener", boolean | AddEventListenerOptions> &
   Listening<"removeEventListener", boolean | EventListenerOptions>;

@@ -1,4 +1,4 @@
-/** What a player shows once it is loaded: a motion in a style, played and drawn. */
+/** The loaded figure of a player: a motion in a style, played and drawn. */
 import { changedOptions } from "../client/options";
 import { DEFAULT_OPTIONS, type LiveFrame, StrutError, type StylizeOptions } from "../client/protocol";
 import { engineOptions } from "../link/engine_options";
@@ -9,7 +9,7 @@ import { type Performer, type Screen, type ThemeColours, type ThemeName, Viewer 
 import type { Drawing } from "./schedule";
 import type { Settings } from "./settings";
 
-/** Drawing goes on for so long after the last change: glides and fades end within it. */
+/** Drawing continues for this time after the last change, in which glides and fades end. */
 const AFTERGLOW_MS = 1200;
 
 /** The error of a figure that was disposed of before its picture was drawn. */
@@ -17,20 +17,20 @@ const CLOSED = { code: "cancelled", message: "The figure was taken away.", hint:
 
 export interface FigureListeners {
   onFrame: (frame: LiveFrame) => void;
-  /** The end was reached, and the motion does not loop. */
+  /** Called when the end was reached, and the motion does not loop. */
   onEnd: () => void;
   onError: (error: unknown) => void;
-  /** The first picture is on the screen. */
+  /** Called when the first picture is displayed. */
   onDrawn: () => void;
 }
 
-/** What a figure is made of; all of it belongs to others. */
+/** The parts of a figure, all owned by others. */
 export interface FigureParts {
   strut: Strut;
   database: Database;
   motion: Motion;
   screen: Screen;
-  /** Where it is drawn. */
+  /** The element in which it is drawn. */
   container: HTMLElement;
 }
 
@@ -62,7 +62,7 @@ export class Figure implements Drawing {
     const options = optionsOf(database, settings);
     const playback = await strut.createPlayback(motion, database, options);
     try {
-      // What is off the screen does not advance, and is to be drawn all the same.
+      // A hidden figure does not advance, but must be drawn once.
       const [first] = await Promise.all([playback.seek(settings.frame), playback.setLoop(settings.loop)]);
       return new Figure(parts, playback, settings, listeners, first);
     } catch (thrown) {
@@ -104,12 +104,12 @@ export class Figure implements Drawing {
     this.#take(first, true);
   }
 
-  /** Styling as it is now. */
+  /** The current options of styling. */
   get options(): StylizeOptions {
     return optionsOf(this.#database, this.#settings);
   }
 
-  /** Lets the motion advance, and follow changes of style, or stand while nobody sees it. */
+  /** Whether the motion advances and styles are eased, or it is suspended while not visible. */
   set running(running: boolean) {
     if (running === this.#running) return;
     this.#running = running;
@@ -122,12 +122,12 @@ export class Figure implements Drawing {
   }
 
   set playing(playing: boolean) {
-    // At the end it starts again.
+    // At the end playback restarts.
     if (playing && this.frame?.ended) this.seek(0);
     this.#playback.playing = playing;
   }
 
-  /** Takes changed settings. @throws StrutError `bad-input` for styles that the database lacks */
+  /** Applies changed settings. @throws StrutError `bad-input` for styles that the database lacks */
   apply(settings: Settings): void {
     this.#playback.options = optionsOf(this.#database, settings);
     if (settings.loop !== this.#settings.loop)
@@ -140,18 +140,18 @@ export class Figure implements Drawing {
     this.invalidate();
   }
 
-  /** Goes to an input frame. */
+  /** Jumps to an input frame. */
   seek(frame: number): void {
     this.#seeking = frame;
     this.#playback.seek(Math.min(Math.max(0, frame), this.frames - 1));
   }
 
-  /** The input frame that is shown, or that was asked for. */
+  /** The displayed or requested input frame. */
   get inputFrame(): number {
     return this.#seeking ?? this.frame?.inputFrame ?? 0;
   }
 
-  /** Has a character perform, or the mannequin (`undefined`); resolves when it does. */
+  /** Makes a character perform, or the mannequin (`undefined`). Resolves when it does. */
   async perform(character: Performer | undefined): Promise<void> {
     await this.viewer.setPerformer(character ?? null);
     this.invalidate();
@@ -163,7 +163,7 @@ export class Figure implements Drawing {
     this.invalidate();
   }
 
-  /** Asks for the picture to be drawn. */
+  /** Requests a redraw. */
   invalidate(): void {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;
   }
@@ -182,13 +182,13 @@ export class Figure implements Drawing {
     draw();
   }
 
-  /** The present picture, drawn for it if need be. @throws StrutError `cancelled` if it is disposed of meanwhile */
+  /** The current picture, drawn for this call if necessary. @throws StrutError `cancelled` if it is disposed of meanwhile */
   async picture(): Promise<HTMLCanvasElement> {
     if (!(await this.#drawNow())) throw new StrutError(CLOSED);
     return this.viewer.copy();
   }
 
-  /** Draws as soon as that can be done; says whether it did before it was disposed of. */
+  /** Draws as soon as possible. Returns whether it did before it was disposed of. */
   async #drawNow(): Promise<boolean> {
     while (!this.#isDisposed) {
       this.viewer.invalidate();
@@ -223,7 +223,7 @@ export class Figure implements Drawing {
   }
 }
 
-/** The engine's options for settings. @throws StrutError `bad-input` for styles that the database lacks */
+/** The engine's options for some settings. @throws StrutError `bad-input` for styles that the database lacks */
 function optionsOf({ info }: Database, { styles, linked }: Settings): StylizeOptions {
   return changedOptions(info, DEFAULT_OPTIONS, engineOptions({ ...linked, styles }, info.neutral));
 }

@@ -1,4 +1,4 @@
-/** What the players of a page share: the engine, one WebGL context, and the schedule of drawing. */
+/** Shared by the players of a page: the engine, one WebGL context, and the schedule of drawing. */
 import type { LoadCharacterOptions } from "../character/load";
 import type { CharacterSource } from "../character/read";
 import type { Character } from "../character/types";
@@ -7,18 +7,18 @@ import { Screen } from "../viewer";
 import { Schedule } from "./schedule";
 import { SharedEngine } from "./shared_engine";
 
-/** How long the context is kept when no player is left, milliseconds. */
+/** Time for which the context is kept without players, milliseconds. */
 const LINGER_MS = 2000;
 
 const NO_HOST = "hostPlayers() must be called before a player loads.";
 
-/** What the page tells its players. */
+/** The page's settings for its players. */
 export interface PlayerHost {
   /** Loads the engine. */
   load: () => Promise<Strut>;
   /** Loads a character; the code for it is loaded with the first one. */
   loadCharacter: LoadCharacter;
-  /** Address of the playground; empty where it is not known. */
+  /** URL of the playground; empty if it is not known. */
   site: string;
 }
 
@@ -27,13 +27,13 @@ type LoadCharacter = (source: CharacterSource, options: LoadCharacterOptions) =>
 let host: PlayerHost | undefined;
 let engine: SharedEngine | undefined;
 
-/** Says what the players of this page load their engine with; before the first of them loads. */
+/** Sets how the players of this page load their engine; to be called before the first of them loads. */
 export function hostPlayers(given: PlayerHost): void {
   host = given;
   engine = new SharedEngine(given.load);
 }
 
-/** Loads a character as the page wants it. @throws StrutError */
+/** Loads a character with the page's loader. @throws StrutError */
 export const loadCharacter: LoadCharacter = (source, options) => {
   if (!host) throw new Error(NO_HOST);
   return host.loadCharacter(source, options);
@@ -45,12 +45,12 @@ export function sharedEngine(): SharedEngine {
   return engine;
 }
 
-/** Address of the playground; empty where it is not known. */
+/** URL of the playground; empty if it is not known. */
 export function site(): string {
   return host?.site ?? "";
 }
 
-/** When players draw. */
+/** The drawing schedule of players. */
 export const schedule = new Schedule();
 
 let screen: Screen | undefined;
@@ -64,10 +64,10 @@ export function joinScreen(): Screen {
   return screen;
 }
 
-/** Draws no longer on the shared context. */
+/** Stops drawing on the shared context. */
 export function leaveScreen(): void {
   users -= 1;
-  // The time counts from the last one: players that take turns keep the context.
+  // The time restarts at the last one, so that alternating players keep the context.
   clearTimeout(leaving);
   leaving = setTimeout(() => {
     if (users > 0) return;

@@ -1,4 +1,4 @@
-/** What a player has open: a motion, a database, and the figure that shows them. */
+/** The open objects of a player: a motion, a database, and the figure that shows them. */
 import type { CallOptions, FileReading } from "../client/protocol";
 import type { Database, Motion, Source } from "../package/types";
 import { html } from "../ui/dom";
@@ -12,16 +12,16 @@ export interface Opened {
   database: Lease<Database>;
   motion: Lease<Motion>;
   figure: Figure;
-  /** Where the figure is drawn. */
+  /** The element in which the figure is drawn. */
   container: HTMLElement;
   /** Why its character does not perform. */
   fault: unknown;
 }
 
-/** What is to be opened. */
+/** The objects to open. */
 export interface Wanted {
   motion: Source | Motion;
-  /** What a link says of how the motion's file is read. */
+  /** The reading of the motion's file in a link. */
   reading: FileReading | undefined;
   database: Source | Database;
   character: CastSource;
@@ -29,7 +29,8 @@ export interface Wanted {
 }
 
 /**
- * Opens a figure in `picture`, above what is there; its character performs, or the mannequin where that cannot be loaded.
+ * Opens a figure in `picture`, above the existing one. Its character performs, or the mannequin if the character cannot
+ * be loaded.
  * @throws StrutError
  */
 export async function openFigure(
@@ -41,7 +42,7 @@ export async function openFigure(
   const casting = cast.take(character, call).catch((thrown: unknown) => thrown);
   const leases = await allOrNone([engine.database(base, call), engine.motion(source, { reading })]);
   const [database, motion] = leases;
-  // The figure before it is seen until this one takes its place.
+  // The figure is invisible until it replaces the existing one.
   const container = html("div", { class: "picture" });
   picture.append(container);
   let figure: Figure | undefined;
@@ -61,7 +62,7 @@ export async function openFigure(
   }
 }
 
-/** Takes the figure away and gives back what it used. */
+/** Removes the figure and releases its resources. */
 export function closeFigure({ figure, database, motion, container }: Opened): void {
   schedule.remove(figure);
   figure.dispose();
@@ -71,7 +72,7 @@ export function closeFigure({ figure, database, motion, container }: Opened): vo
   motion.release();
 }
 
-/** All leases, or none: those that were had are released where another one fails. */
+/** All leases, or none: if one fails, the others are released. */
 async function allOrNone<A, B>([a, b]: readonly [Promise<Lease<A>>, Promise<Lease<B>>]): Promise<[Lease<A>, Lease<B>]> {
   const [first, second] = await Promise.allSettled([a, b]);
   if (first.status === "fulfilled" && second.status === "fulfilled") return [first.value, second.value];

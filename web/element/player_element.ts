@@ -1,6 +1,7 @@
 /**
- * `<strut-player>`: a figure that walks in a style, on any page (`docs/embedding.md`). It loads when it comes near the screen,
- * plays while it is seen, and shares one engine, one WebGL context and one drawing schedule with the others of its page.
+ * `<strut-player>`: a figure that moves in a style, on any page (`docs/embedding.md`). It loads when it comes near the
+ * visible area, plays while it is visible, and shares one engine, one WebGL context and one drawing schedule with the
+ * other players of its page.
  */
 import type { Licence } from "../character/licence";
 import type { Character } from "../character/types";
@@ -41,22 +42,22 @@ import { sheets } from "./sheets";
 import { isShortcut } from "./shortcut";
 import { strings } from "./strings";
 
-/** How near to the screen it loads, pixels. */
+/** Distance from the visible area at which it loads, pixels. */
 const NEAR_PX = 200;
-/** Least time between two changes of the clock while it plays, milliseconds: each one is painted. */
+/** Minimum time between two updates of the clock during playback, milliseconds, since each one causes a repaint. */
 const CLOCK_MS = 60;
 /** Time out of sight after which a character is freed, milliseconds. */
 const UNSEEN_MS = 30_000;
-/** Why nothing comes of a player that is taken off its page while it loads. */
+/** The error of a player that is removed from its page while it loads. */
 const TAKEN_AWAY = { code: "cancelled", message: "The player was taken off the page.", hint: "" } as const;
-/** Weights below this are not said. */
+/** Smaller weights are not announced. */
 const SAID = 0.005;
 
-/** Properties that are attributes and nothing else. */
+/** Properties that only reflect an attribute. */
 type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
 type Properties = { -readonly [K in Plain as PropertyName<K>]: ValueOf<K> };
 
-/** Where there is no document, as on a server, the class can be imported and not be used. */
+/** Without a document, as on a server, the class can be imported but not used. */
 const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => PlayerTarget & Properties;
 
 /** `<strut-player>`: a figure that moves in a style, live. */
@@ -88,17 +89,17 @@ export class StrutPlayer extends ElementBase {
   #star: CastSource | undefined;
   #visible = false;
   #failed = false;
-  /** Whether the figure that is open has been drawn. */
+  /** Whether the open figure has been drawn. */
   #drawn = false;
-  /** Whether it plays once it is loaded and seen. */
+  /** Whether it plays once it is loaded and visible. */
   #plays = false;
-  /** Whether an attribute is being written from within. */
+  /** Whether an attribute is being written by the element itself. */
   #reflecting = false;
-  /** Whether the character was freed because nobody saw it. */
+  /** Whether the character was freed because the player was not visible. */
   #isCastFreed = false;
   #unseen: ReturnType<typeof setTimeout> | undefined;
   #clockAt = 0;
-  /** Where it goes on once it is loaded, seconds: where it was, or was sent before. */
+  /** Start position after loading, seconds: the previous position, or one that was sought. */
   #startSecs: number | undefined;
 
   constructor() {
@@ -136,14 +137,14 @@ export class StrutPlayer extends ElementBase {
     this.#probe.addEventListener("transitionrun", () => this.#recolour());
   }
 
-  // --- what a page uses ---
+  // --- public API ---
 
-  /** Resolves when the figure is on the screen; rejects if it cannot be loaded. */
+  /** Resolves when the figure is displayed; rejects if it cannot be loaded. */
   get ready(): Promise<void> {
     return this.#ready.promise;
   }
 
-  /** The time that is shown, seconds of the input. */
+  /** The displayed time, seconds of the input. */
   get currentTime(): number {
     const { figure } = this.#opened ?? {};
     return figure ? figure.inputFrame / figure.rateHz : (this.#startSecs ?? 0);
@@ -159,7 +160,7 @@ export class StrutPlayer extends ElementBase {
     return figure ? (figure.frames - 1) / figure.rateHz : 0;
   }
 
-  /** Whether it stands. */
+  /** Whether it is paused. */
   get paused(): boolean {
     return !this.#plays;
   }
@@ -169,7 +170,7 @@ export class StrutPlayer extends ElementBase {
     return this.#opened?.database.value;
   }
 
-  /** The motion: an address, or what `openMotion` takes or gave. */
+  /** The motion: a URL, or an argument or a result of `openMotion`. */
   get src(): Source | Motion {
     return this.#source ?? addressesOf(this).src;
   }
@@ -179,7 +180,7 @@ export class StrutPlayer extends ElementBase {
     this.#takeSource("src", value);
   }
 
-  /** The database: an address, or what `openDatabase` takes or gave. */
+  /** The database: a URL, or an argument or a result of `openDatabase`. */
   get db(): Source | Database {
     return this.#base ?? addressesOf(this).db;
   }
@@ -189,7 +190,7 @@ export class StrutPlayer extends ElementBase {
     this.#takeSource("db", value);
   }
 
-  /** The character: an address, empty for the mannequin, a file, or what `loadCharacter` gave. */
+  /** The character: a URL, empty for the mannequin, a file, or a result of `loadCharacter`. */
   get character(): CastSource {
     return this.#star ?? readAttribute(this, "character");
   }
@@ -200,7 +201,7 @@ export class StrutPlayer extends ElementBase {
     this.#perform();
   }
 
-  /** Asked where the author of a character does not allow everybody to perform it; without it that is refused. */
+  /** Asked if the author of a character does not allow everyone to perform it; without it the character is refused. */
   get accept(): ((licence: Licence) => boolean | Promise<boolean>) | undefined {
     return this.#cast.accept;
   }
@@ -220,13 +221,13 @@ export class StrutPlayer extends ElementBase {
     writeProperty(this, "styles", selection);
   }
 
-  /** Loads now, wherever on the page it is. */
+  /** Loads now, wherever it is on the page. */
   load(): Promise<void> {
     if (!this.#opened && !this.#opening) void this.#open();
     return this.ready;
   }
 
-  /** Plays; loads if need be. */
+  /** Plays; loads if necessary. */
   play(): void {
     if (this.#plays) return;
     this.#plays = true;
@@ -235,7 +236,7 @@ export class StrutPlayer extends ElementBase {
     this.dispatchEvent(new Event("play"));
   }
 
-  /** Stops; the picture stays. */
+  /** Pauses; the picture stays. */
   pause(): void {
     if (!this.#plays) return;
     this.#plays = false;
@@ -243,7 +244,7 @@ export class StrutPlayer extends ElementBase {
     this.dispatchEvent(new Event("pause"));
   }
 
-  /** Goes to a time of the input, seconds. */
+  /** Jumps to a time of the input, seconds. */
   seek(secs: number): void {
     const { figure } = this.#opened ?? {};
     if (figure) figure.seek(secs * figure.rateHz);
@@ -260,7 +261,7 @@ export class StrutPlayer extends ElementBase {
     });
   }
 
-  /** The whole motion in the present styles as a file. @throws StrutError */
+  /** The whole motion in the current styles as a file. @throws StrutError */
   async exportFile(format: "bvh" | "glb" | "vrma"): Promise<Blob> {
     await this.load();
     const { database, motion, figure } = this.#opened!;
@@ -272,7 +273,7 @@ export class StrutPlayer extends ElementBase {
     return new Blob([format === "glb" ? glb() : styled.toVRMA()], { type: "model/gltf-binary" });
   }
 
-  // --- what the browser calls ---
+  // --- custom element callbacks ---
 
   connectedCallback(): void {
     if (this.#connected) return;
@@ -292,13 +293,13 @@ export class StrutPlayer extends ElementBase {
   }
 
   disconnectedCallback(): void {
-    // Who moves an element takes it out and puts it in again, in one task.
+    // Moving an element removes and inserts it in one task.
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.#connected = false;
       for (const observer of this.#observers.splice(0)) observer.disconnect();
       if (this.#opened) this.#startSecs = this.currentTime;
-      // A removed player does not become ready; if it is put back, there is a new promise.
+      // A removed player does not become ready; if it is inserted again, there is a new promise.
       if (!this.#ready.isSettled) this.#ready.reject(new StrutError(TAKEN_AWAY));
       this.#ready = new Deferred();
       this.#close();
@@ -311,7 +312,7 @@ export class StrutPlayer extends ElementBase {
     if (before === now || this.#reflecting || !this.#connected) return;
     this.#showAttributes();
     if (name === "src" || name === "db") {
-      // An address takes the place of an object.
+      // A URL replaces an object.
       if (name === "src") this.#source = undefined;
       else this.#base = undefined;
       this.#reopen();
@@ -325,13 +326,13 @@ export class StrutPlayer extends ElementBase {
 
   // --- opening and closing ---
 
-  /** Opens another motion or database, if one is open or wanted already. */
+  /** Opens another motion or database, if one is open or requested already. */
   #takeSource(name: "src" | "db", value: unknown): void {
     this.#writeSource(name, value);
     this.#reopen();
   }
 
-  /** An attribute says where something comes from only if that is an address. */
+  /** The attribute contains a source only if that is a URL. */
   #writeSource(name: "src" | "db" | "character", value: unknown): void {
     this.#reflecting = true;
     writeProperty(this, name, typeof value === "string" ? value : null);
@@ -406,7 +407,7 @@ export class StrutPlayer extends ElementBase {
     if (fault) this.#complain(fault);
   }
 
-  /** Has the character perform that is wanted, once a figure is open. */
+  /** Makes the requested character perform, once a figure is open. */
   #perform(): void {
     if (!this.#opened) return;
     this.#isCastFreed = false;
@@ -419,7 +420,7 @@ export class StrutPlayer extends ElementBase {
     this.#opened?.figure.perform(character).catch((thrown: unknown) => this.#complain(thrown));
   }
 
-  /** Frees the character of a player that has not been seen for a while; it is loaded again when it is. */
+  /** Frees the character of a player that has not been visible for a while; it is loaded again when the player is. */
   #freeUnseen(): void {
     clearTimeout(this.#unseen);
     if (this.#visible && this.#isCastFreed) this.#perform();
@@ -450,7 +451,7 @@ export class StrutPlayer extends ElementBase {
     this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
   }
 
-  /** Says what went wrong; what is on the stage stays. */
+  /** Shows an error; the displayed figure stays. */
   #complain(error: unknown): void {
     this.#message.show(error);
     this.dispatchEvent(new CustomEvent("error", { detail: { error } }));
@@ -469,7 +470,7 @@ export class StrutPlayer extends ElementBase {
     this.#cast.dispose();
   }
 
-  /** Takes properties that were set before the element was defined. */
+  /** Applies properties that were set before the element was defined. */
   #takeEarlyProperties(): void {
     for (const name of [...ATTRIBUTE_NAMES.map(propertyOf), "accept", "currentTime"].filter((known) =>
       Object.hasOwn(this, known),
@@ -499,7 +500,7 @@ export class StrutPlayer extends ElementBase {
     this.dispatchEvent(new CustomEvent("frame", { detail }));
   }
 
-  // --- what is shown ---
+  // --- display ---
 
   #showAttributes(): void {
     const { controls } = this;
@@ -511,7 +512,7 @@ export class StrutPlayer extends ElementBase {
     this.#describe();
   }
 
-  /** Puts changed attributes into force. */
+  /** Applies changed attributes. */
   #applySettings(): void {
     const { figure, database } = this.#opened ?? {};
     if (!figure || !database) return;
@@ -532,7 +533,7 @@ export class StrutPlayer extends ElementBase {
     this.#bar.playing = this.#plays;
     if (!figure) return;
     figure.playing = this.#plays;
-    // It does not begin before it is seen.
+    // It does not start before it is visible.
     figure.running = this.#visible && this.#drawn;
   }
 
@@ -551,7 +552,7 @@ export class StrutPlayer extends ElementBase {
     this.#describe();
   }
 
-  /** The address of what is shown, in the playground; empty where that is not known. */
+  /** The URL of the displayed state in the playground; empty if it is not known. */
   #address(): string {
     if (!site()) return "";
     const { linked } = settingsOf(this);
@@ -582,7 +583,7 @@ export class StrutPlayer extends ElementBase {
     else this.play();
   }
 
-  /** A visitor chose styles. */
+  /** Handles a visitor's choice of styles. */
   #choose(styles: Selection): void {
     if (!this.#opened) return;
     this.#reflect("styles", styles);

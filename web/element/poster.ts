@@ -1,4 +1,4 @@
-/** What stands in the stage until the figure can be drawn: a picture, a sign to play, and how far loading has come. */
+/** Shown in the stage until the figure can be drawn: a picture, a play symbol, and the progress of loading. */
 import { icon } from "../ui/controls/icons";
 import { html } from "../ui/dom";
 import { strings } from "./strings";
@@ -22,14 +22,14 @@ export class Poster {
     this.element = html("div", { class: "poster-box" }, this.#button, this.#line);
   }
 
-  /** Address of the picture; empty for none. */
+  /** URL of the picture; empty for none. */
   set picture(url: string) {
     this.#image.hidden = url === "";
     if (url === "") this.#image.removeAttribute("src");
     else this.#image.src = url;
   }
 
-  /** How far loading has come, 0 to 1; `undefined` while nothing is loaded. */
+  /** Progress of loading, 0 to 1; `undefined` while nothing is being loaded. */
   set fraction(fraction: number | undefined) {
     this.element.classList.toggle("loading", fraction !== undefined);
     this.#line.hidden = fraction === undefined;

@@ -1,4 +1,4 @@
-/** What `<strut-player>` has besides attributes: for `custom-elements.json`, the types for JSX, and the documents. */
+/** The API of `<strut-player>` other than attributes: for `custom-elements.json`, the types for JSX, and the documentation. */
 
 /** Something with a name and a sentence about it. */
 export interface Described {

@@ -1,30 +1,30 @@
 /**
- * When the players of a page draw: they share one context and one animation frame. The one with the focus goes first, then
- * those that have waited longest, until the frame's time is used.
+ * Decides when the players of a page draw: they share one context and one animation frame. The focused player goes
+ * first, then those that have waited longest, until the frame's time is used.
  */
 
-/** Time that players may take of an animation frame, milliseconds. */
+/** Time budget of players per animation frame, milliseconds. */
 const BUDGET_MS = 6;
 
-/** Something that draws. */
+/** An object that draws. */
 export interface Drawing {
   readonly hasFocus: boolean;
-  /** Draws if there is something to draw; says whether it did. `now` in milliseconds. */
+  /** Draws if there is something to draw. Returns whether it did. `now` in milliseconds. */
   draw(now: number): boolean;
 }
 
 export class Schedule {
-  /** Since when each one waits. */
+  /** When each one started to wait. */
   readonly #waiting = new Map<Drawing, number>();
   #request = 0;
 
-  /** Lets something draw. */
+  /** Registers an object that draws. */
   add(drawing: Drawing): void {
     this.#waiting.set(drawing, 0);
     if (this.#request === 0) this.#request = requestAnimationFrame(this.#tick);
   }
 
-  /** Lets it draw no longer. */
+  /** Unregisters it. */
   remove(drawing: Drawing): void {
     this.#waiting.delete(drawing);
     if (this.#waiting.size > 0) return;

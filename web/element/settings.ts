@@ -1,18 +1,18 @@
-/** What a player is to show: its attributes, and below them the state of a link. */
+/** The settings of a player: its attributes, with the state of a link as defaults. */
 import { readHash } from "../link/hash";
 import { PAGE_FIELDS, type PageState } from "../link/page";
 import { PLAY_FIELDS, type PlayState } from "../link/play";
 import { firstStyles, type Selection, TRIANGLE, toTriangle, vertexOrder, weightOf } from "../ui/polygon/selection";
 import { ATTRIBUTES, type AttributeName, readAttribute, type ValueOf } from "./attributes";
 
-/** The fields of a link that a player knows. */
+/** The fields of a link that a player uses. */
 const FIELDS = { ...PLAY_FIELDS, ...PAGE_FIELDS };
 type Linked = PlayState & PageState;
 
 /** Settings that do not need another database or another motion. */
 export interface Settings {
   styles: Selection;
-  /** What a link says of styling besides. */
+  /** Other styling options of a link. */
   linked: Linked;
   loop: boolean;
   speed: number;
@@ -23,12 +23,12 @@ export interface Settings {
   zooms: boolean;
 }
 
-/** The addresses of motion and database: those of its attributes, or else the built-in motion that a link names. */
+/** The URLs of motion and database: those of its attributes, or else the built-in motion that a link names. */
 export function addressesOf(element: Element): { src: string; db: string } {
   const { input } = readHash(FIELDS, readAttribute(element, "state"));
   const isLinked = input !== "" && !element.hasAttribute("src");
   const src = isLinked ? `strut:${input.toLowerCase().replace(/[^a-z0-9]+/g, "-")}` : readAttribute(element, "src");
-  // The walks alone have one input.
+  // The set of walks has only one input.
   const needsAll = src.startsWith("strut:") && src !== ATTRIBUTES.src.initial;
   const db = needsAll && !element.hasAttribute("db") ? "strut:built-in" : readAttribute(element, "db");
   return { src, db };
@@ -51,7 +51,7 @@ export function settingsOf(element: Element): Settings {
   };
 }
 
-/** The selection with the neutral style for what the weights leave of 1. */
+/** The selection, with the neutral style for the remainder to 1. */
 export function completed(styles: Selection, neutral: string): Selection {
   const rest = 1 - styles.reduce((sum, { weight }) => sum + weight, 0);
   if (Math.abs(rest) < 5e-3) return styles;
@@ -60,8 +60,8 @@ export function completed(styles: Selection, neutral: string): Selection {
 }
 
 /**
- * The triangle that the small polygon shows, its corners clockwise from the top: the heaviest styles, and where they are fewer
- * than three also those that were `shown`, or else the first choice.
+ * The triangle that the small polygon shows, its corners clockwise from the top: the heaviest styles, and if they are
+ * fewer than three also those that were `shown`, or else the default.
  */
 export function triangleOf(
   styles: Selection,

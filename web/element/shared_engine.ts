@@ -1,31 +1,31 @@
-/** One engine for all players of a page, and what they have open in it: the same file is opened once. */
+/** One engine for all players of a page, and the objects that they have open in it: the same file is opened once. */
 import type { CallOptions } from "../client/protocol";
 import type { Database, Motion, MotionOptions, Source, Strut } from "../package/types";
 
-/** Something open that several players use; each of them releases it. */
+/** An open object that several players use; each of them releases it. */
 export interface Lease<T> {
   readonly value: T;
   release(): void;
 }
 
-/** How long something that nobody uses stays open, milliseconds: pages take elements out and put them in again. */
+/** Time for which an unused object stays open, milliseconds: pages remove elements and insert them again. */
 const LINGER_MS = 10_000;
 
-/** How long the engine itself is kept when nothing of it is used, milliseconds. */
+/** Time for which the unused engine is kept, milliseconds. */
 const IDLE_MS = 300_000;
 
 type Opened = { dispose(): void };
 
 interface Shared<T> {
   opening: Promise<T>;
-  /** Who is told how far the opening is: every player that waits. */
+  /** Progress listeners: one of every waiting player. */
   waiting: Set<NonNullable<CallOptions["onProgress"]>>;
   users: number;
-  /** Runs out when nobody has used it for a while. */
+  /** Fires when it has not been used for a while. */
   lingering?: ReturnType<typeof setTimeout>;
 }
 
-/** Things of one kind by their address. */
+/** Objects of one kind by their URL. */
 class SharedSources<T extends Opened> {
   readonly #shared = new Map<string, Shared<T>>();
 
@@ -34,7 +34,7 @@ class SharedSources<T extends Opened> {
   async lease(source: string, call: CallOptions): Promise<Lease<T>> {
     let shared = this.#shared.get(source);
     if (!shared) {
-      // One player that is taken away must not end what others wait for.
+      // Removing one player must not cancel an opening for which others wait.
       const waiting: Shared<T>["waiting"] = new Set();
       const onProgress: CallOptions["onProgress"] = (progress) => {
         for (const tell of waiting) tell(progress);
@@ -56,7 +56,7 @@ class SharedSources<T extends Opened> {
     try {
       return { value: await taken.opening, release };
     } catch (thrown) {
-      // Another one may be opened by now.
+      // Another one may have been opened meanwhile.
       if (this.#shared.get(source) === taken) this.#shared.delete(source);
       throw thrown;
     } finally {
@@ -83,7 +83,7 @@ export class SharedEngine {
     this.#load = load;
   }
 
-  /** The engine, which is loaded when it is first wanted, and again after that has failed. */
+  /** The engine, which is loaded on first use, and again after a failure. */
   strut(): Promise<Strut> {
     this.#strut ??= this.#load().catch((thrown: unknown) => {
       this.#strut = undefined;
@@ -92,19 +92,19 @@ export class SharedEngine {
     return this.#strut;
   }
 
-  /** An open database, or one that is opened. @throws StrutError */
+  /** An open database, opened if necessary. @throws StrutError */
   database(source: Source | Database, call: CallOptions): Promise<Lease<Database>> {
     if (isOpened(source)) return Promise.resolve(given(source));
     return this.#counted(this.#lease(this.#databases, source, async (strut) => strut.openDatabase(source, call), call));
   }
 
-  /** An open motion, or one that is opened. @throws StrutError */
+  /** An open motion, opened if necessary. @throws StrutError */
   motion(source: Source | Motion, call: MotionOptions & CallOptions): Promise<Lease<Motion>> {
     if (isOpened(source)) return Promise.resolve(given(source));
     return this.#counted(this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call));
   }
 
-  /** Counts who uses the engine: a page that has shown its last player gets the memory and the worker back after a while. */
+  /** Counts the users of the engine: after its last player, a page gets the memory and the worker back after a while. */
   async #counted<T>(leasing: Promise<Lease<T>>): Promise<Lease<T>> {
     this.#users += 1;
     clearTimeout(this.#idle);
@@ -149,7 +149,7 @@ export class SharedEngine {
   }
 }
 
-/** What the page opened itself it also closes itself. */
+/** Objects opened by the page are also closed by it. */
 function given<T>(value: T): Lease<T> {
   return { value, release: () => undefined };
 }
@@ -157,7 +157,7 @@ function given<T>(value: T): Lease<T> {
 const isOpened = <T extends Database | Motion>(source: Source | T): source is T =>
   typeof source === "object" && "dispose" in source;
 
-/** An absolute address; names of built-in things and texts of files stay as they are. */
+/** An absolute URL; names of built-in objects and texts of files are unchanged. */
 function addressOf(source: string | URL): string {
   const text = String(source);
   return text.startsWith("strut:") || text.includes("\n") ? text : new URL(text, document.baseURI).href;

@@ -1,4 +1,4 @@
-/** The style sheets of the player, made once and shared by all of them. */
+/** The style sheets of the player, created once and shared by all of them. */
 
 import base from "../ui/controls/base.css?inline";
 import buttons from "../ui/controls/button.css?inline";
@@ -10,7 +10,7 @@ import player from "./player.css?inline";
 /** Tokens that a page may set, as `--strut-…`. */
 export const OWN_COLOURS = ["signal", "input", "weight", "ink", "panel"] as const;
 
-/** The tokens with the page's own where it has them; people who choose the colours of their screen get those. */
+/** The tokens, overridden by the page's own; forced colours of the user take precedence. */
 function overridable(text: string): string {
   const end = text.indexOf("@media");
   const declared = new RegExp(`--(${OWN_COLOURS.join("|")}): ([^;]+);`, "g");

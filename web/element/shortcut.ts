@@ -1,11 +1,11 @@
-/** Keys of a player, beside those of the controls inside it. */
+/** Keys of a player, in addition to those of its controls. */
 
 /** Keys that move the handle of a slider. */
 const SLIDER_KEYS = ["ArrowLeft", "ArrowRight", "Home", "End"];
 /** Keys that press a button. */
 const PRESSING_KEYS = [" ", "Enter"];
 
-/** Whether a key that was pressed is the player's: not the browser's, nor that of the control which has the focus. */
+/** Whether a pressed key belongs to the player, not to the browser or to the focused control. */
 export function isShortcut(event: KeyboardEvent): boolean {
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return false;
   const [target] = event.composedPath();

@@ -1,4 +1,4 @@
-/** What the player says, in English. */
+/** Texts of the player in English. */
 export const element = {
   description: (manner: string) => `A figure walking, ${manner}, beside the motion that it performs.`,
   /** Styles and their weights, the heaviest first. */

@@ -1,8 +1,8 @@
-/** What the player says. Another language is a second table of the same type, and a choice here. */
+/** Texts of the player. Another language is a second table of the same type, and a selection here. */
 import { element } from "./strings.en";
 
-/** What a language has to say. */
+/** The table of a language. */
 export type ElementStrings = typeof element;
 
-/** The present language. */
+/** The current language. */
 export const strings: ElementStrings = element;

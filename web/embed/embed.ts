@@ -1,4 +1,4 @@
-/** The page in a frame: one player with the attributes of the address's query, and messages to the page around it. */
+/** The page in a frame: one player with the attributes of the URL's query, and messages to the embedding page. */
 import type { FrameDetail, StrutPlayer } from "../element";
 import { answer, attributesOf, readRequest, SETTINGS, type Setting } from "./messages";
 
@@ -6,7 +6,7 @@ const player = document.createElement("strut-player") as StrutPlayer;
 for (const [name, value] of attributesOf(location.search)) player.setAttribute(name, value);
 document.body.append(player);
 
-/** The input frame that is shown: the attribute only says where it begins. */
+/** The displayed input frame; the attribute only has the initial one. */
 let frame = 0;
 player.addEventListener("frame", (event) => {
   frame = (event as CustomEvent<FrameDetail>).detail.inputFrame;
@@ -22,7 +22,7 @@ addEventListener("message", ({ data, source }) => {
   }
   if (request.playing === true) player.play();
   if (request.playing === false) player.pause();
-  // What is told is what the page's visitor sees: any page may know it.
+  // The message contains only what the page's visitor sees: any page may know it.
   if (request.get.length > 0) source?.postMessage(tell(request.get), { targetOrigin: "*" });
 });
 

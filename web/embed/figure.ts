@@ -1,6 +1,6 @@
 /**
- * The page in a frame for one figure of the lessons: its attributes are the address's query, its state is the part behind #,
- * as in a link of the lesson. It tells the page around it what a visitor chose.
+ * The page in a frame for one figure of the lessons: its attributes are in the URL's query, its state is the part after
+ * #, as in a link of the lesson. It reports the visitor's changes to the embedding page.
  */
 import type { StateChange } from "../element/figure/figure_element";
 import { figureAttributesOf, readRequest, toldState } from "./messages";
@@ -20,6 +20,6 @@ addEventListener("message", ({ data }) => {
 
 figure.addEventListener("statechange", (event) => {
   const { state, settled } = (event as CustomEvent<StateChange>).detail;
-  // What is told is what the page's visitor sees: any page may know it.
+  // The message contains only what the page's visitor sees: any page may know it.
   if (settled && parent !== window) parent.postMessage(toldState("statechange", { state }), "*");
 });

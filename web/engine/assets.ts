@@ -1,6 +1,6 @@
-/** The files that the engine loads at run time, and where they lie. */
+/** The files that the engine loads at run time, and their locations. */
 
-/** Names of the files. */
+/** Names of the files that the engine loads. */
 export type AssetName =
   | "strut_wasm_bg.wasm"
   | "strut_start_bg.wasm"
@@ -23,20 +23,23 @@ export type AssetName =
   | "first_steps.bin"
   | "built_in.strutwalk";
 
-/** Where a file lies, or its bytes. */
+/** Location of a file, or its bytes. */
 export type Asset = URL | Uint8Array<ArrayBuffer>;
 
-/** Files that lie elsewhere than beside the engine's code. */
+/** Files that are not next to the engine's code. */
 export type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
 
 let placed: Assets = {};
 
-/** Says where files lie on this thread; call it before anything is loaded. Places of other files stay. */
+/**
+ * Sets the locations of files on this thread. Call it before anything is loaded. Files that are not in `assets` keep
+ * their location.
+ */
 export function placeAssets(assets: Assets): void {
   placed = { ...placed, ...assets };
 }
 
-/** A file that lies `beside` the engine's code unless {@link placeAssets} said otherwise. */
+/** Location of a file: the one set by {@link placeAssets}, or else `beside`, next to the engine's code. */
 export function assetOf(name: AssetName, beside: () => URL): Asset {
   return placed[name] ?? beside();
 }

@@ -1,4 +1,4 @@
-/** Every distance between an input and a database as a picture, by the engine's own package. */
+/** A picture of all distances between an input and a database, computed by the engine's own package. */
 import type { Database } from "./database";
 import { Handle } from "./handle";
 import type { Input } from "./input";
@@ -9,25 +9,25 @@ import { guarded } from "./wasm";
 export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
 export type AtlasPart = (typeof ATLAS_PARTS)[number];
 
-/** What of a database a picture shows. */
+/** Part of a database that a picture shows. */
 export interface AtlasView {
   part: AtlasPart;
-  /** Number of the first window, by class and clip, and of the one after the last. */
+  /** Index of the first window, by class and clip, and of the one after the last. */
   first: number;
   last: number;
-  /** Lines, at most as many as windows. */
+  /** Number of lines, at most the number of windows. */
   height: number;
 }
 
-/** What does not change. */
+/** Properties of an atlas that do not change. */
 export interface AtlasFacts {
   /** The input's frame of each column. */
   frames: Uint32Array;
-  /** Number of the first window of each class, and of all windows. */
+  /** Index of the first window of each class, and the number of all windows. */
   firsts: Uint32Array;
 }
 
-/** Windows and their rows as a graphics processor reads them (`strut-core/src/search/packed.rs`). */
+/** Windows and their rows in the layout that the GPU reads (`strut-core/src/search/packed.rs`). */
 export interface PackedWindows {
   rows: Float32Array;
   windows: Uint32Array;
@@ -35,9 +35,9 @@ export interface PackedWindows {
 
 /** The nearest window of a line in a column. */
 export interface NearestInAtlas {
-  /** Its number, by class and clip. */
+  /** Index of the window, by class and clip. */
   window: number;
-  /** Number and name of its clip, and its last frame in that. */
+  /** Index and name of its clip, and the window's last frame in that clip. */
   clip: number;
   name: string;
   frame: number;
@@ -49,19 +49,19 @@ export interface NearestInAtlas {
 export class Atlas extends Handle<glue.Atlas> {
   readonly facts: AtlasFacts;
 
-  /** With so many columns at most: frames of the input at even distances. */
+  /** @param columns maximum number of columns; the picture shows frames of the input at equal intervals */
   constructor(database: Database, input: Input, columns: number) {
     const raw = guarded(() => new glue.Atlas(database.raw as glue.Database, input.raw as glue.Input, columns));
     super(raw, "atlas");
     this.facts = guarded(() => ({ frames: raw.frames(), firsts: raw.firsts() }));
   }
 
-  /** Least D of each line in some columns, m², a column after the other. @throws StrutError `bad-input` */
+  /** Smallest D of each line in some columns, m², column after column. @throws StrutError `bad-input` */
   draw(view: AtlasView, columns: Uint32Array): Float32Array {
     return this.viewed(view, (raw) => raw.draw(columns));
   }
 
-  /** @throws StrutError `bad-input` if there is no such column or line */
+  /** @throws StrutError `bad-input` if the column or the line does not exist */
   nearest(view: AtlasView, column: number, line: number): NearestInAtlas {
     return this.viewed(view, (raw) => {
       const [window, clip, frame, distance] = raw.nearest(column, line) as unknown as [number, number, number, number];
@@ -69,22 +69,22 @@ export class Atlas extends Handle<glue.Atlas> {
     });
   }
 
-  /** The pose at a frame of a clip as the metric has it nearest to a column of the input. @throws StrutError `bad-input` */
+  /** Pose at a frame of a clip, aligned with a column of the input as in the metric. @throws StrutError `bad-input` */
   pose(column: number, clip: number, frame: number): Float32Array {
     return guarded(() => this.raw.pose(column, clip, frame));
   }
 
-  /** The database's windows by the joints of a view. */
+  /** The database's windows, by the joints of a view. */
   packed(view: AtlasView): PackedWindows {
     return this.viewed(view, (raw) => ({ rows: raw.packedRows(), windows: raw.packedWindows() }));
   }
 
-  /** The columns, in the same way. */
+  /** The input's columns, in the same layout. */
   packedColumns(view: AtlasView): PackedWindows {
     return this.viewed(view, (raw) => ({ rows: raw.packedColumnRows(), windows: raw.packedColumns() }));
   }
 
-  /** Line of each of the packed windows; the largest number for none. */
+  /** Line of each packed window; the largest number for windows without a line. */
   packedLines(view: AtlasView): Uint32Array {
     return this.viewed(view, (raw) => raw.packedLines());
   }

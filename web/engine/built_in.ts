@@ -5,15 +5,15 @@ import { download, incomplete, readAsset } from "./download";
 const WHAT = "built-in motions";
 
 /**
- * `built-in` is all of them, as the playground has them; `walk` is walks in eight styles and one input, for whoever serves
- * them; `first` is the first strides of these and the same input, with which the playground begins.
+ * `built-in` is the complete set, as in the playground. `walk` has walks in eight styles and one input, for sites that
+ * host only that. `first` has the first strides of these walks and the same input; the playground starts with it.
  */
 export type BuiltInSet = "built-in" | "walk" | "first";
 
-/** Packed motions, as `rust/strut-formats/src/strutdb/packed.rs` says. */
+/** Packed motions; `rust/strut-formats/src/strutdb/packed.rs` describes the format. */
 export type PackedMotions = Uint8Array<ArrayBuffer>;
 
-/** A file of motions; `share` is its share of the bytes of all. */
+/** A file of motions; `share` is its share of the total bytes. */
 interface MotionFile {
   asset: () => Asset;
   share: number;
@@ -35,7 +35,7 @@ const WALK: MotionFile = {
   share: 1,
 };
 
-/** The files of each set, one read after the other: the later one does not have again what is in the first. */
+/** The files of each set, read one after the other. The later file does not repeat the contents of the first. */
 const FILES: Record<BuiltInSet, readonly MotionFile[]> = {
   "built-in": [FIRST, OTHERS],
   walk: [WALK],
@@ -45,7 +45,7 @@ const FILES: Record<BuiltInSet, readonly MotionFile[]> = {
 /**
  * Loads a set of built-in motions.
  * @param onProgress is called with the received share, 0–1, if the server sends the length
- * @throws StrutError if they cannot be had
+ * @throws StrutError if they cannot be loaded
  */
 export async function loadBuiltIn(
   onProgress?: (fraction: number) => void,
@@ -80,7 +80,7 @@ function joined(parts: readonly PackedMotions[]): PackedMotions {
  * Loads a packed file.
  * @param what the part of Strut that the file is, for messages
  * @param onProgress is called with the received share, 0–1, if the server sends the length
- * @throws StrutError if it cannot be had
+ * @throws StrutError if it cannot be loaded
  */
 export async function inflatedAsset(
   asset: Asset,
@@ -107,7 +107,7 @@ async function streamOf(
   if (asset.protocol === "file:") return new Blob([await readAsset(asset, what)]).stream();
   const { body, headers } = await download(asset, what);
   if (!body) throw incomplete(what, "the answer is empty");
-  // If the server compresses the compressed file again, its Content-Length is not that of the received bytes.
+  // If the server compresses the compressed file again, Content-Length is not the number of received bytes.
   const total = headers.has("Content-Encoding") ? 0 : Number(headers.get("Content-Length"));
   let received = 0;
   return body.pipeThrough(

@@ -10,14 +10,14 @@ import { type Glue, guarded } from "./wasm";
 
 /** The styling of one input. Unlike live playback it may look ahead for foot contacts. */
 export class ClipJob extends Handle<RawClipJob> {
-  /** Frames done. */
+  /** Number of frames done. */
   done = 0;
   readonly frames: number;
   readonly #track: WeightKey[];
 
   /**
-   * @param stylizer gives its styles and options; it is free for other uses afterwards
-   * @param track styles over time; without keys they are the stylizer's
+   * @param stylizer source of the styles and options; it is free for other uses afterwards
+   * @param track styles over time; without keys, the stylizer's styles
    */
   constructor(
     glue: Glue,
@@ -33,7 +33,7 @@ export class ClipJob extends Handle<RawClipJob> {
     this.#track = track.map(({ frame, styles }) => ({ frame, weights: stylizer.weightsOf(styles) }));
   }
 
-  /** Styles up to `frames` more frames; true once all are done. */
+  /** Styles up to `frames` more frames. Returns true once all are done. */
   run(frames: number): boolean {
     this.done = guarded(() => (this.#track.length > 0 ? this.#runTrack(frames) : this.raw.run(frames)));
     return this.done >= this.frames;
@@ -53,7 +53,7 @@ export class ClipJob extends Handle<RawClipJob> {
 
   /** The styled clip; call it after {@link run} returned true. */
   result(): Analysis {
-    // The module that a page starts with opens no files; it has neither notes nor distances.
+    // The module of the first seconds opens no files; it computes neither notes nor distances.
     const isFile = this.input.info.source === "bvh";
     return guarded(() => ({
       poses: this.raw.poses(),
@@ -66,7 +66,7 @@ export class ClipJob extends Handle<RawClipJob> {
     }));
   }
 
-  /** The examples behind each frame, as far as a curve shows them. */
+  /** The examples behind each frame, with the values that a curve shows. */
   examples(subject: CurveSubject): Examples {
     return guarded(() => ({
       subject,
@@ -76,7 +76,7 @@ export class ClipJob extends Handle<RawClipJob> {
     }));
   }
 
-  /** The styled clip as BVH text, on the input's own skeleton and at its own rate. */
+  /** The styled clip as BVH text, on the input's own skeleton and at its own frame rate. */
   toBvh(): string {
     return guarded(() => this.raw.toBvh(this.input.raw));
   }

@@ -9,11 +9,11 @@ import { type Glue, guarded } from "./wasm";
 export interface SlicedFile {
   /** Number of bytes. */
   size: number;
-  /** The bytes from a number up to another; none where they cannot be read. It throws nothing. */
+  /** The bytes from `begin` up to `end`; empty if they cannot be read. Never throws. */
   read(begin: number, end: number): Uint8Array;
 }
 
-/** Where a database comes from. */
+/** Source of a database. */
 export type DatabaseSource = { kind: "demo"; motions: PackedMotions } | DatabaseFile;
 
 /** A `.strutdb` file. */
@@ -32,7 +32,7 @@ export class Database extends Handle<RawDatabase> {
     this.info = guarded(() => describe(raw, name));
   }
 
-  /** The built-in database. @throws StrutError `bad-file` with what is wrong with the bytes */
+  /** The built-in database. @throws StrutError `bad-file` if the bytes are invalid */
   static packed(glue: Glue, motions: RawPackedMotions): Database {
     return new Database(
       guarded(() => glue.Database.fromPacked(motions)),
@@ -40,7 +40,7 @@ export class Database extends Handle<RawDatabase> {
     );
   }
 
-  /** @throws StrutError `bad-file` with what is wrong with the bytes */
+  /** @throws StrutError `bad-file` if the bytes are invalid */
   static open(glue: Glue, { name, bytes }: DatabaseFile): Database {
     const raw = guarded(() =>
       bytes instanceof ArrayBuffer
@@ -50,7 +50,7 @@ export class Database extends Handle<RawDatabase> {
     return new Database(raw, name);
   }
 
-  /** Takes charge of a database that another package made. */
+  /** Takes ownership of a database that another package made. */
   static of(raw: RawDatabase, name: string): Database {
     return new Database(raw, name);
   }

@@ -1,19 +1,22 @@
-/** Files of the site, in a browser and in Node. */
+/** Loads files of the site, in a browser and in Node. */
 import { StrutError } from "./errors";
 
-/** Has a file that this thread may not fetch from another thread. @throws where that may not either */
+/**
+ * Fetches a file through another thread, for files that this thread may not fetch.
+ * @throws if that thread may not fetch it either
+ */
 export type FetchElsewhere = (url: URL) => Promise<Response>;
 
 let fetchElsewhere: FetchElsewhere | undefined;
 
-/** Says what is asked on this thread for files that it cannot fetch. */
+/** Sets the fallback for files that this thread cannot fetch. */
 export function setFetchElsewhere(fetch: FetchElsewhere): void {
   fetchElsewhere = fetch;
 }
 
 /** The bytes of a file on disk: Node only. */
 export async function readFile(url: URL): Promise<Uint8Array<ArrayBuffer>> {
-  // No bundler may look for it.
+  // Built at run time so that bundlers do not resolve it.
   const name = ["node:fs", "promises"].join("/");
   const fs: typeof import("node:fs/promises") = await import(/* webpackIgnore: true */ /* @vite-ignore */ name);
   return new Uint8Array(await fs.readFile(url));
@@ -22,7 +25,7 @@ export async function readFile(url: URL): Promise<Uint8Array<ArrayBuffer>> {
 /**
  * The bytes of a file of the package: Node only.
  * @param what the part of Strut that the file is, for messages
- * @throws StrutError `load` if there is none
+ * @throws StrutError `load` if the file cannot be read
  */
 export function readAsset(url: URL, what: string): Promise<Uint8Array<ArrayBuffer>> {
   return readFile(url).catch(() => {
@@ -38,7 +41,7 @@ export function readAsset(url: URL, what: string): Promise<Uint8Array<ArrayBuffe
 export async function download(url: URL, what: string): Promise<Response> {
   let response: Response;
   try {
-    // These files are larger than all of a page, which must not wait for them.
+    // These files are larger than the rest of the page. Low priority keeps the page from waiting for them.
     response = await fetch(url, { priority: "low" }).catch(
       (refused) => fetchElsewhere?.(url) ?? Promise.reject(refused),
     );
@@ -53,7 +56,7 @@ export async function download(url: URL, what: string): Promise<Response> {
   return response;
 }
 
-/** The error of a file that is not whole. */
+/** The error for an incomplete file. */
 export function incomplete(what: string, why: string): StrutError {
   return unloadable(what, why, "Reload the page; if that does not help, the site was not deployed completely.");
 }

@@ -1,4 +1,4 @@
-/** The engine on the calling thread; the worker runs it. */
+/** The engine on the calling thread. The worker runs it. */
 import type { PackedMotions } from "./built_in";
 import { ClipJob } from "./clip_job";
 import { Database, type DatabaseSource } from "./database";
@@ -8,16 +8,16 @@ import { Stylizer } from "./stylizer";
 import type { MotionFacts, StyleKey, StylizeOptions, WasmMemory } from "./types";
 import { type Glue, guarded, loadWasm, wasmBytes } from "./wasm";
 
-/** Opens databases and motions and creates stylizers, which the caller disposes of. Calls are synchronous. */
+/** Opens databases and motions and creates stylizers, which the caller disposes of. Its calls are synchronous. */
 export class Engine {
-  /** Packed motions in the module's memory, each set once for all that is opened of it. */
+  /** Packed motions in the module's memory. Each set is stored once and shared by everything that is opened from it. */
   private readonly packed = new WeakMap<PackedMotions, RawPackedMotions>();
 
   private constructor(private readonly glue: Glue) {}
 
   /**
-   * Loads the module, once for a thread; after a fault, a fresh instance.
-   * @throws StrutError if it cannot be had
+   * Loads the module, once per thread; after a fault, a fresh instance.
+   * @throws StrutError if it cannot be loaded
    */
   static async load(): Promise<Engine> {
     return new Engine(await loadWasm());
@@ -34,7 +34,7 @@ export class Engine {
     return guarded(() => this.packedOf(motions).inputs());
   }
 
-  /** What a motion's file says. @throws StrutError `bad-file` or `bad-input` */
+  /** Facts of a motion's file. @throws StrutError `bad-file` or `bad-input` */
   readMotion(source: InputSource): MotionFacts {
     return source.kind === "built-in"
       ? packedFacts(this.glue, source, this.packedOf(source.motions))
@@ -47,7 +47,7 @@ export class Engine {
       : Input.open(this.glue, database, source);
   }
 
-  /** What all that is open on this thread takes. */
+  /** Memory of everything that is open on this thread. */
   memory(): WasmMemory {
     return { wasmBytes: wasmBytes() };
   }
@@ -60,7 +60,7 @@ export class Engine {
     return new ClipJob(this.glue, input, stylizer, track);
   }
 
-  /** The pose between two, `t` from 0 to 1: the root linearly, rotations spherically. */
+  /** The pose between two poses, `t` from 0 to 1: the root linearly, rotations spherically. */
   interpolate(a: Float32Array, b: Float32Array, t: number): Float32Array {
     return guarded(() => this.glue.interpolatePoses(a, b, t));
   }

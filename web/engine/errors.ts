@@ -2,7 +2,7 @@
 
 /**
  * Codes of {@link StrutError}.
- * - `bad-file`: the bytes are not what they should be;
+ * - `bad-file`: the bytes are not in the expected format;
  * - `bad-input`: an argument or an option is outside its range;
  * - `not-open`: a database, a motion or a session is needed first, or was closed after a fault;
  * - `cancelled`: the caller's signal was aborted; `cause` is the signal's reason;
@@ -10,7 +10,7 @@
  * - `load`: a part of Strut could not be loaded;
  * - `unsupported`: the browser lacks something that Strut needs;
  * - `licence`: the author of a model does not allow it;
- * - `gpu-lost`: the graphics processor gives no result; the processor can;
+ * - `gpu-lost`: the GPU returned no result; the CPU can be used instead;
  * - `fault`: a bug in the engine; its instance was lost.
  */
 export type StrutErrorCode =
@@ -25,16 +25,16 @@ export type StrutErrorCode =
   | "gpu-lost"
   | "fault";
 
-/** What a {@link StrutError} is made of: travels between threads. */
+/** Contents of a {@link StrutError} as plain data, which travels between threads. */
 export interface ErrorParts {
   code: StrutErrorCode;
-  /** A sentence for people. */
+  /** A sentence for the user. */
   message: string;
   /** What to do about it, or empty. */
   hint: string;
 }
 
-/** All rejections of Strut are of this class. */
+/** The error of every rejection: all rejections are `StrutError`s. */
 export class StrutError extends Error {
   /** Always `StrutError`. */
   override readonly name = "StrutError";
@@ -55,7 +55,7 @@ export class StrutError extends Error {
   }
 }
 
-/** The error of an aborted call. @param reason the signal's */
+/** The error of an aborted call. @param reason reason of the signal */
 export function cancelled(reason?: unknown): StrutError {
   return new StrutError({ code: "cancelled", message: "The call was cancelled.", hint: "" }, reason);
 }
@@ -65,33 +65,33 @@ export function disposed(what: string): StrutError {
   return new StrutError({ code: "disposed", message: `The ${what} was used after dispose().`, hint: "" });
 }
 
-/** The error of a bug. @param what failed: a sentence without its full stop */
+/** The error of a bug. @param what what failed: a sentence without its full stop */
 export function fault(what: string): StrutError {
   const hint = "This is a bug in Strut; please report it with the file that caused it.";
   return new StrutError({ code: "fault", message: `${what}.`, hint });
 }
 
-/** Any thrown value as a {@link StrutError}; what is not one already is a fault. */
+/** Converts any thrown value to a {@link StrutError}. A value that is not one already becomes a fault. */
 export function toStrutError(thrown: unknown): StrutError {
   if (thrown instanceof StrutError) return thrown;
   const message = thrown instanceof Error ? thrown.message : String(thrown);
-  // A panic throws its message. What traps without one is an allocation that failed.
+  // A panic throws its message. A trap without a message is a failed allocation.
   const memory = /^unreachable/i.test(message);
   return fault(memory ? "The engine ran out of memory" : `The engine failed: ${message.replace(/\.$/, "")}`);
 }
 
-/** Whether a rejection only says that its call was cancelled. */
+/** Whether an error only reports that its call was cancelled. */
 export function isCancellation(error: unknown): boolean {
   const { code, name } = error as { code?: unknown; name?: unknown };
   return code === "cancelled" || name === "AbortError";
 }
 
-/** Whether a part of Strut could not be loaded. */
+/** Whether an error reports that a part of Strut could not be loaded. */
 export function isUnloaded(error: unknown): boolean {
   return (error as { code?: unknown }).code === "load";
 }
 
-/** Whether the engine was started again because of this error. */
+/** Whether the engine was restarted because of this error. */
 export function isFault(error: unknown): boolean {
   return (error as { code?: unknown }).code === "fault";
 }

@@ -1,24 +1,24 @@
-/** How a file was read: from what the module says of it, and what a person said. */
+/** How a file was read: what the module reports about it, and what the user specified. */
 import { ROLES, type Role } from "../humanoid";
 import type { FileRead, FileReading, Note, UpAxis } from "./types";
 
-/** What people said of skeletons, by their identities. */
+/** What the user specified for skeletons, by their identities. */
 export type RememberedReadings = Readonly<Record<string, FileReading>>;
 
-/** What is said of a file: of it, or else of its skeleton. */
+/** What the user specified for a file, or else for its skeleton. */
 export interface Said {
   reading?: FileReading | undefined;
-  /** What counts where nothing is said of the file itself. */
+  /** Used if nothing is specified for the file itself. */
   remembered?: RememberedReadings | undefined;
 }
 
-/** The parts of the module's objects that say how a file was read. */
+/** The parts of the module's objects that report how a file was read. */
 interface RawRead {
   notes(): string[];
   read(): RawFile | undefined;
 }
 
-/** How the module says that a file was read (`rust/strut-wasm/src/input_file.rs`). */
+/** The module's report on how a file was read (`rust/strut-wasm/src/input_file.rs`). */
 interface RawFile {
   numbers(): Float64Array;
   joints(): string[];
@@ -26,7 +26,7 @@ interface RawFile {
   free(): void;
 }
 
-/** Notes from the module's codes and texts, which take turns. */
+/** Notes from the module's codes and texts, which alternate. */
 export function notesIn(texts: readonly string[]): Note[] {
   return texts.flatMap((code, i) => (i % 2 === 0 ? [{ code, text: texts[i + 1] ?? "" }] : []));
 }
@@ -34,7 +34,7 @@ export function notesIn(texts: readonly string[]): Note[] {
 /** The up axes in the engine's order (`rust/strut-core/src/retarget/axes.rs`). */
 const AXES = ["x", "-x", "y", "-y", "z", "-z"] as const satisfies readonly UpAxis[];
 
-/** What the module says of how a file was read. */
+/** The module's report on how a motion was read. */
 interface RawReading {
   frames: number;
   rateHz: number;
@@ -49,11 +49,11 @@ interface RawReading {
   roles: (number | null)[];
 }
 
-/** Answers the module's question for what is said of a skeleton, and keeps the answer. */
+/** Answers the module's query for the user's reading of a skeleton, and keeps the answer. */
 export class Saying {
-  /** What was said. */
+  /** The user's reading. */
   reading: FileReading = {};
-  /** Whether it was said of an earlier file with the skeleton. */
+  /** Whether it was specified for an earlier file with the same skeleton. */
   remembered = false;
   readonly #said: Said;
 
@@ -61,7 +61,7 @@ export class Saying {
     this.#said = said;
   }
 
-  /** The reading of a skeleton, in the lines that the module takes (`rust/strut-formats/src/reading.rs`). */
+  /** The reading of a skeleton, as the lines that the module expects (`rust/strut-formats/src/reading.rs`). */
   readonly answer = (skeleton: string): string => {
     const { reading, remembered = {} } = this.#said;
     const known = Object.hasOwn(remembered, skeleton) ? remembered[skeleton] : undefined;
@@ -71,7 +71,7 @@ export class Saying {
   };
 }
 
-/** A line for all that is said; the module refuses what it does not know. */
+/** One line for each part of a reading. The module refuses lines that it does not know. */
 export function linesOf(reading: FileReading): string {
   const { joints, ...others } = reading;
   const lines = Object.entries(others).map(([name, value]) => (value === undefined ? "" : `${name} ${value}`));
@@ -84,7 +84,7 @@ export function linesOf(reading: FileReading): string {
     .join("\n");
 }
 
-/** What is said of how a file was read. */
+/** The notes and the reading that was used for a file. */
 export function readingOf(raw: RawRead, saying: Saying): { notes: Note[]; reading: FileRead | undefined } {
   const notes = notesIn(raw.notes());
   const file = raw.read();
@@ -111,15 +111,15 @@ function readingIn(file: RawFile): RawReading {
   };
 }
 
-/** A number of single precision as it is written: 0.01, not 0.009999999776. */
+/** A single-precision number in its short decimal form: 0.01, not 0.009999999776. */
 const decimal = (value: number): number => Number(value.toPrecision(7));
 
-/** What may be wrong, then the match of the skeletons, in sentences. */
+/** What may be wrong, then the joint mapping, in sentences. */
 export function noteOf(notes: readonly Note[], match: string): string {
   return [...notes.map((note) => note.text), match].filter((text) => text !== "").join(" ");
 }
 
-/** The whole of it, from what the module read and what a person said. */
+/** The complete report, from what the module read and what the user specified. */
 export function fileRead(
   raw: RawReading,
   notes: readonly Note[],

@@ -1,18 +1,18 @@
 /**
- * The walk that is shown until the engine is there: the first built-in input as it is, without a style, in 14 kB. The build
- * makes it (`scripts/first_steps.mjs`).
+ * The walk that is shown until the engine is loaded: the first built-in input without a style, unchanged, in 14 kB. The
+ * build makes it (`scripts/first_steps.mjs`).
  */
 
 import { exp, JOINTS, POSE_FLOATS } from "../humanoid";
 import { assetOf } from "./assets";
 import { inflatedAsset } from "./built_in";
 
-/** Numbers of a frame: the root x y z, metres, and a rotation vector a joint, radians. */
+/** Numbers per frame: the root x y z, metres, and a rotation vector per joint, radians. */
 const COLUMNS = 3 + 3 * JOINTS;
-/** Numbers before the columns: frames, their rate in hertz, and the steps in a unit. */
+/** Numbers before the columns: frames, their rate in hertz, and the steps per unit. */
 const HEADER = 3;
 
-/** A clip of humanoid poses at an even rate. */
+/** A clip of humanoid poses at a constant rate. */
 export class FirstSteps {
   private constructor(
     readonly frames: number,
@@ -20,13 +20,13 @@ export class FirstSteps {
     readonly poses: Float32Array,
   ) {}
 
-  /** @throws StrutError if it cannot be had */
+  /** @throws StrutError if it cannot be loaded */
   static async load(): Promise<FirstSteps> {
     const beside = () => new URL("./motions/first_steps.bin", import.meta.url);
     return FirstSteps.of(await inflatedAsset(assetOf("first_steps.bin", beside), "first steps"));
   }
 
-  /** Reads the clip: after the header, which is plain, each column's second differences, all in zigzag LEB128. */
+  /** Reads the clip: after the plain header, each column's second differences, all in zigzag LEB128. */
   static of(bytes: Uint8Array): FirstSteps {
     const next = numbersOf(bytes);
     const [frames, rateHz, stepsInUnit] = Array.from({ length: HEADER }, next) as [number, number, number];
@@ -51,7 +51,7 @@ export class FirstSteps {
     return new FirstSteps(frames, rateHz, poses);
   }
 
-  /** The pose between two frames; the rotations are not far apart and are interpolated linearly. */
+  /** The pose between two frames. The rotations are close to each other and are interpolated linearly. */
   poseAt(frame: number): Float32Array {
     const i = Math.min(Math.floor(frame), this.frames - 1);
     const j = Math.min(i + 1, this.frames - 1);
@@ -75,7 +75,7 @@ function turnTowards(q: Float32Array, to: Float32Array, share: number): void {
   for (let i = 0; i < 4; i++) q[i]! /= length;
 }
 
-/** Reads whole numbers in zigzag LEB128, one at each call. */
+/** Reads whole numbers in zigzag LEB128, one per call. */
 function numbersOf(bytes: Uint8Array): () => number {
   let at = 0;
   return () => {

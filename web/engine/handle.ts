@@ -1,7 +1,7 @@
 /** Ownership of objects in a module's memory, which must be freed. */
 import { disposed } from "./errors";
 
-/** Owner of one object of the WASM package; `dispose()` frees it, and a second time does nothing. */
+/** Owner of one object of the WASM package. `dispose()` frees it; a second call does nothing. */
 export abstract class Handle<T extends { free(): void }> {
   #owned: T | undefined;
 

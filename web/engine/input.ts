@@ -11,7 +11,7 @@ import type {
 import type { InputInfo, MotionFacts } from "./types";
 import { type Glue, guarded } from "./wasm";
 
-/** Where an input comes from. */
+/** Source of an input. */
 export type InputSource = BuiltInInput | InputFile;
 
 interface BuiltInInput {
@@ -22,7 +22,7 @@ interface BuiltInInput {
 
 type InputFile = { kind: "bvh"; name: string; bytes: ArrayBuffer } & Said;
 
-/** A motion on a database's humanoid, with the file that it came from. */
+/** A motion on a database's humanoid, with the file from which it was read. */
 export class Input extends Handle<RawInput> {
   readonly info: InputInfo;
 
@@ -52,8 +52,8 @@ export class Input extends Handle<RawInput> {
   }
 
   /**
-   * Carries a built-in motion over to the database's humanoid.
-   * @throws StrutError `bad-input` for a name that there is not
+   * Retargets a built-in motion to the database's humanoid.
+   * @throws StrutError `bad-input` if there is no motion of this name
    */
   static packed(glue: Glue, database: Database, source: BuiltInInput, motions: RawPackedMotions): Input {
     const raw = guarded(() => glue.Input.fromPacked(database.raw, motions, source.name));
@@ -61,7 +61,7 @@ export class Input extends Handle<RawInput> {
   }
 
   /**
-   * Reads a file and carries its motion over to the database's humanoid.
+   * Reads a file and retargets its motion to the database's humanoid.
    * @throws StrutError `bad-file`
    */
   static open(glue: Glue, database: Database, source: InputFile): Input {
@@ -70,14 +70,14 @@ export class Input extends Handle<RawInput> {
     return new Input(raw, database, source, saying);
   }
 
-  /** Takes charge of an input that another package made. */
+  /** Takes ownership of an input that another package made. */
   static of(raw: RawInput, database: Database, source: Pick<InputSource, "kind" | "name">): Input {
     return new Input(raw, database, source, undefined);
   }
 }
 
 /**
- * What a motion's file says.
+ * Facts of a motion's file.
  * @throws StrutError `bad-file`
  */
 export function readMotion(glue: Glue, source: InputFile): MotionFacts {
@@ -86,8 +86,8 @@ export function readMotion(glue: Glue, source: InputFile): MotionFacts {
 }
 
 /**
- * The same of a built-in motion.
- * @throws StrutError `bad-input` for a name that there is not
+ * Facts of a built-in motion.
+ * @throws StrutError `bad-input` if there is no motion of this name
  */
 export function packedFacts(glue: Glue, { name }: BuiltInInput, motions: RawPackedMotions): MotionFacts {
   return factsOf(() => glue.MotionFacts.ofPacked(motions, name), new Saying({}));

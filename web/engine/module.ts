@@ -3,16 +3,17 @@ import type { Asset } from "./assets";
 import { download, readAsset } from "./download";
 import { StrutError } from "./errors";
 
-/** A module whose only function uses 128-bit vectors. */
+/** A module whose only function uses 128-bit SIMD. */
 const SIMD_MODULE = new Uint8Array([
   ...[0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0],
   ...[10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11],
 ]);
 
 /**
- * The compiled module at a URL, or of these bytes.
- * @param what what it is called in messages
- * @throws StrutError `unsupported` if WebAssembly or its SIMD instructions are missing, `load` if the module cannot be had
+ * Compiles the module at a URL, or of these bytes.
+ * @param what name of the module in messages
+ * @throws StrutError `unsupported` if WebAssembly or its SIMD instructions are missing, `load` if the module cannot be
+ * loaded
  */
 export async function compileModule(asset: Asset, what = "engine"): Promise<WebAssembly.Module> {
   requireSimd();
@@ -26,7 +27,7 @@ export async function compileModule(asset: Asset, what = "engine"): Promise<WebA
     : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Without this check the module would fail to compile, which looks like a fault of Strut's. */
+/** Without this check the module would fail to compile, which looks like a bug in Strut. */
 function requireSimd(): void {
   if (typeof WebAssembly === "object" && WebAssembly.validate(SIMD_MODULE)) return;
   throw new StrutError({

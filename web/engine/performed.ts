@@ -1,8 +1,8 @@
-/** A built-in input as another style performs it, by the packages that know it. */
+/** A built-in input as performed in another style, from the packages that contain it. */
 import type { Performed } from "./types";
 import { guarded } from "./wasm";
 
-/** As much of a package as is needed. */
+/** The part of a package that is needed. */
 interface Glue {
   Counterpart: {
     of(
@@ -12,7 +12,7 @@ interface Glue {
   };
 }
 
-/** An input as a style performs it; `undefined` where there is no such input or style. */
+/** An input as performed in a style; `undefined` if there is no such input or style. */
 export function performedBy({ Counterpart }: Glue, input: string, style: string): Performed | undefined {
   return guarded(() => {
     const counterpart = Counterpart.of(input, style);

@@ -1,17 +1,17 @@
-/** A motion that is predicted in every style of a database, for those who perform it; by the engine's own package. */
+/** Records a motion's prediction in every style of a database, for crowds that perform it. Uses the engine's own package. */
 import { Handle } from "./handle";
 import type { Input } from "./input";
 import * as glue from "./pkg/strut_wasm.js";
 import type { Stylizer } from "./stylizer";
 import { guarded } from "./wasm";
 
-/** Longest part of a motion that is recorded, seconds, and what it may take, bytes. */
+/** Longest part of a motion that is recorded, seconds, and the maximum memory of a recording, bytes. */
 const LONGEST_SECS = 30;
 const MOST_BYTES = 32e6;
-/** What a frame takes for each style, bytes. */
+/** Bytes per frame and style. */
 const STYLE_BYTES = 284;
 
-/** The part of an input that is recorded: that of a range, as far as there is room for it. */
+/** The part of an input that is recorded: the range, cut to the memory limit. */
 export function recordedPart(
   { frames, rateHz }: Pick<Input["info"], "frames" | "rateHz">,
   styles: number,
@@ -25,10 +25,10 @@ export function recordedPart(
 
 /** The recording of a part of an input. */
 export class Recording extends Handle<glue.Recording> {
-  /** Frames done. */
+  /** Number of frames done. */
   done = 0;
 
-  /** @param stylizer gives its options; it is free for other uses afterwards */
+  /** @param stylizer source of the options; it is free for other uses afterwards */
   constructor(
     input: Input,
     stylizer: Stylizer,
@@ -41,13 +41,13 @@ export class Recording extends Handle<glue.Recording> {
     );
   }
 
-  /** Predicts up to `frames` more frames; true once all are done. */
+  /** Predicts up to `frames` more frames. Returns true once all are done. */
   run(frames: number): boolean {
     this.done = guarded(() => this.raw.run(frames));
     return this.done >= this.frames;
   }
 
-  /** What was predicted, for `performers/`; call it after {@link run} returned true. @throws StrutError if it is too short */
+  /** The prediction, for `performers/`. Call it after {@link run} returned true. @throws StrutError if it is too short */
   numbers(): Float32Array<ArrayBuffer> {
     return guarded(() => this.raw.numbers()) as Float32Array<ArrayBuffer>;
   }

@@ -1,4 +1,4 @@
-/** WASM packages besides the engine's, each loaded when it is first needed. */
+/** WASM packages other than the engine's, each loaded when it is first needed. */
 import type { Asset } from "./assets";
 import { toStrutError } from "./errors";
 import { compileModule } from "./module";
@@ -9,11 +9,11 @@ interface Bindings extends ErrorClass {
   initSync: (source: { module: WebAssembly.Module }) => unknown;
 }
 
-/** A package, loaded once in each thread. */
+/** A package, loaded once per thread. */
 export class SidePackage<Glue extends Bindings> {
   #loading: Promise<Glue> | undefined;
 
-  /** @param module where the module lies */
+  /** @param module location of the module */
   constructor(
     private readonly glue: Glue,
     private readonly module: () => Asset,
@@ -21,7 +21,7 @@ export class SidePackage<Glue extends Bindings> {
 
   /**
    * The bindings.
-   * @throws StrutError if the module cannot be had
+   * @throws StrutError if the module cannot be loaded
    */
   load(): Promise<Glue> {
     this.#loading ??= this.#instantiate().catch((thrown) => {
@@ -31,7 +31,10 @@ export class SidePackage<Glue extends Bindings> {
     return this.#loading;
   }
 
-  /** Runs a call into the module. An error that it gives as a value is a {@link StrutError}; anything else is a fault. */
+  /**
+   * Runs a call into the module. An error that the module returns as a value is a {@link StrutError}; anything else is
+   * a fault.
+   */
   guarded<T>(call: () => T): T {
     try {
       return call();
@@ -40,7 +43,7 @@ export class SidePackage<Glue extends Bindings> {
     }
   }
 
-  /** The same of a call that is answered later. */
+  /** Runs an asynchronous call, with the same errors. */
   async awaited<T>(call: () => Promise<T>): Promise<T> {
     try {
       return await call();

@@ -1,15 +1,15 @@
-/** Styles over time: the weights between the keys of a style track. Pure. */
+/** Styles over time: interpolates the weights between the keys of a style track. Pure functions. */
 
-/** The weights of every style that a track has reached at an input frame. */
+/** The weights of all styles that a track reaches at an input frame. */
 export interface WeightKey {
   frame: number;
   weights: Float32Array;
 }
 
 /**
- * Weights at a fractional input frame: those of the first key before it, of the last key after it, and between two
- * keys their linear mixture, so that a transition takes as long as its keys are apart.
- * @param keys at least one, in the order of frames
+ * Weights at a fractional input frame: those of the first key before it, of the last key after it, and a linear mixture
+ * between two keys. A transition lasts as long as the distance between its keys.
+ * @param keys at least one, ordered by frame
  * @param out receives the weights
  */
 export function weightsAt(keys: readonly WeightKey[], frame: number, out: Float32Array): void {

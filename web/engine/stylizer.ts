@@ -39,7 +39,7 @@ export class Stylizer extends Handle<RawStylizer> {
   }
 
   /**
-   * Replaces everything but the styles; the stream goes on.
+   * Replaces all options but the styles; the stream continues.
    * @throws StrutError `bad-input` for an option outside its range or a label that the database lacks
    */
   configure(options: ModelOptions): void {
@@ -51,7 +51,7 @@ export class Stylizer extends Handle<RawStylizer> {
     );
   }
 
-  /** One weight a style of the database. @throws StrutError `bad-input` for a style that the database lacks */
+  /** One weight per style of the database. @throws StrutError `bad-input` for a style that the database lacks */
   weightsOf(styles: StyleWeights): Float32Array {
     const weights = new Float32Array(this.styles.length);
     for (const [name, weight] of Object.entries(styles)) {
@@ -60,17 +60,17 @@ export class Stylizer extends Handle<RawStylizer> {
     return weights;
   }
 
-  /** Sets one weight a style; the remainder to a sum of 1 belongs to the neutral style. */
+  /** Sets one weight per style; the remainder to a sum of 1 belongs to the neutral style. */
   setWeights(weights: Float32Array): void {
     guarded(() => this.raw.setStyles(weights));
   }
 
-  /** Gives a part of the body weights of its own; `undefined` lets it follow the whole body again. */
+  /** Gives a part of the body its own weights; `undefined` makes it follow the whole body again. */
   setPartWeights(part: BodyPart, weights: Float32Array | undefined): void {
     guarded(() => this.raw.setPartStyles(BODY_PARTS.indexOf(part), weights ?? new Float32Array(0)));
   }
 
-  /** How far the next frames go from the input to the styles, 0 to 1: for input that the database does not know. */
+  /** Sets how far the next frames move from the input to the styles, 0 to 1: for input that the database does not cover. */
   setStyleShare(share: number): void {
     guarded(() => this.raw.setStyleShare(share));
   }
@@ -97,7 +97,7 @@ export class Stylizer extends Handle<RawStylizer> {
   }
 }
 
-/** The number of a style or an action of the database. @throws StrutError `bad-input` where it has none of this name */
+/** The index of a style or an action of the database. @throws StrutError `bad-input` if the database has none of this name */
 function numberOf(what: string, name: string, names: readonly string[]): number {
   const number = names.indexOf(name);
   if (number >= 0) return number;

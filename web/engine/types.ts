@@ -1,9 +1,9 @@
 /**
- * What goes in and out of the engine.
+ * Inputs and outputs of the engine.
  *
- * Poses are `Float32Array`s of `POSE_FLOATS` numbers a frame: root x y z in metres, then the quaternion x y z w
- * of the 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative to its parent, the
- * hips relative to the world. Times are seconds.
+ * Poses are `Float32Array`s of `POSE_FLOATS` numbers a frame: root x y z in metres, then the quaternion x y z w of the
+ * 21 joints of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), each relative to its parent, the hips
+ * relative to the world. Times are seconds.
  */
 
 import type { Role } from "../humanoid";
@@ -12,9 +12,9 @@ import type { Role } from "../humanoid";
 export interface DatabaseInfo {
   /** Name of the file without its ending, or of the built-in database. */
   name: string;
-  /** Frames of all clips. */
+  /** Number of frames of all clips. */
   frames: number;
-  /** Frames a second of every clip. */
+  /** Frames per second of every clip. */
   rateHz: number;
   /** Names of the actions. */
   actions: string[];
@@ -33,90 +33,90 @@ export const UP_AXES = ["y", "-y", "z", "-z", "x", "-x"] as const;
 /** An axis of a file that points up. */
 export type UpAxis = (typeof UP_AXES)[number];
 
-/** Joints by role, by their names; `null` says that the skeleton has no such joint. */
+/** Joints by role, by their names; `null` means that the skeleton has no such joint. */
 export type JointNames = Readonly<Partial<Record<Role, string | null>>>;
 
-/** What a person says of a file, in place of what is read from the body. What is left out is read. */
+/** What the user specifies for a file, overriding what is detected from the body. Missing properties are detected. */
 export interface FileReading {
   /** The file's up axis. */
   up?: UpAxis;
   /** Height of the floor along the up axis, metres. */
   floor?: number;
-  /** Whether left and right are the other way round than they are read. */
+  /** Whether left and right are the opposite of what is detected. */
   swapSides?: boolean;
-  /** Whether the file is a mirror image, whatever the body shows; `swapSides` does not count then. */
+  /** Whether the file is a mirror image, whatever is detected from the body. It overrides `swapSides`. */
   mirrored?: boolean;
   /** Metres per unit of length. */
   unit?: number;
-  /** The joint of each role; those of roles that are left out are found. */
+  /** The joint of each role; joints of missing roles are found automatically. */
   joints?: JointNames;
 }
 
-/** What may be wrong in how a motion was read. */
+/** A possible problem in how a motion was read. */
 export interface Note {
-  /** What it is about; docs/reading.md lists the codes. */
+  /** The kind of problem; docs/reading.md lists the codes. */
   code: string;
-  /** The sentence. */
+  /** The sentence to show. */
   text: string;
 }
 
-/** How a file was read, and where each part of that comes from. */
+/** How a file was read, and the source of each property. */
 export interface FileRead {
   /** Frames of the file. */
   frames: number;
-  /** Frames a second of the file. */
+  /** Frames per second of the file. */
   rateHz: number;
   /** The file's up axis. */
   up: UpAxis;
-  /** Whether +Y was taken as it is, the axis was guessed from the body, or a person said it. */
+  /** Whether +Y was used unchanged, the axis was guessed from the body, or the user specified it. */
   upFrom: "as-is" | "guessed" | "said";
-  /** Whether left and right are exchanged: the file is a mirror image. */
+  /** Whether left and right are exchanged because the file is a mirror image. */
   mirrored: boolean;
-  /** Whether the sides are as they are named, were guessed from the body, or a person said them. */
+  /** Whether the sides are as named, were guessed from the body, or the user specified them. */
   sidesFrom: "as-is" | "guessed" | "said";
   /** Height of the floor along the up axis, metres. */
   floorMetres: number;
-  /** Whether the floor was measured, or a person said it. */
+  /** Whether the floor was measured, or the user specified it. */
   floorFrom: "measured" | "said";
   /** Metres per unit of length. */
   metresPerUnit: number;
-  /** Whether the unit was measured on the body, or a person said it. */
+  /** Whether the unit was measured on the body, or the user specified it. */
   unitFrom: "measured" | "said";
   /** Height of the body, metres. */
   heightMetres: number;
   /** The joint of each role. */
   joints: Readonly<Record<Role, string | null>>;
-  /** Whether all joints were found by their names, some by the shape of the skeleton, or a person said some. */
+  /** Whether all joints were found by their names, some by the shape of the skeleton, or the user specified some. */
   jointsFrom: "names" | "shape" | "said";
-  /** The skeleton: its identity, which is the same for the same names in the same tree, and the names of its joints. */
+  /** The skeleton: its identity, which is equal for equal names in an equal hierarchy, and the names of its joints. */
   skeleton: { id: string; joints: readonly string[] };
-  /** What was guessed and can be said instead. */
+  /** The guessed properties that the user can specify instead. */
   guesses: readonly ("up" | "sides" | "joints")[];
-  /** What a person said. */
+  /** What the user specified. */
   said: FileReading;
-  /** Whether that was remembered of an earlier file with the skeleton. */
+  /** Whether that was specified for an earlier file with the same skeleton. */
   remembered: boolean;
 }
 
-/** What a motion's file says, before it is carried over to a database. */
+/** Facts of a motion's file, before it is retargeted to a database. */
 export interface MotionFacts {
   /** Frames of the file. */
   frames: number;
-  /** Frames a second of the file. */
+  /** Frames per second of the file. */
   rateHz: number;
   /** Length, seconds. */
   durationSecs: number;
-  /** A sentence for people about the match of the skeletons; empty if there is nothing to say. */
+  /** A sentence for the user about the joint mapping; empty if there is nothing to report. */
   note: string;
-  /** What may be wrong in how the file was read. */
+  /** Possible problems in how the file was read. */
   notes: readonly Note[];
-  /** How the file was read; `undefined` for a motion that came from none. */
+  /** How the file was read; `undefined` for a motion without a file. */
   reading: FileRead | undefined;
 }
 
-/** What the engine holds. */
+/** Memory of the engine. */
 export interface WasmMemory {
-  /** Size of its linear memory, bytes: it grows with what is open and never shrinks. */
+  /** Size of its linear memory, bytes. It grows with what is open and never shrinks. */
   wasmBytes: number;
 }
 
@@ -128,11 +128,11 @@ export interface InputInfo {
   frames: number;
   rateHz: number;
   durationSecs: number;
-  /** Sentences for people on what may be wrong and on the match of the skeletons; empty if there is nothing to say. */
+  /** Sentences for the user on possible problems and the joint mapping; empty if there is nothing to report. */
   note: string;
-  /** What may be wrong in how it was read. */
+  /** Possible problems in how it was read. */
   notes: readonly Note[];
-  /** How its file was read; `undefined` for a motion that came from none. */
+  /** How its file was read; `undefined` for a motion without a file. */
   reading: FileRead | undefined;
   /** The input on the database's humanoid, `frames` poses. */
   poses: Float32Array;
@@ -140,16 +140,19 @@ export interface InputInfo {
   contacts: Uint8Array;
 }
 
-/** Parts of the body that may take styles of their own, in the engine's order (`transfer/body_part.rs`). */
+/** Parts of the body that may have styles of their own, in the engine's order (`transfer/body_part.rs`). */
 export const BODY_PARTS = ["head", "torso", "left_arm", "right_arm", "legs"] as const;
 /** A part of the body. */
 export type BodyPart = (typeof BODY_PARTS)[number];
 
-/** How the neighbours become a prediction (`transfer/options.rs`): the mixture of autoregressive models is the product. */
+/**
+ * Methods that predict a pose from the neighbours (`transfer/options.rs`). The mixture of autoregressive models is the
+ * default.
+ */
 export const METHODS = ["mar", "lar", "knn", "nn"] as const;
 export type Method = (typeof METHODS)[number];
 
-/** What Strut is compared with and is trained beforehand (`baselines/`): only the Compare view's package has it. */
+/** Baseline methods that are trained beforehand (`baselines/`). Only the Compare view's package has them. */
 export const TRAINED_METHODS = ["gar", "lti", "gp"] as const;
 export type TrainedMethod = (typeof TRAINED_METHODS)[number];
 
@@ -164,25 +167,25 @@ export interface StyleKey {
   styles: StyleWeights;
 }
 
-/** Everything that changes the output; the defaults are the engine's. */
+/** All options that change the output; the defaults are the engine's. */
 export interface StylizeOptions {
   /** Styles of the whole body. */
   styles: StyleWeights;
   /** Styles of the parts of the body that have their own. */
   parts: Readonly<Partial<Record<BodyPart, StyleWeights>>>;
-  /** Styles of the whole body over time, in the order of frames; without keys they are {@link styles} throughout. */
+  /** Styles of the whole body over time, ordered by frame; without keys, {@link styles} throughout. */
   track: readonly StyleKey[];
   /** Neighbours in each class. */
   k: number;
   /** Ridge regularisation, in units of K. */
   lambda: number;
-  /** Share of the bias that is given back, 0–1. */
+  /** ρ: share of the bias that is given back, 0–1. */
   rho: number;
-  /** Deviations beyond which the input is taken as bias. */
+  /** κ: deviations beyond which the input counts as bias. */
   kappa: number;
-  /** Sharpness of the mixture. */
+  /** δ: sharpness of the mixture. */
   delta: number;
-  /** η: how much of the tempo of a walk or a run becomes the style's own; 0 keeps the input's, 1 forgets it. */
+  /** η: how much of the tempo of a walk or a run is the style's; 0 keeps the input's, 1 ignores it. */
   tempo: number;
   /** Whether temporal coherence suppresses jitter where the input is far from the database; method `mar` only. */
   coherence: boolean;
@@ -190,18 +193,18 @@ export interface StylizeOptions {
   timing: boolean;
   /** Whether planted feet are held. */
   footplant: boolean;
-  /** How neighbours become a prediction. */
+  /** Method that predicts a pose from the neighbours. */
   method: Method | TrainedMethod;
-  /** The action that the input is known to be; empty where the engine is to read it. */
+  /** The known action of the input; empty if the engine is to recognise it. */
   action: string;
-  /** The style that the input is known to have; empty where the engine is to read it. */
+  /** The known style of the input; empty if the engine is to recognise it. */
   inputStyle: string;
 }
 
 /** Options without the styles. */
 export type ModelOptions = Omit<StylizeOptions, "styles" | "parts" | "track">;
 
-/** The engine's defaults (`rust/strut-core/src/transfer/options.rs` says why), in the neutral style. */
+/** The engine's defaults (`rust/strut-core/src/transfer/options.rs` gives the reasons), in the neutral style. */
 export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
   styles: {},
   parts: {},
@@ -220,39 +223,39 @@ export const DEFAULT_OPTIONS: Readonly<StylizeOptions> = {
   inputStyle: "",
 };
 
-/** One class of the database and how much the engine reads the input as it. */
+/** One class of the database and how strongly the engine recognises the input as it. */
 export interface Reading {
   /** Its action. */
   action: string;
   /** Its style. */
   style: string;
-  /** How much of the prediction comes from it, 0–1. */
+  /** Share of the prediction that comes from this class, 0–1. */
   weight: number;
 }
 
-/** The whole input in the present style: what the timeline draws and what is exported. */
+/** The whole input in the current style: drawn by the timeline and exported. */
 export interface Analysis {
   /** Styled poses, one an input frame. */
   poses: Float32Array;
   /** Output time of each input frame. */
   timeOut: Float32Array;
-  /** Planted feet of the output, left and right interleaved, one pair an input frame. */
+  /** Foot contacts of the output, left and right interleaved, one pair per input frame. */
   planted: Uint8Array;
   /** Weight of each class of the database in each frame. */
   classWeights: Float32Array;
   /** Length of the output, seconds. */
   durationOutSecs: number;
-  /** What may be wrong with it, beside the notes on the input. */
+  /** Possible problems of the output, in addition to the notes on the input. */
   notes: readonly Note[];
   /** Mean distance of the input's frames from the nearest ones of the database, metres; `undefined` for a built-in input. */
   distanceMetres: number | undefined;
 }
 
-/** A batch of styled frames, one an input frame. */
+/** A batch of styled frames, one per input frame. */
 export interface Styled {
   /** Poses. */
   poses: Float32Array;
-  /** Seconds since the frame before; 0 for the first after a reset. */
+  /** Seconds since the previous frame; 0 for the first after a reset. */
   durations: Float32Array;
   /** Feet held in place, left and right interleaved. */
   planted: Uint8Array;
@@ -260,36 +263,36 @@ export interface Styled {
   classWeights: Float32Array;
 }
 
-/** A motion that was performed in a style instead of styled: frame for frame with its input. */
+/** A motion that was performed in a style, not styled. It corresponds to its input frame by frame. */
 export type Performed = Pick<Analysis, "poses" | "timeOut" | "planted">;
 
-/** A search by kd-trees beside the exact one, over a whole motion. */
+/** A search by kd-trees compared with the exact one, over a whole motion. */
 export interface SearchFigures {
   /** Share of the nearest windows of every class that kd-trees find, 0–1. */
   recall: number;
   /** Median time of a frame's exact search in all classes, milliseconds. */
   exactMs: number;
-  /** The same by kd-trees. */
+  /** Median time of a frame's search by kd-trees in all classes, milliseconds. */
   treesMs: number;
 }
 
-/** What a curve may show of a pose: the rotation of a joint, by its number, or the height of the hips. */
+/** Quantity that a curve shows of a pose: the rotation of a joint, by its index, or the height of the hips. */
 export type CurveSubject = number | "height";
 
-/** The examples of the database that each frame of a clip was predicted from, in the styles asked for. */
+/** The examples of the database from which each frame of a clip was predicted, in the requested styles. */
 export interface Examples {
   subject: CurveSubject;
-  /** How many there are of each frame, the nearest first. */
+  /** Number of examples of each frame, the nearest first. */
   counts: Uint16Array;
-  /** How much each counted, 0–1, frame after frame. */
+  /** Weight of each example, 0–1, frame after frame. */
   weights: Float32Array;
-  /** The quaternion x y z w of the joint in each, or the height of the hips in metres. */
+  /** The quaternion x y z w of the joint in each example, or the height of the hips in metres. */
   values: Float32Array;
 }
 
-/** Progress of something long. */
+/** Progress of a long call. */
 export interface Progress {
-  /** What is being done, for people. */
+  /** What is being done, for the user. */
   label: string;
   /** 0–1. */
   fraction: number;
@@ -297,8 +300,8 @@ export interface Progress {
 
 /** Options of every call that may take long. */
 export interface CallOptions {
-  /** Cancels the call, which rejects with `cancelled` then. */
+  /** Cancels the call, which then rejects with `cancelled`. */
   signal?: AbortSignal;
-  /** Is told how far the call is. */
+  /** Receives the progress of the call. */
   onProgress?: (progress: Progress) => void;
 }

@@ -1,7 +1,7 @@
-/** Errors that the WASM packages give as values. */
+/** Errors that the WASM packages return as values. */
 import { StrutError, type StrutErrorCode } from "./errors";
 
-/** An error as wasm-bindgen hands it over; every package has the same class. */
+/** An error as wasm-bindgen returns it; every package has the same class. */
 interface ValueError {
   readonly code: string;
   readonly message: string;
@@ -9,12 +9,15 @@ interface ValueError {
   free(): void;
 }
 
-/** The bindings of a package, as far as its errors go. */
+/** The part of a package's bindings that concerns errors. */
 export interface ErrorClass {
   EngineError: { prototype: ValueError };
 }
 
-/** What a package threw as a {@link StrutError}, if it is an error that it gives as a value; it is freed. */
+/**
+ * Converts a value that a package threw to a {@link StrutError} if it is one of its error objects, which is freed;
+ * otherwise `undefined`.
+ */
 export function valueError({ EngineError }: ErrorClass, thrown: unknown): StrutError | undefined {
   if (!Object.prototype.isPrototypeOf.call(EngineError.prototype, thrown as object)) return undefined;
   const error = thrown as ValueError;

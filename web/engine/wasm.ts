@@ -1,4 +1,4 @@
-/** The WASM package that styles motion, loaded once in each thread: `whole.ts`, or one that can do more or less. */
+/** The WASM package that styles motion, loaded once per thread: `whole.ts`, or a package with more or fewer functions. */
 
 import type { Asset } from "./assets";
 import { StrutError, toStrutError } from "./errors";
@@ -16,16 +16,16 @@ let compiled: WebAssembly.Module | undefined;
 let loading: Promise<Glue> | undefined;
 let lost = false;
 
-/** Has this thread use a package; call it before anything is loaded. */
+/** Makes this thread use a package. Call it before anything is loaded. */
 export function servePackage(its: Glue, itsModule: () => Asset): void {
   glue = its;
   module = itsModule;
 }
 
 /**
- * The bindings, loaded once in each thread. After a fault ({@link guarded}) a fresh instance takes the place of the lost
- * one; objects of the lost one are dead.
- * @throws StrutError if the module cannot be had
+ * The bindings, loaded once per thread. After a fault ({@link guarded}) a fresh instance replaces the lost one; objects
+ * of the lost instance cannot be used.
+ * @throws StrutError if the module cannot be loaded
  */
 export async function loadWasm(): Promise<Glue> {
   loading ??= instantiate().catch((thrown) => {
@@ -41,7 +41,7 @@ export async function loadWasm(): Promise<Glue> {
 }
 
 /**
- * Runs a call into the module. An error that the module gives as a value is thrown as a {@link StrutError}; anything
+ * Runs a call into the module. An error that the module returns as a value is thrown as a {@link StrutError}. Anything
  * else is a fault, after which the instance takes no more calls.
  */
 export function guarded<T>(call: () => T): T {
@@ -58,7 +58,7 @@ export function guarded<T>(call: () => T): T {
 
 /** Size of the instance's linear memory, bytes; 0 before it is loaded. */
 export function wasmBytes(): number {
-  // Once there is an instance, `initSync` gives its exports, also after a reset.
+  // Once there is an instance, `initSync` returns its exports, also after a reset.
   return compiled ? glue.initSync({ module: compiled }).memory.buffer.byteLength : 0;
 }
 

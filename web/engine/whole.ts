@@ -1,4 +1,4 @@
-/** The engine's own package: where this is imported, it is the one that the thread uses. */
+/** The engine's own package: importing this module makes the thread use it. */
 import { assetOf } from "./assets";
 import * as glue from "./pkg/strut_wasm.js";
 import { servePackage } from "./wasm";

@@ -20,7 +20,7 @@ beforeEach(async () => {
   rig = await loaded();
 });
 
-/** Poses what is below `root` at a time of the clip. */
+/** Poses the nodes below `root` at a time of the clip. */
 function play(root: THREE.Object3D, secs: number, options?: ClipOptions): void {
   const mixer = new THREE.AnimationMixer(root);
   const action = mixer.clipAction(toAnimationClip(THREE, root, animation, options));
@@ -30,7 +30,7 @@ function play(root: THREE.Object3D, secs: number, options?: ClipOptions): void {
   root.updateMatrixWorld(true);
 }
 
-/** The greatest differences between the rig's joints and those of a pose by forward kinematics: metres and degrees. */
+/** The largest differences between the rig's joints and those of a pose by forward kinematics: metres and degrees. */
 function deviation(root: THREE.Object3D, pose: ArrayLike<number>): { metres: number; degrees: number } {
   const world = createWorldPose();
   worldFromLocal(fitTo(animation.proportions).proportions, pose, world);
@@ -44,7 +44,7 @@ function deviation(root: THREE.Object3D, pose: ArrayLike<number>): { metres: num
       .invert();
     turn.multiply(node.getWorldQuaternion(new THREE.Quaternion()));
     metres = Math.max(metres, position.distanceTo(node.getWorldPosition(new THREE.Vector3())));
-    // The arc cosine of w would lose the small angles.
+    // The arc cosine of w would be imprecise for small angles.
     degrees = Math.max(degrees, THREE.MathUtils.radToDeg(2 * Math.asin(Math.hypot(turn.x, turn.y, turn.z))));
   }
   return { metres, degrees };

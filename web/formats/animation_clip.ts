@@ -1,9 +1,9 @@
-/** An animation as three.js's `AnimationClip` for a loaded rig. three.js is the caller's: nothing is imported of it. */
+/** An animation as three.js's `AnimationClip` for a loaded rig. The caller passes three.js: nothing is imported from it. */
 
 import { JOINT, JOINTS, PARENTS, ROLES, type Role } from "../humanoid";
 import { type HumanoidAnimation, hipsPositions, jointRotations } from "./animation";
 
-/** The part of three.js that makes clips, by structure: the module itself, `import * as THREE from "three"`, fits. */
+/** The part of three.js that makes clips, by structure; the module itself, `import * as THREE from "three"`, matches. */
 export interface ThreeLike<Clip, Track> {
   /** Makes a clip. */
   AnimationClip: new (
@@ -35,15 +35,15 @@ export interface RigNode {
   readonly children: readonly RigNode[];
 }
 
-/** What a clip may be told. */
+/** Options of a clip. */
 export interface ClipOptions {
   /** Name of the clip; by default the animation's. */
   name?: string;
-  /** Whether the hips stay over the place on the ground where they start; their height is kept. False by default. */
+  /** Whether the hips stay at their starting point on the ground (in place); their height is kept. False by default. */
   inPlace?: boolean;
 }
 
-/** A rig lacks a joint that the animation moves. */
+/** The error of a rig without a joint that the animation moves. */
 export class MissingJointError extends Error {
   override readonly name = "MissingJointError";
   /** The first joint, in canonical order, that was not found. */
@@ -58,13 +58,13 @@ export class MissingJointError extends Error {
 }
 
 /**
- * Makes the clip: a position of the hips and a rotation of every joint, a key a frame at the animation's times.
+ * Makes the clip: positions of the hips and rotations of every joint, one key per frame at the animation's times.
  *
  * @param three - three.js, from whose classes the clip is made.
- * @param root - What the `AnimationMixer` will be made for. At or below it are 21 nodes named by the canonical roles, each
- *   below its parent's, at rest in the T-pose facing +Z without rotations: the mannequin's own GLB as it is loaded, say.
- *   A track names its node, or the node's uuid where another node has the same name.
- * @throws MissingJointError that names the joint, where one is not found.
+ * @param root - The root for the `AnimationMixer`. At or below it are 21 nodes named by the canonical roles, each below
+ * its parent's, at rest in the T-pose facing +Z without rotations, for example the loaded GLB of the mannequin. A track
+ * names its node, or the node's uuid if another node has the same name.
+ * @throws MissingJointError that names the joint, if one is not found.
  */
 export function toAnimationClip<Clip, Track>(
   three: ThreeLike<Clip, Track>,
@@ -74,7 +74,7 @@ export function toAnimationClip<Clip, Track>(
 ): Clip {
   const targets = trackTargets(root);
   const positions = inPlace ? overTheStart(hipsPositions(animation)) : hipsPositions(animation);
-  // Every track has its own times: three.js keeps the array and changes it in place when a track is moved or scaled.
+  // Every track has its own times: three.js keeps the array and changes it in place when a track is shifted or scaled.
   const times = () => animation.times.slice();
   const tracks = [new three.VectorKeyframeTrack(`${targets[0]}.position`, times(), positions)];
   for (let j = 0; j < JOINTS; j++)
@@ -82,7 +82,7 @@ export function toAnimationClip<Clip, Track>(
   return new three.AnimationClip(name, animation.times.at(-1) ?? 0, tracks);
 }
 
-/** What tracks call the joint of every role: the name of its node, or the uuid where the name is not the only one. */
+/** The track target of every role's joint: the name of its node, or the uuid if the name is not unique. */
 function trackTargets(root: RigNode): string[] {
   const joints: RigNode[] = [];
   for (const [j, role] of ROLES.entries()) {
@@ -96,7 +96,7 @@ function trackTargets(root: RigNode): string[] {
   return joints.map(({ name, uuid }) => (counts.get(name) === 1 ? name : uuid));
 }
 
-/** The first node of a name in or below some nodes, in three.js's order of traversal. */
+/** The first node with a name in or below some nodes, in three.js's order of traversal. */
 function firstNamed(name: string, nodes: readonly RigNode[]): RigNode | undefined {
   for (const node of nodes) {
     const found = node.name === name ? node : firstNamed(name, node.children);
@@ -110,7 +110,7 @@ function countNames({ name, children }: RigNode, counts: Map<string, number>): v
   for (const child of children) countNames(child, counts);
 }
 
-/** Positions, xyz a frame, with the x and z of the first. */
+/** Positions, xyz per frame, with the x and z of the first. */
 function overTheStart(positions: Float32Array): Float32Array {
   return positions.map((value, i) => (i % 3 === 1 ? value : positions[i % 3]!));
 }

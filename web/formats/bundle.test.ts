@@ -1,4 +1,4 @@
-/** What a page that writes files has to load for it. */
+/** Size of the code that a page must load to write files. */
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build, type Rolldown } from "vite";

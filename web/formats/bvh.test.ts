@@ -43,7 +43,8 @@ describe("BVH text", () => {
     const bytes = new TextEncoder().encode(bvhText(on)).buffer as ArrayBuffer;
     const input = engine.openInput(database, { kind: "bvh", name: "moving", bytes, reading: { floor: 0 } });
     expect(input.info.frames).toBe(61);
-    // Its feet never rest, so that no floor can be measured: it is said. Ankles over soles are guessed all the same.
+    // Its feet never rest, so no floor can be measured, which a note reports. The sole height below the ankles is still
+    // guessed.
     const ground = input.info.poses[1]! - on.poses[1]!;
     let [degrees, metres] = [0, 0];
     for (let frame = 0; frame < 61; frame++) {

@@ -1,19 +1,20 @@
 /**
- * An animation of the canonical humanoid as BVH text: 21 joints whose zero pose is the T-pose, centimetres, the same joints,
- * channels and ends as `rust/strut-formats/src/bvh/humanoid.rs` writes, which is not in the package of characters.
+ * An animation of the canonical humanoid as BVH text: 21 joints whose zero pose is the T-pose, centimetres, with the
+ * same joints, channels and end sites as in `rust/strut-formats/src/bvh/humanoid.rs`, which is not in the package of
+ * characters.
  */
 import { JOINT, JOINTS, PARENTS, POSE_FLOATS, ROLES, type Role } from "../humanoid";
 
-/** Poses at an even rate. */
+/** Poses at a constant frame rate. */
 export interface EvenAnimation {
   /** Bone offsets in the T-pose, 21 × xyz, metres; the hips' entry is not used. */
   readonly proportions: ArrayLike<number>;
-  /** `POSE_FLOATS` numbers a frame. */
+  /** `POSE_FLOATS` numbers per frame. */
   readonly poses: ArrayLike<number>;
   readonly rateHz: number;
 }
 
-/** Ends of the bones that no joint follows, metres. */
+/** Ends of the bones without a child joint, metres. */
 const ENDS: Readonly<Partial<Record<Role, readonly number[]>>> = {
   head: [0, 0.18, 0],
   left_hand: [0.16, 0, 0],
@@ -24,7 +25,7 @@ const ENDS: Readonly<Partial<Record<Role, readonly number[]>>> = {
 
 const nameOf = (role: Role): string => role.replace(/(?:^|_)(.)/g, (_, letter: string) => letter.toUpperCase());
 
-/** Six decimals, without the sign of nothing. */
+/** Six decimals, without negative zero. */
 const number = (value: number): string => String(Math.round(value * 1e6) / 1e6 + 0);
 
 const centimetres = (xyz: readonly number[]): string => xyz.map((value) => number(100 * value)).join(" ");
@@ -48,7 +49,7 @@ export function bvhText({ proportions, poses, rateHz }: EvenAnimation): string {
   return `${lines.join("\n")}\n`;
 }
 
-/** A joint and what is below it. */
+/** A joint and its descendants. */
 function jointLines(joint: number, proportions: ArrayLike<number>, depth: number): string[] {
   const role = ROLES[joint]!;
   const [indent, inside] = ["\t".repeat(depth), "\t".repeat(depth + 1)];
@@ -68,13 +69,14 @@ function jointLines(joint: number, proportions: ArrayLike<number>, depth: number
   ];
 }
 
-/** A quaternion, xyzw, as the degrees of turns about Z, then the turned X, then the turned Y. */
+/** A quaternion, xyzw, as the degrees of rotations about Z, then the rotated X, then the rotated Y. */
 function anglesAt(values: ArrayLike<number>, at: number): [number, number, number] {
   const length = Math.hypot(values[at]!, values[at + 1]!, values[at + 2]!, values[at + 3]!) || 1;
   const [x, y, z, w] = [0, 1, 2, 3].map((k) => values[at + k]! / length) as [number, number, number, number];
   const sine = 2 * (y * z + x * w);
   const flat = Math.hypot(2 * (x * y - z * w), 1 - 2 * (x * x + z * z));
-  // Where the second turn is a right angle the first and the third are about one axis: the third is none.
+  // If the second rotation is a right angle, the first and the third have the same axis (gimbal lock): the third is set
+  // to 0.
   const isLocked = flat < 1e-6;
   const turnZ = isLocked
     ? Math.atan2(2 * (x * y + z * w), 1 - 2 * (y * y + z * z))

@@ -1,19 +1,19 @@
-/** Binary glTF 2.0: the buffer that is collected array by array, and the file around it. */
+/** Binary glTF 2.0: the buffer, collected array by array, and the file. */
 
 const [FLOAT, UINT8, UINT16] = [5126, 5121, 5123];
 const MAGIC = 0x46546c67;
 const [JSON_CHUNK, BINARY_CHUNK] = [0x4e4f534a, 0x004e4942];
 
-/** Numbers that an element of each type has. */
+/** Numbers per element of each type. */
 const WIDTHS = { SCALAR: 1, VEC3: 3, VEC4: 4, MAT4: 16 } as const;
 
 type Values = Float32Array | Uint16Array | Uint8Array;
 
-/** Collects the buffer, with the views and accessors of what is in it. */
+/** Collects the buffer, with the views and accessors of its arrays. */
 export class BufferBuilder {
-  /** glTF's `bufferViews`, one an array. */
+  /** glTF's `bufferViews`, one per array. */
   readonly views: object[] = [];
-  /** glTF's `accessors`, one an array. */
+  /** glTF's `accessors`, one per array. */
   readonly accessors: object[] = [];
   readonly #parts: Uint8Array[] = [];
   #length = 0;
@@ -27,8 +27,8 @@ export class BufferBuilder {
    * Adds an array; it is not copied.
    *
    * @param type - glTF's type of an element.
-   * @param bounds - Whether its least and greatest elements are written too; positions and key times need them.
-   * @returns The number of its accessor.
+   * @param bounds - Whether its minimum and maximum are written too; positions and key times need them.
+   * @returns The index of its accessor.
    */
   add(values: Values, type: keyof typeof WIDTHS, bounds = false): number {
     const width = WIDTHS[type];
@@ -66,7 +66,7 @@ function boundsOf(values: Values, width: number): { min: number[]; max: number[]
  * The bytes of a GLB file.
  *
  * @param content - The document without its asset, buffers, views and accessors.
- * @param buffer - What the document's accessors refer to.
+ * @param buffer - The buffer to which the document's accessors refer.
  */
 export function glbFile(content: object, buffer: BufferBuilder): Uint8Array<ArrayBuffer> {
   const document = {

@@ -1,6 +1,6 @@
 /** The part of Khronos' glTF validator that the tests use; the package has no types. */
 declare module "gltf-validator" {
-  /** A finding; `severity` is 0 for an error, 1 for a warning, 2 and 3 for what is worth knowing. */
+  /** A finding; `severity` is 0 for an error, 1 for a warning, 2 and 3 for information. */
   export interface Message {
     code: string;
     message: string;

@@ -19,7 +19,7 @@ export function jointNodes(names: readonly string[], hips: ArrayLike<number>, of
   });
 }
 
-/** glTF's animation of nodes 0 to 20: one translation of the hips and one rotation a joint, a key a frame. */
+/** glTF's animation of nodes 0 to 20: one translation of the hips and one rotation per joint, one key per frame. */
 export function jointAnimation(buffer: BufferBuilder, animation: HumanoidAnimation): object {
   const input = buffer.add(animation.times, "SCALAR", true);
   const samplers: object[] = [];

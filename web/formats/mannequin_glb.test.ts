@@ -6,10 +6,10 @@ import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, POSE_FLOATS, ROLES, restPo
 import { fitTo } from "../mannequin/fit";
 import { mannequinGlb } from "./mannequin_glb";
 
-/** Severity of the validator's warnings; that of errors is less. */
+/** Severity of the validator's warnings; errors have a smaller number. */
 const WARNING = 1;
 
-/** Two frames, the second with a raised left arm, a bent right knee and a bow, a metre ahead. */
+/** Two frames; in the second the left arm is raised, the right knee bent, the body bowed, and it is a metre ahead. */
 function animation() {
   const poses = new Float32Array(2 * POSE_FLOATS);
   poses.set(restPose());
@@ -43,7 +43,7 @@ describe("the mannequin as glTF", () => {
   it("is valid", async () => {
     const { issues } = await validateBytes(mannequinGlb(animation()));
     expect(issues.messages.filter(({ severity }) => severity <= WARNING)).toEqual([]);
-    // The length in the header is not the file's.
+    // The length in the header differs from the file's.
     const damaged = mannequinGlb(animation());
     damaged[8]! ^= 4;
     expect((await validateBytes(damaged)).issues.numErrors).toBeGreaterThan(0);
@@ -77,7 +77,7 @@ describe("the mannequin as glTF", () => {
       return min;
     };
     expect(Math.min(...meshes.map(near))).toBeLessThan(0.06);
-    // Nothing is left behind where the hand was.
+    // No vertex is left at the hand's former position.
     expect(centre.y).toBeGreaterThan(1.5);
   });
 });

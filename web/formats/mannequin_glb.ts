@@ -1,6 +1,6 @@
 /**
- * The mannequin with an animation as a binary glTF 2.0 file, which Blender, Unreal, Unity and three.js open: one skinned
- * mesh in two tones, the 21 joints of the canonical humanoid as its skeleton, and one key a frame.
+ * The mannequin with an animation as a binary glTF 2.0 file, for Blender, Unreal, Unity and three.js: one skinned mesh
+ * in two tones, the 21 joints of the canonical humanoid as its skeleton, and one key per frame.
  */
 
 import { JOINT, JOINTS, ROLES, restPose } from "../humanoid";
@@ -14,7 +14,7 @@ import type { HumanoidAnimation } from "./animation";
 import { BufferBuilder, glbFile } from "./glb";
 import { jointAnimation, jointNodes } from "./humanoid_gltf";
 
-/** Weight of the ribcage on each ring of the waist: the others follow the pelvis. */
+/** Weight of the ribcage on each ring of the waist; the rest belongs to the pelvis. */
 const chestShare = (ring: number): number => ring / (WAIST_RINGS - 1);
 
 /** Level of detail of the mesh in the file. */
@@ -41,7 +41,7 @@ function placeVertices(mesh: MannequinMesh, rows: Float32Array): { positions: Fl
   return { positions, normals };
 }
 
-/** Four joints a vertex and their weights, which sum to 1: one joint, or hips and chest at the waist. */
+/** Four joints per vertex and their weights, which sum to 1: one joint, or hips and chest at the waist. */
 function skinVertices(slots: Uint8Array): { joints: Uint8Array; weights: Float32Array } {
   const joints = new Uint8Array(4 * slots.length);
   const weights = new Float32Array(4 * slots.length);
@@ -51,7 +51,7 @@ function skinVertices(slots: Uint8Array): { joints: Uint8Array; weights: Float32
       weights[4 * v] = 1;
     } else {
       const share = chestShare(slot - RIGID_SLOTS.length);
-      // The ends have one joint: a joint without weight must be 0.
+      // The ends have one joint; the index of a joint without weight must be 0.
       joints[4 * v] = share === 1 ? JOINT.chest : JOINT.hips;
       joints[4 * v + 1] = share > 0 && share < 1 ? JOINT.chest : 0;
       weights[4 * v] = share === 1 ? 1 : 1 - share;
@@ -61,7 +61,7 @@ function skinVertices(slots: Uint8Array): { joints: Uint8Array; weights: Float32
   return { joints, weights };
 }
 
-/** Colour of a tone, linear as glTF has it. */
+/** Linear colour of a tone, as required by glTF. */
 function linear(hex: string): [number, number, number, number] {
   const channel = (i: number) => {
     const value = Number.parseInt(hex.slice(1 + 2 * i, 3 + 2 * i), 16) / 255;
@@ -115,7 +115,7 @@ export function mannequinGlb(animation: HumanoidAnimation): Uint8Array<ArrayBuff
   return glbFile(content, buffer);
 }
 
-/** From the world of the T-pose to every joint, 21 × 4 × 4, column-major: translations, as no joint is turned there. */
+/** From the world of the T-pose to every joint, 21 × 4 × 4, column-major: translations, because no joint is rotated there. */
 function inverseBind(rest: Float32Array): Float32Array {
   const matrices = new Float32Array(16 * JOINTS);
   for (let j = 0; j < JOINTS; j++) {

@@ -1,11 +1,11 @@
-/** What the engine did in every frame, as files for other programs. Pure. */
+/** The engine's data for every frame, as files for other programs. Pure functions. */
 
-/** A styled motion, frame for frame with its input. */
+/** A styled motion that corresponds to its input frame by frame. */
 export interface Traced {
   analysis: {
     /** Output time of each frame, seconds. */
     timeOut: Float32Array;
-    /** Planted feet, frames × (left, right), 0 or 1. */
+    /** Foot contacts, frames × (left, right), 0 or 1. */
     planted: Uint8Array;
     /** Weight of each class in each frame, frames × classes. */
     classWeights: Float32Array;
@@ -19,15 +19,15 @@ const MIN_WEIGHT = 1e-4;
 
 const rounded = (value: number): number => Number(value.toFixed(5));
 
-/** One frame, as `strut stylize --trace` names its fields. */
+/** One frame, with the field names of `strut stylize --trace`. */
 export interface TraceFrame {
-  /** Number of the input frame, from 0. */
+  /** Index of the input frame, from 0. */
   frame: number;
   /** Its time in the input, seconds. */
   time_in: number;
   /** Its time in the output, seconds. */
   time_out: number;
-  /** Seconds since the frame before, in the output. */
+  /** Seconds since the previous frame, in the output. */
   dt: number;
   /** Weight of each class, by `action/style`; small ones are left out. */
   class_weights: Record<string, number>;
@@ -54,14 +54,14 @@ export function traceOf({ analysis, input, classes }: Traced): TraceFrame[] {
   });
 }
 
-/** JSON lines, one object a frame. */
+/** JSON lines, one object per frame. */
 export function traceAsJson(traced: Traced): string {
   return traceOf(traced)
     .map((frame) => `${JSON.stringify(frame)}\n`)
     .join("");
 }
 
-/** Comma-separated values with a header; one column a class that has any weight. */
+/** Comma-separated values with a header; one column for each class that has any weight. */
 export function traceAsCsv(traced: Traced): string {
   const frames = traceOf(traced);
   const names = [...new Set(frames.flatMap((frame) => Object.keys(frame.class_weights)))].sort();
@@ -72,7 +72,7 @@ export function traceAsCsv(traced: Traced): string {
   return `${[header.join(","), ...rows].join("\n")}\n`;
 }
 
-/** Text as one cell: quoted where it must be, and never a formula, which a spreadsheet would run. */
+/** Text as one cell: quoted if necessary, and never a formula, which a spreadsheet would run. */
 function cell(text: string): string {
   const plain = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
   return /[",\r\n]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;

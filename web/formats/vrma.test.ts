@@ -4,10 +4,10 @@ import { movingAnimation, poseOf, TALL_BODY } from "../../tests/humanoid_animati
 import { JOINT, JOINTS, POSE_FLOATS } from "../humanoid";
 import { vrmAnimation } from "./vrma";
 
-/** Severity of the validator's warnings; that of errors is less. */
+/** Severity of the validator's warnings; errors have a smaller number. */
 const WARNING = 1;
 
-/** The bones that VRM 1.0 asks of every humanoid, with the nearest of them above each. */
+/** The bones that VRM 1.0 requires of every humanoid, with the nearest required bone above each. */
 const REQUIRED_BONES: Record<string, string | undefined> = {
   hips: undefined,
   spine: "hips",
@@ -35,7 +35,7 @@ interface Node {
   children?: number[];
 }
 
-/** What the tests read of the document. */
+/** The parts of the document that the tests read. */
 interface Document {
   extensionsUsed: string[];
   extensions: {

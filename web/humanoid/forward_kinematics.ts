@@ -1,4 +1,4 @@
-/** Joints in the world from poses in flat arrays. */
+/** World transforms of joints from poses in flat arrays. */
 import { JOINT, JOINTS, PARENTS } from "./layout";
 
 /** Positions (21 × xyz, metres) and rotations (21 × xyzw) of all joints in the world. */
@@ -13,7 +13,7 @@ export function createWorldPose(): WorldPose {
 }
 
 /**
- * Forward kinematics. Quaternions are normalised on the way, so that a pose that was interpolated linearly stays rigid.
+ * Forward kinematics. Quaternions are normalised, so that a linearly interpolated pose stays rigid.
  *
  * @param proportions - 21 × xyz offsets, metres; the hips' entry is not used.
  * @param pose - {@link POSE_FLOATS} numbers.
@@ -67,7 +67,7 @@ export function worldFromLocal(proportions: ArrayLike<number>, pose: ArrayLike<n
 
 /**
  * Heading about +Y in radians, 0 facing +Z: perpendicular to the mean of the across-vectors of hips and shoulders, as
- * in `pose_vector.rs`; `fallback` where that has no direction on the ground.
+ * in `pose_vector.rs`; `fallback` if that has no direction on the ground.
  */
 export function headingOf(world: WorldPose, fallback: number): number {
   const p = world.positions;

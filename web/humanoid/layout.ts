@@ -38,9 +38,9 @@ export const JOINTS = ROLES.length;
 /** Numbers of one pose: root x y z in metres, then the local quaternion x y z w of every joint. */
 export const POSE_FLOATS = 3 + 4 * JOINTS;
 
-/** Numbers of a joint of a crowd: position x y z and 0, rotation x y z w, both in the world. */
+/** Numbers per joint of a crowd: position x y z and 0, rotation x y z w, both in the world. */
 export const CROWD_JOINT_FLOATS = 8;
-/** Numbers of a walker of a crowd. */
+/** Numbers per walker of a crowd. */
 export const CROWD_WALKER_FLOATS = JOINTS * CROWD_JOINT_FLOATS;
 
 /** Index of every joint by its name. */

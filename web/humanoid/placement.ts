@@ -1,13 +1,13 @@
-/** Turns and moves whole poses over the ground. */
+/** Rotates and moves whole poses over the ground. */
 import { POSE_FLOATS } from "./layout";
 
-/** Turn of the hips about +Y, radians: the twist of pose number `frame` in a flat array of poses. */
+/** Rotation of the hips about +Y, radians: the twist of pose `frame` in a flat array of poses. */
 export function hipsTurn(poses: ArrayLike<number>, frame = 0): number {
   const offset = frame * POSE_FLOATS;
   return 2 * Math.atan2(poses[offset + 4]!, poses[offset + 6]!);
 }
 
-/** Copies a pose, turned by `turn` radians about +Y and then moved by x and z metres over the ground. */
+/** Copies a pose, rotated by `turn` radians about +Y and then moved by x and z metres over the ground. */
 export function placePose(pose: ArrayLike<number>, turn: number, x: number, z: number, out: Float32Array): void {
   for (let i = 0; i < POSE_FLOATS; i++) out[i] = pose[i]!;
   const c = Math.cos(turn);

@@ -3,10 +3,10 @@
 export type Vector = readonly [x: number, y: number, z: number];
 export type Quaternion = readonly [x: number, y: number, z: number, w: number];
 
-/** Degrees of a radian. */
+/** Degrees per radian. */
 export const DEGREES = 180 / Math.PI;
 
-/** Below this the sine of half an angle is its half, to double precision. */
+/** Below this the sine of half an angle equals half the angle, to double precision. */
 const TINY = 1e-8;
 
 /** The rotation by a vector's length, radians, about its direction. */
@@ -16,9 +16,9 @@ export function exp([x, y, z]: Vector): Quaternion {
   return [scale * x, scale * y, scale * z, Math.cos(angle / 2)];
 }
 
-/** The vector of a rotation, of length 0 to π: the inverse of {@link exp}. */
+/** The vector of a rotation, with length 0 to π: the inverse of {@link exp}. */
 export function log([x, y, z, w]: Quaternion): Vector {
-  // q and −q are one rotation; that with w ≥ 0 has the smaller angle.
+  // q and −q are the same rotation; the one with w ≥ 0 has the smaller angle.
   const sign = w < 0 ? -1 : 1;
   const sine = Math.hypot(x, y, z);
   const scale = sign * (sine < TINY ? 2 : (2 * Math.atan2(sine, Math.abs(w))) / sine);
@@ -35,18 +35,18 @@ export function multiply([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quatern
   ];
 }
 
-/** The rotation back, of a unit quaternion. */
+/** The inverse rotation of a unit quaternion. */
 export function inverse([x, y, z, w]: Quaternion): Quaternion {
   return [-x, -y, -z, w];
 }
 
-/** A vector turned by a unit quaternion. */
+/** A vector rotated by a unit quaternion. */
 export function turned(q: Quaternion, [x, y, z]: Vector): Vector {
   const [a, b, c] = multiply(multiply(q, [x, y, z, 0]), inverse(q));
   return [a, b, c];
 }
 
-/** The quaternion at an index of four numbers each. */
+/** The quaternion at an index, of four numbers each. */
 export function quaternionAt(numbers: ArrayLike<number>, index: number): Quaternion {
   return [numbers[4 * index]!, numbers[4 * index + 1]!, numbers[4 * index + 2]!, numbers[4 * index + 3]!];
 }

@@ -148,7 +148,7 @@ test("C wants what is outside the band, and refuses a share of all of x with its
   expect(Math.abs(all - Number(returned)), "the mistake gives another number").toBeGreaterThan(2);
   expect(await result("C", { guess: all })).toEqual({ result: "refuse" });
   expect(await result("C", { guess: 0 })).toEqual({ result: "no" });
-  // Other settings that would make it trivial: nothing sticks out, or nothing returns.
+  // Other settings that would make it trivial: nothing is outside the band, or nothing returns.
   for (const patch of [{ reach: 16 }, { keep: 0 }, { raise: 0 }, { at: 200 }, { style: "old" }] as const)
     expect(await result("C", { guess: 0, ...patch }), JSON.stringify(patch)).toEqual({ result: "near", way: "other" });
   const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };

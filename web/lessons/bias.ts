@@ -9,16 +9,16 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(BIAS_FIELDS);
 
-/** Exercise A: half of the raise, how far from it passes or is close, and the share that many would set. */
+/** Exercise A: half of the raise, the tolerances of a pass and of a near miss, and the share that many learners would set. */
 const HALF = 0.5;
 const OFF = 0.02;
 const NAIVE = 0.5;
-/** Exercise B: a raise that sticks out a little, and how much wider than needed passes; so much again is close. */
+/** Exercise B: a raise slightly outside the band, and the factors over the minimum width that pass and that are close. */
 const SLIGHT = 10;
 const WIDER = 0.3;
-/** Exercise C: degrees from the answer that pass. */
+/** Exercise C: tolerance of the answer, degrees. */
 const DEGREES_OFF = 0.5;
-/** Less than this share is next to nothing, and more than that much. */
+/** A share below this is little, and above that much. */
 const LITTLE = 0.25;
 const MUCH = 0.75;
 
@@ -65,7 +65,7 @@ export const bias: Lesson = lesson<BiasState>({
       },
       refuse: (measure) => isPreset(measure) && Math.abs(Number(measure.keep) - NAIVE) <= OFF,
       solve: async (engine) => {
-        // Between these the share is nearly linear in ρ; each costs the engine a second.
+        // Between these the share is nearly linear in ρ; each evaluation takes the engine a second.
         const [low, high] = [0.8, 1];
         const [less, more] = [
           await survives(engine, { ...PRESET, keep: low }),
@@ -113,22 +113,22 @@ export const bias: Lesson = lesson<BiasState>({
   ],
 });
 
-/** Whether only ρ differs from what exercise A begins with. */
+/** Whether only ρ differs from the start of exercise A. */
 function isPreset({ motion, style, raise, reach }: Measure): boolean {
   return motion === PRESET.motion && style === PRESET.style && raise === PRESET.raise && reach === PRESET.reach;
 }
 
-/** Whether only κ and ρ differ from what exercise B begins with. */
+/** Whether only κ and ρ differ from the start of exercise B. */
 function isSlight({ motion, style, raise, at }: Measure): boolean {
   return motion === PRESET.motion && style === PRESET.style && raise === SLIGHT && at === PRESET.at;
 }
 
-/** Whether all is as exercise C begins. */
+/** Whether the state is that of exercise C. */
 function isAsked(measure: Measure): boolean {
   return isPreset(measure) && measure.at === PRESET.at && measure.keep === PRESET.keep;
 }
 
-/** Whether somebody typed so many degrees. */
+/** Whether the learner typed this number of degrees. */
 function isTyped({ guess }: Measure, degrees: number): boolean {
   return Math.abs(Number(guess) - degrees) <= DEGREES_OFF;
 }

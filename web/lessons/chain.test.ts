@@ -52,11 +52,11 @@ test("measures of a curve are those of its definition", () => {
     durations: Float32Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10),
   };
   expect(farthest(path)).toBeCloseTo(4 * DEGREES, 5);
-  // Deviations of the model: with the factor 4 the ones that are shown are twice as large.
+  // Deviations of the model: with the factor 4 the displayed ones are twice as large.
   expect(farthestDeviations(path, 4)).toBeCloseTo(4, 6);
   // Third differences 6 and −18.
   expect(jerkOf(path)).toBeCloseTo(12 * DEGREES, 4);
-  // Mutations: a mean of another frame, or σ² twice as large, is another measure.
+  // Mutations: a mean of another frame, or σ² twice as large, gives another measure.
   expect(farthest({ ...path, mean: path.mean.slice().reverse() }), "mutation").not.toBeCloseTo(4 * DEGREES, 0);
   expect(farthestDeviations(path, 2), "mutation").not.toBeCloseTo(4, 0);
   expect(framesOf(path)).toEqual([15, 40]);
@@ -73,7 +73,7 @@ test("a step has five states in order, and frames as many as they last", async (
   });
 });
 
-/** The numbers of the walk model's file: a header that says where each array lies, and the arrays. */
+/** The numbers of the walk model's file: a header with the position of each array, and the arrays. */
 async function modelFile() {
   const file = await loadBuiltInWalkModel();
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
@@ -118,7 +118,7 @@ test("the curve is the solution of the dense system that the equation makes", as
     const state: ChainState = { ...PRESET, ...change };
     const path = await pathOf(engine, state);
     const factors = [state.pose, state.velocity, state.acceleration];
-    // The whole walk: two steps, the pair that is shown, and four more.
+    // The whole walk: two steps, the displayed pair, and four more.
     const walk: [side: number, state: number][] = [];
     const begins: number[] = [];
     let sum = 0;
@@ -162,7 +162,7 @@ test("the curve is the solution of the dense system that the equation makes", as
     dense.forEach((c, i) => {
       expect(Math.abs(path.c[i]! - c) * DEGREES, `frame ${i}`).toBeLessThan(0.05);
     });
-    // What exercises are judged by, from the dense curve.
+    // The measures of the exercises, from the dense curve.
     const farthestDense = Math.max(...dense.map((c, i) => Math.abs(c - mean(...walk[begins[2]! + i]!, 0)))) * DEGREES;
     expect(Math.abs(farthest(path) - farthestDense)).toBeLessThan(0.05);
     // Mutation: one variance off by a factor of ten gives another curve.
@@ -207,7 +207,7 @@ test("A is passed by a firm promise about poses, or by loose ones about changes"
   expect(await result("A", { acceleration: 0.1 })).toEqual({ result: "refuse" });
   for (const other of [{ share: 1 }, { joint: "right_upper_leg" }, { axis: "y" }] as const)
     expect(await result("A", { pose: 0.001, ...other })).toEqual({ result: "near", way: "other" });
-  // One kind of change alone does not do, nor do other durations.
+  // One kind of change alone is not enough, nor are other durations.
   for (const one of [{ velocity: 1000 }, { acceleration: 1000 }, { left: 3, right: 3 }, { left: -2, right: -2 }])
     expect((await result("A", one)).result).toBe("no");
   const [en, de] = [await TEXTS.en.lessons.chain!(), await TEXTS.de.lessons.chain!()];
@@ -244,7 +244,7 @@ test("B is passed by a stretch of σ″², and refuses one that is too firm", as
 test("C is passed by longer states, and refuses a negative ρ", async () => {
   expect((await result("C", {})).result).toBe("no");
   expect(await result("C", { left: 1.1, right: 0.95 })).toEqual({ result: "pass" });
-  // As the hint says.
+  // As in the hint.
   expect(await result("C", { left: 1, right: 1 })).toEqual({ result: "pass" });
   expect(await result("C", { left: 0.8, right: 0.8 })).toEqual({ result: "near", way: "longer" });
   expect(await result("C", { left: 1.3, right: 1.2 })).toEqual({ result: "near", way: "shorter" });
@@ -255,7 +255,7 @@ test("C is passed by longer states, and refuses a negative ρ", async () => {
     /^A negative ρ makes states shorter: 127\.1 steps a minute\./,
   );
   expect(de.exercises.C!.refuse(await said("de", "C", { left: -1, right: -1 }))).toMatch(/: 127,1 Schritte/);
-  // By hand: twice a minute's frames over those of both steps; mutation: over those of one kind.
+  // By hand: twice a minute's frames divided by those of both steps; mutation: divided by those of one side.
   const { durations } = await pathOf(engine, PRESET);
   const frames = (from: number) => durations.slice(from, from + STATES).reduce((sum, d) => sum + d, 0);
   const { cadence } = await measureChain(engine, PRESET);

@@ -1,4 +1,4 @@
-/** Lesson: predict what variances do. */
+/** Lesson: predict the effects of variances. */
 import type { LearnEngine } from "../client/learn/protocol";
 import { cadenceOf, jerkOf, measureChain, pathOf, plainOf } from "../element/figure/chain/chain_measure";
 import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState } from "../element/figure/chain/chain_state";
@@ -9,25 +9,25 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(CHAIN_FIELDS);
 
-/** Exercise A: degrees from the means that pass, and that are close. */
+/** Exercise A: distances from the means that pass, and that are close, degrees. */
 const DEGREES_OFF = 2;
 const DEGREES_NEAR = 4;
-/** Exercise B: its joint, the share of the jerk that is left, deviations from the means, and what is close to either. */
+/** Exercise B: its joint, the remaining share of the jerk, deviations from the means, and the tolerances of a near miss. */
 const TOES = "left_toes";
 const JERK = 0.5;
 const DEVIATIONS = 2.2;
 const CLOSE = 1.2;
-/** Exercise C: steps a minute, how far from it passes, and how far is close. */
+/** Exercise C: steps per minute, and the tolerances of a pass and of a near miss. */
 const CADENCE = 100;
 const CADENCE_OFF = 1;
 const CADENCE_NEAR = 3;
-/** The bet: a variance that is multiplied by so much, and shares of the jerk that count as the same. */
+/** The bet: the factor of a variance, and shares of the jerk that count as unchanged. */
 const SMALLER = 0.1;
 const SAME = 0.03;
 
 const isPlain = ({ share, style }: Measure) => share === PRESET.share || style === "neutral";
 const isOf = (measure: Measure, joint: string) => isPlain(measure) && measure.joint === joint && measure.axis === "x";
-/** Whether a variance of pose, or of changes, went the wrong way for exercise A. */
+/** Whether a variance of the pose, or of changes, was moved in the wrong direction for exercise A. */
 const isLoosened = ({ pose, velocity, acceleration }: Measure) =>
   Number(pose) > 1 || Number(velocity) < 1 || Number(acceleration) < 1;
 

@@ -93,7 +93,7 @@ test("with the hold, a standing foot of the engine stays where it is", async () 
   expect(atRest / count).toBeGreaterThan(0.9);
 });
 
-/** How fast the lower of heel and ball goes, by plain loops from the poses, cm/s. */
+/** Speed of the lower of heel and ball, by plain loops over the poses, cm/s. */
 function speedsOf(poses: Float32Array, proportions: Float32Array, timeOut: Float32Array, side: "left" | "right") {
   const [foot, toes] = [3 * JOINT[`${side}_foot`], 3 * JOINT[`${side}_toes`]];
   const world = createWorldPose();
@@ -147,7 +147,7 @@ test("speeds, and the fastest slide, are those of plain loops over the poses", a
   for (let frame = 120; frame < 240; frame++)
     if (stands[frame] === 1 && (stands[fastest] === 0 || speeds[frame]! > speeds[fastest]!)) fastest = frame;
   expect(fastestSlide({ rateHz: 60, free, held, stands }, 120)).toBe(fastest);
-  // Mutations: the other foot, the held foot, and a frame later are all far off where it slides fastest.
+  // Mutations: the other foot, the held foot, and a later frame are all far off where it slides fastest.
   const right = speedsOf(poses, proportions, timeOut, "right");
   for (const other of [right[fastest]!, held.speeds[fastest]!, speeds[fastest + 1]!])
     expect(Math.abs(free.speeds[fastest]! - other), "mutation").toBeGreaterThan(30);
@@ -155,7 +155,7 @@ test("speeds, and the fastest slide, are those of plain loops over the poses", a
 
 test("the hold moves a standing foot back by what it has slid", async () => {
   const { held, free } = await tracksOf(engine, PRESET);
-  // From when the hold has set in to the end of the stance.
+  // From the full onset of the hold to the end of the stance.
   const [from, to] = [129, 168];
   const q = (frame: number, axis: 0 | 2) => {
     const middle = (soles: typeof held.soles) => (soles[frame]!.heel[axis] + soles[frame]!.ball[axis]) / 2;
@@ -217,7 +217,7 @@ test("A is passed at the strike alone, with the hold off, and refuses a lifted f
   const fastest = fastestSlide(tracks, 120);
   const passing: number[] = [];
   for (let at = 120; at < 240; at++) if ((await result("A", { at })).result === "pass") passing.push(at);
-  // Three frames after the strike; those before it are not of a standing foot.
+  // Three frames after the strike; in those before it the foot is not planted.
   expect(passing).toEqual([fastest, fastest + 1, fastest + 2, fastest + 3]);
   expect(tracks.stands[fastest - 1]).toBe(0);
   expect(await result("A", { at: fastest - 1 })).toEqual({ result: "near", way: "later" });
@@ -256,7 +256,7 @@ test("B refuses the angle between the bones, and says both", async () => {
   expect(text.exercises.B!.refuse(await said("en", { x: 0, y: at(60) }))).toMatch(
     /^γ is (59\.9|60\.0|60\.1)°, the angle between the bones\. .*this knee is bent by (119\.9|120\.0|120\.1)°\.$/,
   );
-  // Mutation: with the other sign of the cosine, or thigh and shin half as long, the knee is bent otherwise.
+  // Mutation: with the other sign of the cosine, or half the lengths of thigh and shin, the bend differs.
   const bend = solveLeg([a, b], 0, at(120)).bend;
   expect(bend).toBeCloseTo(60, 6);
   expect(solveLeg([a / 2, b], 0, at(120)).bend, "mutation").not.toBeCloseTo(bend, 0);

@@ -1,4 +1,4 @@
-/** Lesson: explain skate and its cure. */
+/** Lesson: explain foot skate and its correction. */
 import { fastestSlide, legOf, tracksOf } from "../element/figure/feet/feet_measure";
 import { FEET_FIELDS, type FeetState, REACH, stretchOf } from "../element/figure/feet/feet_state";
 import type { Measure } from "../element/figure/kind";
@@ -11,7 +11,7 @@ const PRESET = initialOf(FEET_FIELDS);
 /** Exercise A: frames from the fastest slide that pass, and that are close. */
 const FRAMES = 3;
 const FRAMES_NEAR = 6;
-/** Exercise B: the bend that is asked for, degrees, how far from it passes, and how far is close. */
+/** Exercise B: the requested bend, degrees, and the tolerances of a pass and of a near miss. */
 const BEND = 60;
 const OFF = 1;
 const NEAR = 4;
@@ -20,7 +20,7 @@ const PART = 0.25;
 
 const isFoot = ({ motion, style, foot, stretch }: Measure) =>
   motion === PRESET.motion && style === PRESET.style && foot === PRESET.foot && stretch === stretchOf(PRESET.at);
-/** Whether a measure is of the foot, the stretch and the setting that exercise A names. */
+/** Whether a measure has the foot, the range and the setting of exercise A. */
 const isPreset = (measure: Measure) => isFoot(measure) && measure.hold === 0;
 /** Frames to the fastest slide. */
 const missing = ({ fastest, at }: Measure) => Number(fastest) - Number(at);
@@ -74,7 +74,7 @@ export const feet: Lesson = lesson<FeetState>({
         if (Math.abs(missing(measure)) > FRAMES_NEAR) return undefined;
         return missing(measure) > 0 ? "later" : "earlier";
       },
-      // Just before the strike the foot is lifted, too: that is close.
+      // Just before the strike the foot is also lifted: that is a near miss.
       refuse: (measure) => isPreset(measure) && measure.stands === 0 && Math.abs(missing(measure)) > FRAMES_NEAR,
       solve: async (engine) => ({
         at: fastestSlide(await tracksOf(engine, PRESET), stretchOf(PRESET.at)),

@@ -115,7 +115,7 @@ test("error, acceleration and content are those of plain loops over their defini
       expect(trial.errors[f]).toBeCloseTo(error, 3);
     });
     expect(trial.pose).toBeCloseTo(mean(errors), 3);
-    // Mutations: against the performance five frames later, or one joint fewer in the mean.
+    // Mutations: compared with the performance five frames later, or with one joint fewer in the mean.
     const late = output.slice(0, -5).map((frame, f) => {
       const performed = fromHips(truth[f + 5]!);
       return 1000 * mean(fromHips(frame).map((joint, j) => length(minus(joint, performed[j]!))));
@@ -185,7 +185,7 @@ test("the methods on the held-out take stand as the record of the built-in motio
   const pose = (method: (typeof METHODS)[number]) => methods.get(method)!.pose!;
   expect(pose("mar")).toBeLessThan(pose("knn"));
   expect(pose("knn")).toBeLessThan(pose("nn"));
-  // As the text says: GAR is the smoothest, and the farthest off.
+  // As in the text: GAR is the smoothest, and has the largest error.
   for (const standing of [methods, RECORDED.inside.methods]) {
     const all = METHODS.map((method) => standing.get(method)!);
     expect(standing.get("gar")!.pose).toBe(Math.max(...all.map((one) => one.pose!)));
@@ -200,7 +200,8 @@ test("the bet: hundredths of a millimetre, as the document has them", async () =
   expect(answer).toBe("little");
   expect(Number(measure.difference)).toBeGreaterThan(0);
   expect(Number(measure.difference)).toBeLessThan(0.1);
-  // As the reveal says: both are as good as a second try, and nearly equal against what lies between two tries.
+  // As in the reveal: both are as good as a second take, and nearly equal compared with the difference between two
+  // takes.
   expect(Math.max(Number(measure.knn), Number(measure.mar))).toBeLessThan(Number(measure.other));
   expect(Number(measure.difference)).toBeLessThan(0.01 * Number(measure.other));
   const text = await TEXTS.en.lessons.judge!();

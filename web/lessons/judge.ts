@@ -1,4 +1,4 @@
-/** Lesson: doubt an evaluation. */
+/** Lesson: question an evaluation. */
 import type { LearnEngine } from "../client/learn/protocol";
 import { trialOf } from "../element/figure/judge/judge_measure";
 import { JUDGE_FIELDS, type JudgeState } from "../element/figure/judge/judge_state";
@@ -10,16 +10,16 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(JUDGE_FIELDS);
 
-/** Exercise A: mm by which one must be better, and by which it is close. */
+/** Exercise A: difference in mm that passes, and that is close. */
 const BETTER = 0.3;
 const BETTER_NEAR = BETTER / 2;
-/** Exercise B: a method that errs less than so many mm has seen the answer. */
+/** Exercise B: a method with an error below this, mm, has seen the answer. */
 const SEEN = 1;
-/** The bet: mm of mean error that count as so little, or as some. */
+/** The bet: differences of the mean error, mm, that count as little, or as some. */
 const LITTLE = 0.1;
 const SOME = 1;
 
-/** Whether a measure is of the two methods, and of the take, that exercise A is about. */
+/** Whether a measure has the two methods and the take of exercise A. */
 const isDuel = ({ take, style, leftIn, pick, rival }: Measure) =>
   take === PRESET.take &&
   style === PRESET.style &&
@@ -28,7 +28,7 @@ const isDuel = ({ take, style, leftIn, pick, rival }: Measure) =>
 const gains = ({ pickGain, rivalGain }: Measure) => [Number(pickGain), Number(rivalGain)];
 const isTake = ({ take, style }: Measure) => take === PRESET.take && style === PRESET.style;
 
-/** The frames at which each of the two methods is most ahead of the other. */
+/** The frames with the largest advantage of each of the two methods. */
 async function solvePins(engine: LearnEngine): Promise<Partial<JudgeState>> {
   const { take, style, pick, rival } = PRESET;
   const [one, other] = await Promise.all([pick, rival].map((method) => trialOf(engine, take, style, false, method)));

@@ -1,4 +1,4 @@
-/** What a lesson is: figures with their presets, a bet, and exercises that the engine's numbers judge. */
+/** The interface of a lesson: figures with their presets, a bet, and exercises judged by the engine's numbers. */
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
 import { withFields } from "../element/figure/kind";
@@ -14,11 +14,11 @@ export type Beat = (typeof BEATS)[number];
 export interface LessonFigure {
   name: string;
   kind: KindName;
-  /** The beats in which it is shown; before the reveal a figure must not give the answer to the bet away. */
+  /** The beats in which it is shown; before the reveal a figure must not reveal the answer to the bet. */
   beats: readonly Beat[];
-  /** The beats that explain its marks and what can be chosen: the others show neither. */
+  /** The beats that explain its marks and choices; the others show neither. */
   explained: readonly Beat[];
-  /** An exercise whose answer it would give away: it is shown once that is solved. */
+  /** An exercise whose answer it would reveal: it is shown once that is solved. */
   after?: string;
 }
 
@@ -27,21 +27,21 @@ export interface Exercise<State> {
   id: string;
   /** The figure whose measure judges it. */
   figure: string;
-  /** What is set when the exercise begins; all else stays as it is. */
+  /** Values set at the start of the exercise; the rest is unchanged. */
   start: Partial<State>;
   pass(measure: Measure): boolean;
-  /** Which sentence helps somebody who is close, or who looks at something else than the task names. */
+  /** Key of the sentence for a near miss, or for a state other than the task's. */
   near(measure: Measure): string | undefined;
-  /** Whether it is the mistake that the exercise is about. */
+  /** Whether it is the misconception of the exercise. */
   refuse(measure: Measure): boolean;
-  /** A state that passes, found by trying. */
+  /** Finds a state that passes, by search. */
   solve(engine: LearnEngine): Promise<Partial<State>>;
 }
 
 /** A bet that is placed before its answer is shown. */
 export interface Bet {
   options: readonly string[];
-  /** The answer, and the numbers that it is read from. */
+  /** The answer, and the numbers from which it is derived. */
   reveal(engine: LearnEngine): Promise<{ answer: string; measure: Measure }>;
 }
 
@@ -56,13 +56,13 @@ export interface LessonOf<State> {
   symbols: readonly string[];
   bet: Bet;
   exercises: readonly Exercise<State>[];
-  /** Decimals in sentences of measures that have others than two, by name. */
+  /** Number of decimals in sentences by measure, where it is not two. */
   decimals?: Readonly<Record<string, number>>;
 }
 
-/** A lesson as the view has it: states are the texts of links. */
+/** A lesson for the view: states are the texts of links. */
 export interface Lesson extends Omit<LessonOf<never>, "fields" | "exercises"> {
-  /** A state with all that is unknown or out of range left out. */
+  /** A state without unknown or invalid values. */
   clean(state: string): string;
   /** Keys of the state in links. */
   keys: readonly string[];
@@ -75,7 +75,7 @@ export interface TextExercise extends Omit<Exercise<never>, "start" | "solve"> {
   solve(engine: LearnEngine): Promise<string>;
 }
 
-/** Makes a lesson whose states are text. */
+/** Converts a lesson to one whose states are text. */
 export function lesson<State extends object>({ fields, exercises, ...rest }: LessonOf<State>): Lesson {
   const changed = (state: string, patch: Partial<State>) =>
     withFields("", fields, { ...readHash(fields, state), ...patch });
@@ -91,7 +91,7 @@ export function lesson<State extends object>({ fields, exercises, ...rest }: Les
   };
 }
 
-/** How an answer is judged. */
+/** The result of an answer. */
 export type Verdict = { result: "pass" | "refuse" | "no" } | { result: "near"; way: string };
 
 /** Judges a measure. */

@@ -46,7 +46,7 @@ beforeAll(serveLearnPackage);
 const engine = createLearnTable();
 const root = join(import.meta.dirname, "..", "..");
 
-/** The measure of a state of the first lesson, as its figure gives it. */
+/** The measure of a state of the first lesson, from its figure. */
 async function measured(state: string): Promise<Measure> {
   const pair: PairState = readHash(PAIR_FIELDS, state);
   return measurePair(engine, pair, (await sharedPair(engine, pair.motion, pair.style))!);
@@ -96,7 +96,7 @@ describe("every lesson", () => {
       for (const codes of named) {
         const [files, names] = [true, false].map((isFile) => codes.filter(({ text }) => text.includes("/") === isFile));
         for (const { text } of files!) expect(existsSync(join(root, text)), text).toBe(true);
-        // A name stands beside the file that has it.
+        // A name is next to its file.
         const sources = files!.map(({ text }) => readFileSync(join(root, text), "utf8")).join();
         for (const { text } of names!) expect(sources, text).toContain(text);
       }
@@ -203,7 +203,7 @@ describe("style", () => {
     const last = passing.find((at) => !passing.includes(at + 1))!;
     expect(await result("B", { at: last + 2 })).toEqual({ result: "near", way: "earlier" });
     expect(await result("B", { at: 70 })).toEqual({ result: "no" });
-    // The hint: one step, half a neutral cycle, late, and later two.
+    // As in the hint: one step, half a neutral cycle, late, and later two.
     const cycle = 65 / 60;
     const late = (at: number) => pair.styled.timeOut[at]! - at / 60;
     expect(late(230)).toBeCloseTo(cycle / 2, 1);

@@ -1,12 +1,12 @@
-/** The lessons that there are, in order: a lesson is a module, its texts, and a line here. Each is loaded when it is opened. */
+/** The lessons in order: a lesson is a module, its texts, and a line here. Each is loaded when it is opened. */
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Lesson } from "./lesson";
 
-/** Where a lesson is. */
+/** Location of a lesson. */
 export interface LessonEntry {
   id: string;
   load: () => Promise<Lesson>;
-  /** Has the engine open what its figures begin with. */
+  /** Makes the engine open the data that its figures need first. */
   begin: (engine: LearnEngine) => Promise<unknown>;
 }
 
@@ -29,12 +29,12 @@ export const LESSONS: readonly LessonEntry[] = [
   { id: "map", begin: keyStyles, load: async () => (await import("./map")).map },
 ];
 
-/** The lesson so many places after another; `undefined` beyond the ends. */
+/** The lesson `by` places after another; `undefined` beyond the ends. */
 export function lessonBeside(id: string, by: number): LessonEntry | undefined {
   return LESSONS[LESSONS.indexOf(lessonOf(id)) + by];
 }
 
-/** The lesson of a name, or the first. */
+/** The lesson with an id, or the first. */
 export function lessonOf(id: string): LessonEntry {
   return LESSONS.find((lesson) => lesson.id === id) ?? LESSONS[0]!;
 }

@@ -62,7 +62,7 @@ function dense({ x, xPrevious, y, yPrevious, weights, globalDeviation }: Fit, la
   return { a, b, c, before, outBefore, now, out };
 }
 
-/** yₜ of a fit's examples, with Δx taken off and a share of it put on. */
+/** yₜ of a fit's examples, with Δx subtracted and a share of it added. */
 function predictedBy(fit: Fit, lambda: number, outputBefore = fit.query[1]): number {
   const { a, b, c, before, outBefore, now, out } = dense(fit, lambda);
   const [xPrevious, , x] = fit.query;
@@ -76,7 +76,7 @@ test("the bet: a single dot has no slope", async () => {
   expect((await line.bet.reveal(engine)).answer).toBe("zero");
 });
 
-/** The whole walk predicted by plain loops over the examples of each frame, against the recorded angry walk; degrees. */
+/** The whole walk predicted by plain loops over the examples of each frame, compared with the recorded angry walk; degrees. */
 test("the errors of a sweep are those of a dense solve in each frame, from the prediction's own past", async () => {
   const state = stateOf("A", {});
   const lambdas = [0.0018, 0.02, 0.3, 10];
@@ -107,7 +107,7 @@ test("the errors of a sweep are those of a dense solve in each frame, from the p
     sums.map((sum) => DEGREES * Math.sqrt(sum / (frames - 2))),
   );
   errors!.forEach((error, i) => {
-    // The sweep has the first two frames as well, whose windows are not filled yet.
+    // The sweep also includes the first two frames, whose windows are not filled yet.
     const begun = frames * swept[i]! ** 2 - (frames - 2) * error ** 2;
     expect(begun, `λ ${lambdas[i]}`).toBeGreaterThan(0);
     expect(begun, `λ ${lambdas[i]}`).toBeLessThan(200);
@@ -115,7 +115,7 @@ test("the errors of a sweep are those of a dense solve in each frame, from the p
     expect(Math.abs(swept[i]! / mutated![i]! - 1), "mutation: three frames later").toBeGreaterThan(0.5);
   });
   expect(Math.abs(swept[0]! / swept[1]! - errors![2]! / errors![1]!), "mutation: another λ").toBeGreaterThan(0.03);
-  // So that exercise A may be looked at in any instant: the examples are of one class.
+  // So exercise A may be solved at any instant: the examples are of one class.
   expect(classes.size).toBe(1);
 }, 180_000);
 
@@ -140,7 +140,7 @@ test("A is passed around one λ, and says which way, and what is wrong on either
   });
 });
 
-/** All that the tasks fix, changed one by one. */
+/** All values that the tasks fix, changed one by one. */
 const OTHERS = [
   { joint: "head" },
   { axis: "y" },

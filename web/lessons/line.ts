@@ -1,4 +1,4 @@
-/** Lesson: say what K, λ and β do to one prediction. */
+/** Lesson: explain the effects of K, λ and β on one prediction. */
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
 import { aboveMean, fitOf, LAMBDAS, leastLambda, sweepOf } from "../element/figure/line/line_measure";
@@ -8,32 +8,32 @@ import equation from "./equations/line.tex";
 import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(LINE_FIELDS);
-/** Exercise A: few examples and noise, unweighted as in the paper; in this style either mistake costs much. */
+/** Exercise A: few examples and noise, unweighted as in the paper; in this style both mistakes are costly. */
 const NOISY: LineState = { ...PRESET, style: "angry", k: 12, noise: 4, taper: false };
 
-/** Exercise A: so many times the least error is as good, and so many times is close. */
+/** Exercise A: factors over the smallest error that pass, and that are close. */
 const AS_GOOD = 1.01;
 const CLOSE = 1.02;
-/** Exercise B: degrees about the mean, and how many times the least λ passes, or is close. */
+/** Exercise B: distance that counts as about the mean, degrees, and factors over the smallest λ that pass, or are close. */
 const ABOUT = 0.1;
 const TIMES = 1.5;
 const TIMES_NEAR = 3;
-/** Exercise C: degrees from the mean, and how many are close. */
+/** Exercise C: distances from the mean that pass and that are close, degrees. */
 const FAR = 2;
 const FAR_NEAR = 1;
-/** The solution of C looks at every so many frames. */
+/** Frames between those that the solution of C examines. */
 const STRIDE = 4;
 
-/** Whether a measure is of the joint that all exercises are about, in a style. */
+/** Whether a measure has the joint of all exercises, in a style. */
 const isOfTheKnee = ({ motion, style, joint, axis }: Measure, wanted: LineState["style"]) =>
   motion === PRESET.motion && style === wanted && joint === PRESET.joint && axis === PRESET.axis;
-/** The error is that of the whole walk: at whichever instant. */
+/** The error is that of the whole walk, at any instant. */
 const isNoisy = (measure: Measure) =>
   isOfTheKnee(measure, NOISY.style) && measure.k === NOISY.k && measure.noise === NOISY.noise && measure.taper === 0;
 const isTapered = (measure: Measure) =>
   isOfTheKnee(measure, PRESET.style) && measure.noise === 0 && measure.taper === 1;
 const isDefault = (measure: Measure) => isTapered(measure) && measure.k === PRESET.k && measure.at === PRESET.at;
-/** λ leaves nothing of the line, or there is a single dot: about the mean. */
+/** λ leaves nothing of the line, or there is a single dot: the prediction is about the mean. */
 const isFlat = ({ lambda, k }: Measure) => Number(lambda) >= 1 || Number(k) <= 2;
 
 async function solveFar(engine: LearnEngine): Promise<Partial<LineState>> {
@@ -54,7 +54,7 @@ export const line: Lesson = lesson<LineState>({
       explained: ["look", "why", "exercises", "sources"],
     },
     { name: "terms", kind: "terms", beats: ["look", "why"], explained: ["look", "why"] },
-    // It shows the answer to exercise A.
+    // It reveals the answer to exercise A.
     { name: "sweep", kind: "sweep", beats: ["exercises", "sources"], explained: ["exercises", "sources"], after: "A" },
   ],
   equation,

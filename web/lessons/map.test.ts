@@ -79,7 +79,7 @@ test("the greatest change is that of poses that are asked for one by one", async
   const { values } = await samplesOf(engine);
   const sharing = sharingOf({ temperature: 2 });
   expect(sharing.blur).toBe(BLUR);
-  // The first leg of the first drag, by the same fixed sequence.
+  // The first leg of the first drag, from the same fixed sequence.
   let seed = 1;
   const next = () => {
     seed = (seed * 1_103_515_245 + 12_345) % 2_147_483_648;
@@ -105,7 +105,7 @@ test("the greatest change is that of poses that are asked for one by one", async
   expect(change).toBeGreaterThanOrEqual(greatest);
 });
 
-/** The model of the lesson, learned once more. */
+/** The model of the lesson, trained again. */
 async function learned(): Promise<KeyStyleModel> {
   const clips = await KeyStyleClips.ofDatabase(await loadBuiltIn());
   const axes = ["foot_separation", "foot_height_difference"];
@@ -147,7 +147,7 @@ test("the errors of exercises are mean angles, by plain loops over all poses", a
   // Mutations: another T, other frames.
   expect(errorIn(sharingOf({ temperature: 2 })), "mutation").not.toBeCloseTo(Number(shared), 1);
   expect(errorIn("hard", 5) - last, "mutation").toBeGreaterThan(1);
-  // A cycle from keys: poses of the variables that it follows.
+  // A cycle from keys: poses from its variables.
   const { cycle } = await samplesOf(engine);
   const keyed = await keyedOf(engine, [2, 12, 23]);
   poser.mode = { temperature: 2, blur: 0 };
@@ -163,7 +163,7 @@ test("the errors of exercises are mean angles, by plain loops over all poses", a
 
 test("an update moves a prediction by δ r of the way to the sample", async () => {
   const model = await learned();
-  // Which sample is next is known from a run that is ahead.
+  // A run that is ahead gives the next sample.
   const [run, ahead] = [model.learn(), model.learn()];
   for (const one of [run, ahead]) one.step(2 * run.frames);
   const errorOf = (frame: number) => {
@@ -181,7 +181,7 @@ test("an update moves a prediction by δ r of the way to the sample", async () =
     const before = errorOf(sample);
     const { delta, r } = run.step(1);
     const most = r.reduce((a, b) => Math.max(a, b), 0);
-    // Where one component takes nearly all, it mostly is the one that is likeliest by the variables, too.
+    // If one component takes nearly all, it is usually also the likeliest by the variables.
     if (most < 0.95) continue;
     const left = errorOf(sample) / before;
     right!.push(Math.abs(left - (1 - delta * most)));
@@ -275,7 +275,7 @@ test("C wants three keys in the right places, and says where it is worst", async
   expect(found.pass).toBeGreaterThan(1);
   expect(found.near).toBeGreaterThan(1);
   expect(await result("C", { keys: even(0, 4) })).toEqual({ result: "near", way: "fewer" });
-  // Two keys never do.
+  // Two keys are never enough.
   for (let first = 0; first < cycle.frames; first += 3)
     for (let second = first + 1; second < cycle.frames; second += 3)
       expect((await result("C", { keys: [first, second] })).result).toBe("refuse");

@@ -10,17 +10,17 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(MAP_FIELDS);
 
-/** Exercise A: times the last error that counts as learned. */
+/** Exercise A: factor over the final error that counts as learned. */
 const LEARNED = 1.05;
-/** Exercise B: degrees a frame, and degrees of error, at most; and times either that are close. */
+/** Exercise B: largest rotation per frame, and largest error, degrees; and the factor of either that is close. */
 const CHANGE = 6;
 const ERROR = 2;
 const CLOSE = 1.2;
-/** Exercise C: most keys, degrees of error, and degrees that are close. */
+/** Exercise C: maximum number of keys, largest error, degrees, and the tolerance of a near miss. */
 const KEYS = 3;
 const KEYED = 2;
 const KEYED_NEAR = 2.6;
-/** The bet: updates, and times the error that counts as diverged, or as slower. */
+/** The bet: number of updates, and factors of the error that count as diverged, or as slower. */
 const UPDATES = 400;
 const DIVERGED = 10;
 const SLOWER = 1.2;
@@ -114,7 +114,7 @@ async function learnedAfter(engine: LearnEngine): Promise<number> {
   return errors.findIndex((error) => passed(error, errors.at(-1))) + 1;
 }
 
-/** Three keys at equal distances, begun where that is best. */
+/** Three keys at equal distances, starting where the error is smallest. */
 async function threeKeys(engine: LearnEngine): Promise<readonly number[]> {
   const { cycle } = await samplesOf(engine);
   let [best, least] = [PRESET.keys, Number.POSITIVE_INFINITY];

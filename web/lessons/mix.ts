@@ -1,4 +1,4 @@
-/** Lesson: get weights from distances. */
+/** Lesson: compute weights from distances. */
 
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
@@ -10,20 +10,20 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(MIX_FIELDS);
 
-/** Exercise A: frames beside the change that pass, and that are close. */
+/** Exercise A: distances from the change that pass, and that are close, frames. */
 const BESIDE = 2;
 const BESIDE_NEAR = 4;
-/** So much walking is no change any more. */
+/** From this weight of walking on, the change is over. */
 const CERTAIN = 0.9;
-/** Exercise B: half, and how far from it passes or is close. */
+/** Exercise B: half, and the tolerances of a pass and of a near miss. */
 const HALF = 0.5;
 const OFF = 0.02;
-/** Exercise C: how far from the weight passes, or is close. */
+/** Exercise C: tolerances of a pass and of a near miss. */
 const OFF_ALONE = 0.01;
-/** The solution of B is found to this factor. */
+/** The solution of B is found up to this factor. */
 const STEP = 1.01;
 
-/** The width at which running is half of what the input is read as. */
+/** The width at which running has half of the weight. */
 async function solveHalf(engine: LearnEngine): Promise<Partial<MixState>> {
   let [low, high]: [number, number] = [DELTA.min, DELTA.max];
   while (high / low > STEP) {
@@ -35,18 +35,18 @@ async function solveHalf(engine: LearnEngine): Promise<Partial<MixState>> {
   return { delta: Math.sqrt(low * high) };
 }
 
-/** Frame and width of exercise C: what is asked differs from what mistakes give, and the input is known. */
+/** Frame and width of exercise C: the answer differs from those of mistakes, and the input is known. */
 const ASKED = { at: 460, delta: 2 };
 
-/** Whether a measure is of the input that all exercises are about. */
+/** Whether a measure has the input of all exercises. */
 const isInput = ({ motion }: Measure) => motion === PRESET.motion;
-/** Whether only the instant differs from what exercise A begins with, only δ from B, and only the guess from C. */
+/** Whether only the instant differs from the start of exercise A, only δ from that of B, and only the guess from that of C. */
 const isRead = (measure: Measure) => isInput(measure) && measure.delta === PRESET.delta;
 const isFrame = (measure: Measure) => isInput(measure) && measure.at === PRESET.at;
 const isAsked = (measure: Measure) => isInput(measure) && measure.at === ASKED.at && measure.delta === ASKED.delta;
 
 const isTyped = ({ guess }: Measure) => Number(guess) >= 0;
-/** Whether the guess of exercise C is a weight, or what a mistake makes of it. */
+/** Whether the guess of exercise C is a given weight: the right one, or that of a mistake. */
 const isAt = (measure: Measure, what: "alone" | "plain") =>
   Math.abs(Number(measure.guess) - Number(measure[what])) <= OFF_ALONE;
 

@@ -47,7 +47,7 @@ test("the distance of one frame is what is left after the best of many turns and
     Float32Array,
   ];
   const points = Object.entries(WEIGHTS).map(([role, weight]) => [3 * JOINT[role as Role], weight] as const);
-  /** D at a turn; the shift that is best at it brings the centres together. */
+  /** D at a rotation; the best translation for it aligns the centres. */
   const at = (turn: number, weighted = points, example = nearest) => {
     const points = weighted;
     const total = points.reduce((sum, [, weight]) => sum + weight, 0);

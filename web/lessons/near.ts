@@ -1,4 +1,4 @@
-/** Lesson: know what the distance ignores. */
+/** Lesson: find what the distance ignores. */
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
 import { backwards, distanceOf, foundOf } from "../element/figure/near/near_measure";
@@ -9,26 +9,26 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(NEAR_FIELDS);
 
-/** Exercise A: neighbours may be so many times as far as the nearest, and by which share of it K is close. */
+/** Exercise A: largest ratio of a neighbour's distance to the nearest one's, and the share of it at which K is close. */
 const TIMES = 2;
 const CLOSE = 0.1;
-/** Exercise B: how far a query is turned, degrees, and moved, metres, at least; mm that pass. */
+/** Exercise B: minimum rotation of a query, degrees, and minimum translation, metres; tolerance, mm. */
 const TURNED = 45;
 const MOVED = 0.5;
 const MM_OFF = 0.1;
-/** Exercise C: with time reversed the nearest is to be so many times as far. */
+/** Exercise C: required ratio of the nearest distance with reversed time to that without. */
 const BACKWARDS = 4;
 
-/** The bet: the query is turned and moved by so much, and mm of √D₁ that count as the same, or as a little more. */
+/** The bet: rotation and translation of the query, and changes of √D₁ in mm that count as none, or as a little. */
 const MOVE = { heading: 90, x: 1 };
 const SAME = 0.1;
 const LITTLE = 100;
 
-/** Whether the query is the lesson's own, but for where it stands. */
+/** Whether the query is the lesson's own, except for its position. */
 const isPlain = ({ motion, at, turned }: Measure) => motion === PRESET.motion && at === PRESET.at && turned === 0;
-/** The same with the engine's own window. */
+/** Whether it is also forward in time and has the engine's own window. */
 const isForward = (measure: Measure) => isPlain(measure) && measure.reversed === 0 && measure.window === PRESET.window;
-/** The least window that tells a query from its reverse. */
+/** The smallest window that distinguishes a query from its reverse. */
 const leastWindow = (measure: Measure) => WINDOWS.find((window) => Number(measure[`backwards${window}`]) >= BACKWARDS);
 const isMoved = ({ heading, moved }: Measure) => Number(heading) >= TURNED && Number(moved) >= MOVED;
 
@@ -50,7 +50,7 @@ export const near: Lesson = lesson<NearState>({
     },
   ],
   equation,
-  // As the figures say them.
+  // As displayed in the figures.
   decimals: { first: 1, last: 1 },
   symbols: ["D", "w", "theta", "x0", "z0", "y", "z", "s", "K"],
   bet: {

@@ -100,7 +100,7 @@ test("numbers are 67, and say how high the hips are", async () => {
   expect(numbers[63]).toBeCloseTo(motion.poses[PRESET.at * POSE_FLOATS + 1]!, 4);
 });
 
-/** w by another way: the angle from the real part, the axis from the rest. */
+/** w by another method: the angle from the real part, the axis from the rest. */
 function plainLog([x, y, z, w]: Quaternion): Vector {
   const sign = w < 0 ? -1 : 1;
   const length = Math.hypot(x, y, z);
@@ -185,7 +185,7 @@ test("A is passed where the swing reaches 180°", async () => {
   for (const state of [{ joint: "left_lower_leg" }, { heading: 90 }, { motion: "neutral run" }] as const)
     expect(await result("A", { phi: 170, ...state })).toEqual({ result: "near", way: "other" });
   const motion = await motionOf(engine, PRESET.motion, [], 0);
-  // By hand: somewhere the angle of the turned thigh passes 180°, and its vector turns round.
+  // By hand: somewhere the angle of the rotated thigh exceeds 180°, and its vector is reversed.
   const angles = Array.from({ length: 880 }, (_, i) => rotationAt(motion, joint, i)).map(
     ([x, , , w]) => 2 * Math.atan2(x, w) * DEGREES,
   );

@@ -11,13 +11,13 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(POSE_FIELDS);
 
-/** Exercise A: its joint, what counts as a jump, radians, and from which φ on it is close, degrees. */
+/** Exercise A: its joint, the size of a jump, radians, and the φ from which on it is close, degrees. */
 const THIGH = "left_upper_leg";
 const JUMP = 1.5;
 const CLOSE = 150;
-/** Exercise B: degrees from the mean that pass. */
+/** Exercise B: tolerance from the mean, degrees. */
 const OFF = 3;
-/** The bet: the walker is turned by so much, degrees; so many changed numbers are few. */
+/** The bet: rotation of the walker, degrees, and the number of changed values that counts as few. */
 const TURN = 90;
 const FEW = 4;
 
@@ -70,7 +70,7 @@ export const pose: Lesson = lesson<PoseState>({
       near: (measure) => {
         if (!isKnee(measure)) return "other";
         if (Number(measure.angle) > 2 * OFF) return undefined;
-        // A drag in the picture's plane turns about other axes, too.
+        // A drag in the picture's plane also rotates about other axes.
         if (Number(measure.aside) > Math.abs(Number(measure.bend))) return "aside";
         return Number(measure.bend) < 0 ? "bend" : "stretch";
       },
@@ -85,7 +85,7 @@ export const pose: Lesson = lesson<PoseState>({
   ],
 });
 
-/** The least φ, in steps of five degrees, at which the raw logarithm jumps. */
+/** The smallest φ, in steps of five degrees, at which the raw logarithm jumps. */
 async function leastJumping(engine: LearnEngine): Promise<number> {
   const { max } = POSE_RANGES.phi;
   for (let phi = 0; phi < max; phi += 5) {

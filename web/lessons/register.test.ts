@@ -37,7 +37,7 @@ test("the bet: the straight line is nearer to the truth than the cheapest path",
   expect(Number(measure.dtw)).toBeGreaterThan(4 * Number(measure.linear));
 });
 
-/** The least cost of all paths by the recurrence of the lesson, for every pair of frames from the ends. */
+/** The lowest cost of all paths by the recurrence of the lesson, for every pair of frames from the ends. */
 function leastCost({ costs, neutral: { frames: n }, styled: { frames: m } }: Warping): number {
   const c = (i: number, j: number) => (i < 0 || j < 0 ? Number.POSITIVE_INFINITY : costs[i * m + j]!);
   const total = new Map<string, number>();
@@ -67,13 +67,13 @@ test("DTW's path costs what the recurrence says is the least", async () => {
   const { dtw } = warping.paths;
   let cost = costAt(warping, 0, 0);
   for (let i = 1; i < dtw.length; i++) {
-    // A path that is steep passes several frames of the style's in one of the neutral step's.
+    // A steep path passes several frames of the style's step in one of the neutral step's.
     for (let j = Math.round(dtw[i - 1]!) + 1; j <= Math.round(dtw[i]!); j++) cost += costAt(warping, i, j);
     if (Math.round(dtw[i]!) === Math.round(dtw[i - 1]!)) cost += costAt(warping, i, dtw[i]!);
   }
   const least = leastCost(warping);
   expect(least).toBeGreaterThan(0);
-  // Whole frames are rounded from the engine's path between them.
+  // The engine's path between whole frames is rounded.
   expect(cost / least).toBeGreaterThan(0.98);
   expect(cost / least).toBeLessThan(1.1);
   let straight = costAt(warping, 0, 0);
@@ -172,7 +172,7 @@ test("A wants a cheap path, not the true one", async () => {
   }
   expect(ways.get("up")).toBeLessThan(0);
   expect(ways.get("down")).toBeGreaterThan(0);
-  // Each of the points may be off by a hundredth of the steps.
+  // Each point may be off by a hundredth of the steps.
   for (const which of [0, 1, 2])
     for (const [x, y] of [
       [0.01, 0],

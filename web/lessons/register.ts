@@ -9,13 +9,16 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(WARP_FIELDS);
 
-/** Exercise A: times the cost of the cheapest path that pass, and that are close; milliseconds that follow the truth. */
+/**
+ * Exercise A: ratios to the cheapest path's cost that pass, and that are close; distance from the exact path that
+ * passes, milliseconds.
+ */
 const COST = 1.2;
 const COST_NEAR = 1.4;
 const TRUE = 15;
-/** Exercise B: frames from an instant that passes. */
+/** Exercise B: distance from a passing instant, frames. */
 const FRAMES_NEAR = 2;
-/** A search for a cheap path ends with steps of this share of a step. */
+/** A search for a cheap path ends at steps of this share of a step. */
 const LEAST_STEP = 0.004;
 
 /** Frames to the nearest instant that passes exercise B. */
@@ -83,12 +86,12 @@ export const register: Lesson = lesson<WarpState>({
   ],
 });
 
-/** Whether the own path is bent at all: the straight one is not far from the truth. */
+/** Whether the own path is bent at all: the straight one is close to the exact path. */
 function isBent({ cost, costLinear }: Measure): boolean {
   return Math.abs(Number(cost) - Number(costLinear)) > 0.01;
 }
 
-/** Anchors of a cheap path: each is moved while that makes it cheaper, by ever smaller steps. */
+/** Anchors of a cheap path: each is moved while that lowers the cost, with decreasing steps. */
 function cheapest(warping: Warping): readonly Anchor[] {
   let { anchors } = PRESET;
   let least = costRatio(warping, ownPath(warping, anchors));

@@ -1,4 +1,4 @@
-/** Lesson: tell content from style. */
+/** Lesson: distinguish content from style. */
 
 import type { LearnEngine } from "../client/learn/protocol";
 import type { Measure } from "../element/figure/kind";
@@ -13,24 +13,24 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(PAIR_FIELDS);
 
-/** Exercise B: its style, and so many times the difference by content. */
+/** Exercise B: its style, and the required ratio to the difference by content. */
 const SLOWER = "sexy";
 const TIMES = 4;
-/** Half of it is close. */
+/** Half of it is a near miss. */
 const TIMES_NEAR = 2;
-/** Exercise C: this share of the greatest is close. */
+/** Exercise C: this share of the largest difference is a near miss. */
 const NEAR_JOINT = 0.7;
 
-/** Joints that travel far in every walk. */
+/** Joints that move far in every walk. */
 const TRAVELLING = /_(foot|toes|lower_leg)$/;
 
 const ratio = (measure: Measure) => Number(measure.second) / Number(measure.content);
-/** Whether what is shown is the mean of all joints, of a style of the lesson's own walk. */
+/** Whether the displayed value is the mean of all joints, for a style of the lesson's own walk. */
 const isMeanOf = ({ motion, style, joint }: Measure, wanted: PairState["style"]) =>
   motion === PRESET.motion && style === wanted && joint === "";
 const isPair = ({ motion, style }: Measure) => motion === PRESET.motion && style === "old";
 
-/** The input and its performance in a style. @throws Error where the engine has none */
+/** The input and its performance in a style. @throws Error if the engine has none */
 async function pairOfStyle(engine: LearnEngine, style: PairState["style"]): Promise<Pair> {
   const pair = await sharedPair(engine, PRESET.motion, style);
   if (!pair) throw new Error(`The engine has no performance in the style “${style}”.`);

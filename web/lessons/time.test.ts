@@ -69,7 +69,7 @@ test("the duration of a style is the neighbours' mean by the kernel", async () =
   let [sum, total] = [0, 0];
   distances.forEach((d, i) => {
     const g = kernelAt(d, bandwidth);
-    // The engine's is relative to the nearest.
+    // The engine's value is relative to the nearest neighbour's.
     if (Math.abs(g / nearest - kernel[i]!) > 1e-3) throw new Error(`neighbour ${i}: ${g} for ${kernel[i]}`);
     sum += weights[i]! * g * durations[i]!;
     total += weights[i]! * g;

@@ -8,15 +8,15 @@ import { type Lesson, lesson } from "./lesson";
 
 const PRESET = initialOf(PACE_FIELDS);
 
-/** Times the input's length that exercises A and B ask for, and how far from it passes. */
+/** Ratios to the input's length in exercises A and B, and the tolerance of a pass. */
 const LONGER = 1.2;
 const EQUAL = 1;
 const OFF = 0.005;
-/** Exercise A: the weight of somebody who takes it for the delay. */
+/** Exercise A: the weight of a learner who confuses it with the delay. */
 const NAIVE = { weight: 0.2, off: 0.02 };
-/** Exercise B: least weight of both styles. */
+/** Exercise B: minimum weight of both styles. */
 const LEAST = 0.25;
-/** Exercise C: weights of its solution are tried in such steps. */
+/** Exercise C: step between the weights that its solution tries. */
 const STEP = 0.05;
 /** The bet: shares of the delay that count as less than half, or as more. */
 const HALF = 0.5;
@@ -119,7 +119,7 @@ export const time: Lesson = lesson<PaceState>({
   ],
 });
 
-/** Whether the output takes so many times as long as the input. */
+/** Whether the output's length has a given ratio to the input's. */
 function isWithin({ ratio }: Measure, wanted: number, off: number): boolean {
   return Math.abs(Number(ratio) - wanted) <= off;
 }

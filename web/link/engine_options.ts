@@ -1,4 +1,4 @@
-/** What a link says of styling, as the engine takes it. */
+/** Converts the styling part of a link to the engine's options. */
 import type { StylizeOptions } from "../client/protocol";
 import { engineWeights, type Selection } from "../ui/polygon/selection";
 import type { PlayState } from "./play";

@@ -1,4 +1,4 @@
-/** Kinds of fields of the state: how a value is written into the URL and read from it. */
+/** Kinds of state fields: how a value is encoded in the URL and decoded from it. */
 import type { Range } from "../ui/controls/range";
 import type { Selection } from "../ui/polygon/selection";
 
@@ -7,17 +7,17 @@ export interface Field<T> {
   /** Key in the URL. */
   key: string;
   initial: T;
-  /** Whether undo takes it back. */
+  /** Whether undo restores it. */
   undoable: boolean;
   encode(value: T): string;
-  /** The value, or `undefined` where the text is not one. */
+  /** The value; `undefined` if the text is invalid. */
   decode(text: string): T | undefined;
 }
 
 /** A table of fields: one for each member of a state. */
 export type Fields<State> = { readonly [K in keyof State]: Field<State[K]> };
 
-/** A number, clamped to its range, and read and written with as many decimals as it has there, at most. */
+/** A number, clamped to its range, and rounded to its number of decimals. */
 export function number(key: string, initial: number, { min, max, digits }: Range, undoable: boolean): Field<number> {
   return {
     key,
@@ -26,7 +26,7 @@ export function number(key: string, initial: number, { min, max, digits }: Range
     encode: (value) => String(Number(value.toFixed(digits))),
     decode: (text) => {
       const value = Number(text);
-      // The sum makes a zero of what is written as −0.
+      // The addition converts −0 to 0.
       return text.trim() !== "" && Number.isFinite(value)
         ? Number(Math.min(max, Math.max(min, value)).toFixed(digits)) + 0
         : undefined;
@@ -90,7 +90,7 @@ export function encodeSelection(value: Selection): string {
   return value.map((s) => `${s.name.replace(/[:,;~]/g, " ")}:${Number(s.weight.toFixed(3))}`).join(",");
 }
 
-/** What {@link encodeSelection} wrote; `undefined` where it is none, or a weight is beyond ±4. */
+/** Decodes {@link encodeSelection}; `undefined` if it is invalid, or a weight is beyond ±4. */
 export function decodeSelection(value: string): Selection | undefined {
   const parts = value.split(",").map((part) => {
     const colon = part.lastIndexOf(":");
@@ -109,7 +109,7 @@ export function encodeEntries(entries: readonly (readonly [name: string, styles:
   return entries.map(([name, styles]) => `${name}${SEPARATOR.name}${encodeSelection(styles)}`).join(SEPARATOR.entry);
 }
 
-/** What {@link encodeEntries} wrote; `undefined` where an entry is none, or there are more than `max`. */
+/** Decodes {@link encodeEntries}; `undefined` if an entry is invalid, or there are more than `max`. */
 export function decodeEntries(text: string, max: number): [name: string, styles: Selection][] | undefined {
   const texts = text.split(SEPARATOR.entry, max + 1);
   if (texts.length > max) return undefined;

@@ -1,25 +1,25 @@
-/** A small input file in a link. It is not part of the state, so that the address bar stays short. */
+/** A small input file in a link. It is not part of the state, so the address bar stays short. */
 
 /** Key of the file in a link. */
 const FILE_KEY = "file";
-/** Maximum number of characters of a file in a link: what messengers and mail programs still accept. */
+/** Maximum number of characters of a file in a link: the limit of messengers and mail programs. */
 const MAX_CHARACTERS = 24_000;
 
-/** A file that came in a link. */
+/** A file in a link. */
 export interface LinkedFile {
   name: string;
   bytes: ArrayBuffer;
 }
 
-/** The file as a part of a link, `file=…`; `undefined` where it is too long for one. */
+/** The file as a part of a link, `file=…`; `undefined` if it is too long. */
 export async function linkFile({ name, bytes }: LinkedFile): Promise<string | undefined> {
   const packed = await pack(bytes);
   return packed.length <= MAX_CHARACTERS ? `${FILE_KEY}=${encodeURIComponent(name)}~${packed}` : undefined;
 }
 
 /**
- * The file in a link; `undefined` where there is none that can be read, or a longer one than {@link linkFile} makes, which
- * might inflate without end.
+ * The file in a link; `undefined` if there is none that can be read, or it is longer than those of {@link linkFile},
+ * which might inflate without end.
  */
 export async function linkedFile(hash: string): Promise<LinkedFile | undefined> {
   const value = new URLSearchParams(hash.replace(/^#/, "")).get(FILE_KEY);

@@ -1,18 +1,18 @@
-/** State of the whole page: the view, what is open, and how it is played. */
+/** State of the whole page: the view, the open objects, and playback. */
 import type { FrameRange } from "../client/protocol";
 import type { Theme } from "../ui/theme";
 import { choice, type Fields, flag, number, optional, text } from "./fields";
 
 export interface PageState {
-  /** The view that is shown. */
+  /** The current view. */
   view: ViewName;
-  /** Name of the database on this device that is open; empty for the built-in one. */
+  /** Name of the open database on this device; empty for the built-in one. */
   database: string;
   /** Name of the input; empty for the first built-in one. */
   input: string;
   theme: Theme;
   playing: boolean;
-  /** Input frame of a paused motion, fractional. */
+  /** Input frame while paused, fractional. */
   frame: number;
   speed: number;
   loop: boolean;

@@ -33,9 +33,9 @@ export interface PlayState {
   parts: Parts;
   /** The part of the body whose styles the polygon shows; empty for the whole body. */
   part: BodyPart | "";
-  /** Styles over time, in the order of frames; while there are keys {@link styles} are those of the chosen one. */
+  /** Styles over time, ordered by frame; if there are keys, {@link styles} are those of the selected one. */
   track: readonly TrackKey[];
-  /** Number of the chosen key. */
+  /** Index of the selected key. */
   key: number;
   /** Factor of the styles' weights: 0 is neutral, above 1 exaggerates, below 0 is the opposite. */
   intensity: number;
@@ -49,21 +49,21 @@ export interface PlayState {
   kappa: number;
   /** δ: width of the mixture weights. */
   delta: number;
-  /** η: how much of the tempo becomes the style's own. */
+  /** η: how much of the tempo is the style's. */
   tempo: number;
   /** Whether the style changes the timing. */
   timing: boolean;
-  /** Whether planted feet are held. */
+  /** Whether planted feet are held in place. */
   footplant: boolean;
   /** Whether the output is smoothed where the database does not cover the input. */
   coherence: boolean;
   method: Method;
-  /** What is said of how the input's file is read; nothing for a built-in input. */
+  /** The user's reading of the input's file; empty for a built-in input. */
   reading: FileReading;
-  /** The action and the style that the input is said to be; empty where the engine reads them from it. */
+  /** The action and the style that the user set for the input; empty if the engine is to recognise them. */
   action: string;
   inputStyle: string;
-  /** Which of the settings A and B is shown, and the other one, encoded as in the URL; empty while there is only one. */
+  /** Which of the settings A and B is displayed, and the other one, encoded as in the URL; empty while there is only one. */
   side: Side;
   other: string;
   camera: CameraPreset;
@@ -73,19 +73,19 @@ export interface PlayState {
   trace: TraceMode;
   /** Name of the curve in the timeline: a joint or degree of freedom. */
   curve: string;
-  /** The part of the body by which the atlas compares; empty while it is closed. */
+  /** The part of the body that the atlas compares; empty while it is closed. */
   atlas: AtlasPart | "";
-  /** The windows of the database that the atlas shows; all if there are none. */
+  /** The windows of the database that the atlas shows; `undefined` for all. */
   atlasWindows: AtlasWindows | undefined;
   /** Whether panels and transport are shown. */
   panels: boolean;
-  /** The panel that is open on a narrow screen. */
+  /** The current panel on a narrow screen. */
   tab: Tab;
 }
 
 export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
 export type AtlasPart = (typeof ATLAS_PARTS)[number];
-/** Numbers of windows: the first, and the one after the last. */
+/** Indices of windows: the first, and the one after the last. */
 export interface AtlasWindows {
   first: number;
   last: number;
@@ -140,7 +140,7 @@ function decodeTrack(text: string): TrackKey[] | undefined {
   return inOrder ? keys : undefined;
 }
 
-/** `first_last` as windows; `undefined` where they are none. */
+/** Decodes `first_last` to windows; `undefined` if they are invalid. */
 function decodeWindows(text: string): AtlasWindows | undefined {
   const [first, last] = /^(\d{1,9})_(\d{1,9})$/.exec(text)?.slice(1).map(Number) ?? [];
   return first !== undefined && last !== undefined && first < last ? { first, last } : undefined;
@@ -180,7 +180,7 @@ export const PLAY_FIELDS: Fields<PlayState> = {
   tab: choice("tab", "style", TABS),
 };
 
-/** Names of the fields that the engine's output depends on. */
+/** Names of the fields on which the engine's output depends. */
 export const ENGINE_FIELDS = [
   "styles",
   "parts",

@@ -18,7 +18,7 @@ describe("a reading in a link", () => {
   it("is none where an entry is none", () => {
     for (const text of ["up", "up~w", "floor~", "floor~low", "unit~0", "mirrored~2", "tail~Tail", "joints~1;hips~%"])
       expect(decodeReading(text), text).toBeUndefined();
-    // Names of roles alone do not say that an assignment was made.
+    // Names of roles alone do not mean that the joints were mapped.
     expect(decodeReading("hips~Bip01")).toEqual({});
   });
 

@@ -1,9 +1,9 @@
-/** What a person says of how a file is read, as the text of a link. */
+/** The user's reading of a file, as the text of a link. */
 import { type FileReading, UP_AXES } from "../client/protocol";
 import { ROLES, type Role } from "../humanoid";
 import { SEPARATOR } from "./fields";
 
-/** `up~z;floor~-0.93;left_hand~Wrist_L;chest~`: a role without a name is said to have no joint. */
+/** Example: `up~z;floor~-0.93;left_hand~Wrist_L;chest~`. A role without a name is specified to have no joint. */
 export function encodeReading(reading: FileReading): string {
   const { up, floor, swapSides, mirrored, unit, joints } = reading;
   const entries: [name: string, value: string | undefined][] = [
@@ -12,7 +12,7 @@ export function encodeReading(reading: FileReading): string {
     ["swap", swapSides ? "1" : undefined],
     ["mirrored", mirrored === undefined ? undefined : mirrored ? "1" : "0"],
     ["unit", unit === undefined ? undefined : String(unit)],
-    // An assignment that says nothing of any role still says that joints were looked at.
+    // A joint mapping without any role still records that the joints were checked.
     ["joints", joints ? "1" : undefined],
     ...ROLES.map((role): [string, string | undefined] => [role, joints && encodeJoint(joints[role])]),
   ];
@@ -20,7 +20,7 @@ export function encodeReading(reading: FileReading): string {
   return said.map(([name, value]) => `${name}${SEPARATOR.name}${value}`).join(SEPARATOR.entry);
 }
 
-/** What {@link encodeReading} wrote; `undefined` where it is none. */
+/** Decodes {@link encodeReading}; `undefined` if it is invalid. */
 export function decodeReading(text: string): FileReading | undefined {
   const reading: FileReading = {};
   const joints: Partial<Record<Role, string | null>> = {};
@@ -31,13 +31,13 @@ export function decodeReading(text: string): FileReading | undefined {
   return reading.joints ? { ...reading, joints } : reading;
 }
 
-/** Whether two readings say the same. */
+/** Whether two readings are equal. */
 export const sameReading = (a: FileReading, b: FileReading): boolean => encodeReading(a) === encodeReading(b);
 
-/** Whether nothing is said. */
+/** Whether nothing is specified. */
 export const saysNothing = (reading: FileReading): boolean => encodeReading(reading) === "";
 
-/** Takes an entry; whether it was one. */
+/** Applies an entry. Returns whether it was valid. */
 function takeEntry(reading: FileReading, joints: Record<string, string | null>, name: string, value: string): boolean {
   const number = value === "" ? Number.NaN : Number(value);
   const isFlag = value === "0" || value === "1";
@@ -71,12 +71,12 @@ function takeEntry(reading: FileReading, joints: Record<string, string | null>, 
   }
 }
 
-/** Names of joints may have any characters. */
+/** Names of joints may contain any characters. */
 function encodeJoint(joint: string | null | undefined): string | undefined {
   return joint === undefined ? undefined : encodeURIComponent(joint ?? "").replaceAll("~", "%7E");
 }
 
-/** The name of a joint, or `null` for none; `undefined` where it cannot be read. */
+/** The name of a joint, or `null` for none; `undefined` if it cannot be decoded. */
 function decodeJoint(text: string): string | null | undefined {
   try {
     return text === "" ? null : decodeURIComponent(text);

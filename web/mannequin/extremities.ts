@@ -6,7 +6,7 @@ import type { Vec3 } from "./vectors";
 
 /** Height of the ankle above the ground in the T-pose of the mannequin's own proportions, metres. */
 export const ANKLE_HEIGHT = 0.118;
-/** The same of the toe joint. */
+/** Height of the toe joint above the ground, metres. */
 export const TOE_HEIGHT = 0.034;
 
 // The hand is drawn as it hangs: x lateral (away from the palm), y towards the fingertips, z towards the thumb.

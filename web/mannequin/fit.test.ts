@@ -110,7 +110,7 @@ describe("the waist", () => {
     expect(first.distanceTo(place(rows, "pelvis", new Vector3(0.1, 0.055, -0.001)))).toBeLessThan(1e-5);
     const last = place(rows, waistSlot(WAIST_RINGS - 1), side);
     expect(last.distanceTo(place(rows, "ribcage", new Vector3(0.1, -0.045, 0.003)))).toBeLessThan(1e-5);
-    // No ring stands out: the way from ring to ring is short and even.
+    // No ring stands out: the distances between rings are short and even.
     const steps = Array.from({ length: WAIST_RINGS - 1 }, (_, i) =>
       place(rows, waistSlot(i), new Vector3()).distanceTo(place(rows, waistSlot(i + 1), new Vector3())),
     );

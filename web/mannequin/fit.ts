@@ -1,14 +1,15 @@
 /**
- * Fits the mannequin to anyone's proportions.
+ * Fits the mannequin to any proportions.
  *
  * One rule: *from the hips down the bones are the motion's, from the hips up they are the mannequin's own*, times the
- * stature (the ratio of leg lengths). Feet therefore meet the ground exactly where the data says, to the toe joint. Above,
- * motion capture skeletons put collars and shoulders in many different places, some inside the chest, which no shell
- * covers well; rotations mean the same on every skeleton, so the mannequin's own lengths show the same gesture.
+ * stature (the ratio of leg lengths). Feet therefore meet the ground exactly as in the data, up to the toe joint. Above
+ * the hips, motion capture skeletons have collars and shoulders in many different places, some inside the chest, which
+ * no shell covers well. Rotations mean the same on every skeleton, so the mannequin's own lengths show the same
+ * gesture.
  *
- * Leg shells are stretched along their bone to its length, and across it by the geometric mean of that stretch and of the
- * stature, so that a short bone neither balloons nor becomes a thread. Shoe and toe take the heights of ankle and toe
- * joint in the T-pose, which puts the soles on its ground whatever the proportions.
+ * Leg shells are stretched along their bone to its length, and across it by the geometric mean of that stretch and of
+ * the stature, so that a short bone neither balloons nor becomes a thread. Shoe and toe have the heights of ankle and
+ * toe joint in the T-pose, which puts the soles on its ground for all proportions.
  */
 
 import { DEFAULT_PROPORTIONS, JOINT, JOINTS, type Role } from "../humanoid";
@@ -30,15 +31,15 @@ import {
 } from "./vectors";
 import { WAIST_END, WAIST_START } from "./waist";
 
-/** The mannequin on one set of proportions. */
+/** The mannequin with one set of proportions. */
 export interface Fit {
-  /** The bones it is drawn on: 21 × xyz offsets, metres. */
+  /** The bones on which it is drawn: 21 × xyz offsets, metres. */
   proportions: Float32Array;
-  /** Of every rigid slot: the frame of its joint from the part's own coordinates, 4 × 4, column-major. */
+  /** For every rigid slot: the transform from the part's own coordinates to the joint's frame, 4 × 4, column-major. */
   jointFromSlot: Float32Array;
-  /** Where the waist starts in the hips' frame, metres. */
+  /** Start of the waist in the hips' frame, metres. */
   waistStart: Vec3;
-  /** Where it ends in the chest's frame, metres. */
+  /** End of the waist in the chest's frame, metres. */
   waistEnd: Vec3;
   /** Factors on the waist's half width and half depth at both ends. */
   waistScale: { start: [x: number, z: number]; end: [x: number, z: number] };
@@ -77,7 +78,7 @@ function drawnBones(proportions: ArrayLike<number>, stature: number): Float32Arr
   return bones;
 }
 
-/** Scale of a leg's shell and the turn from the mannequin's direction of the bone to the given one. */
+/** Scale of a leg's shell and the rotation from the mannequin's direction of the bone to the given one. */
 function fitLegBone(proportions: ArrayLike<number>, child: Role, stature: number): { scale: Vec3; turn: Quat } {
   const [given, drawn] = [offsetOf(proportions, child), own(child)];
   const [length, drawnLength] = [lengthOf(given), lengthOf(drawn)];
@@ -130,7 +131,7 @@ export function fitTo(given: ArrayLike<number>): Fit {
     const reach = clampStretch(Math.hypot(toesX, toesZ) / own(`${side}_toes`)[2]);
     const heading = turnAboutUp(Math.atan2(toesX, toesZ));
     const width = Math.sqrt(reach * stature);
-    // Whatever the clamp did to the height of the shoe, its sole is on the ground.
+    // The sole is on the ground, even if the height of the shoe was clamped.
     put(slot("foot"), [0, ANKLE_HEIGHT * rise - ankle, 0], heading, [width, rise, reach]);
     put(slot("toes"), [0, TOE_HEIGHT * rise - ankle - toesY, 0], heading, [width, rise, stature]);
   }

@@ -1,4 +1,4 @@
-/** The head and the dark plate that shows where it faces. */
+/** The head and the dark plate that shows its orientation. */
 
 import { atDetail, capFactor, loft, type Section, type Station, type Surface, sectionAt, superellipse } from "./loft";
 import type { MidlineSlot, Part } from "./part";
@@ -20,9 +20,9 @@ const HEAD_SHAPE = { startCap: 0.014, endCap: 0.036, exponent: 2.12 };
 
 /** Centre height, half height (metres), half width (radians about the head's axis) and taper towards the chin. */
 const PLATE = { centre: 0.063, halfHeight: 0.066, halfAngle: 0.76, taper: 0.26, exponent: 2.25 };
-/** Where the rays that place the plate start: on the head's axis, in front of the joint. */
+/** Start of the rays that place the plate: on the head's axis, in front of the joint. */
 const AXIS_Z = 0.012;
-/** How far the plate stands out, and how deep its rim lies in the head, metres. */
+/** Height of the plate over the head's surface, and depth of its rim in the head, metres. */
 const PLATE_THICKNESS = 0.003;
 const PLATE_INSET = 0.0006;
 

@@ -36,7 +36,7 @@ export interface LoftOptions {
   capRings: number;
   /** Vertices around. */
   segments: number;
-  /** Factor on the three counts before. */
+  /** Factor on the three counts above. */
   detail: number;
 }
 
@@ -102,7 +102,7 @@ export function capFactor(along: number, start: number, end: number, startCap: n
   return Math.min(quarter(along - start, startCap), quarter(end - along, endCap));
 }
 
-/** Point of a superellipse of exponent `exponent` at angle `angle`: (u, w) with unit radii. */
+/** Point of a superellipse with an exponent at an angle: (u, w) with unit radii. */
 export function superellipse(angle: number, exponent: number): [u: number, w: number] {
   const power = 2 / exponent;
   const c = Math.cos(angle);
@@ -157,7 +157,7 @@ export function loft(stations: readonly Station[], options: Partial<LoftOptions>
   return surface;
 }
 
-/** A sphere about the origin, as a loft, so that it shares the lofts' topology. */
+/** A sphere about the origin, as a loft, so that it has the same topology. */
 export function ball(radius: number, detail = 1): Surface {
   const r = radius;
   const station = (along: number): Station => [along, r, r, r, r];
@@ -173,8 +173,8 @@ export function ball(radius: number, detail = 1): Surface {
 }
 
 /**
- * Maps every vertex (u, along, w) to `u·U + along·V + w·W + origin`; a basis that mirrors turns the triangles round, so
- * that they still face outwards.
+ * Maps every vertex (u, along, w) to `u·U + along·V + w·W + origin`. A mirroring basis reverses the triangles, so that
+ * they still face outwards.
  */
 export function orient(surface: Surface, [u, v, w]: readonly [Vec3, Vec3, Vec3], origin: Vec3 = [0, 0, 0]): Surface {
   const positions: number[] = [];
@@ -187,7 +187,7 @@ export function orient(surface: Surface, [u, v, w]: readonly [Vec3, Vec3, Vec3],
   return { positions, indices: determinant < 0 ? surface.indices.toReversed() : surface.indices };
 }
 
-/** The same surface on the other side of the body. */
+/** The surface mirrored to the other side of the body. */
 export function mirror(surface: Surface): Surface {
   return orient(surface, [
     [-1, 0, 0],

@@ -11,7 +11,7 @@ const BARREL: Station[] = [
   [3, 1, 1, 1, 1, 0.2, -0.1],
 ];
 
-/** Edges that do not have exactly one neighbour running the other way. */
+/** Edges without exactly one neighbour in the opposite direction. */
 function openEdges({ indices }: Surface): number {
   const edges = new Map<string, number>();
   for (let t = 0; t < indices.length; t += 3)

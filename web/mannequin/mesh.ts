@@ -13,18 +13,18 @@ export const TONES: readonly Tone[] = ["shell", "joint"];
 export interface MannequinMesh {
   /** xyz of every vertex in its slot's own coordinates, metres. */
   positions: Float32Array;
-  /** Unit normal xyz of every vertex, likewise. */
+  /** Unit normal xyz of every vertex, in the same coordinates. */
   normals: Float32Array;
   /** Slot of every vertex, see `SLOTS`. */
   slots: Uint8Array;
-  /** Three vertices a triangle, counter-clockwise from outside. */
+  /** Three vertices per triangle, counter-clockwise from outside. */
   indices: Uint16Array;
-  /** The run of indices of every tone, in the order of {@link TONES}. */
+  /** The range of indices of every tone, in the order of {@link TONES}. */
   groups: { start: number; count: number }[];
 }
 
 /**
- * Builds the mesh in steps of a few milliseconds, so that a page need not wait for all of them.
+ * Builds the mesh in steps of a few milliseconds, so that a page is not blocked.
  *
  * @param detail - Factor on the number of vertices along and around every part, above 0; 1 is full detail.
  */

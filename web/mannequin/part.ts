@@ -25,10 +25,10 @@ export const SIDE_SLOTS = [
 export type MidlineSlot = (typeof MIDLINE_SLOTS)[number];
 /** Name of a slot that exists on both sides. */
 export type SideSlot = (typeof SIDE_SLOTS)[number];
-/** A rigid frame: the midline's by name, a limb's with its side, the waist's by the ring's number. */
+/** A rigid frame: a midline one by name, a limb's with its side, the waist's by the ring's index. */
 export type Slot = MidlineSlot | `${"left" | "right"}_${SideSlot}` | `waist_${number}`;
 
-/** Which of the two materials a part wears. */
+/** Which of the two materials a part has. */
 export type Tone = "shell" | "joint";
 
 /** One part of the body. */

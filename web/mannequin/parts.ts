@@ -1,6 +1,6 @@
 /**
- * What the mannequin is made of: a list of parts, each a surface in the T-pose frame of one slot (a rigid frame that
- * follows a joint, see `fit.ts`) and in one of two tones. Left parts are drawn, right parts are their mirror images.
+ * The parts of the mannequin: each is a surface in the T-pose frame of one slot (a rigid frame that follows a joint,
+ * see `fit.ts`) and in one of two tones. Left parts are defined, right parts are their mirror images.
  */
 
 import { extremities } from "./extremities";
@@ -16,7 +16,7 @@ const LEFT: Vec3 = [1, 0, 0];
 const FRONT: Vec3 = [0, 0, 1];
 const BACK: Vec3 = [0, 0, -1];
 
-/** Of the stations' axes: u is lateral, along runs down the bone, w is the front. */
+/** Axes of the stations: u is lateral, along runs down the bone, w is the front. */
 const LEG_BASIS = [LEFT, DOWN, FRONT] as const;
 const ARM_BASIS = [UP, LEFT, FRONT] as const;
 /** The collar's stations have u up and w to the back. */
@@ -136,7 +136,7 @@ function limbParts(detail: number): Part<SideSlot>[] {
   ];
 }
 
-/** The parts of both sides, of which those of the left are drawn. */
+/** The parts of both sides, from those of the left. */
 function bothSides(parts: readonly Part<SideSlot>[]): Part[] {
   return parts.flatMap(({ slot, tone, surface }): Part[] => [
     { slot: `left_${slot}`, tone, surface },
@@ -144,7 +144,7 @@ function bothSides(parts: readonly Part<SideSlot>[]): Part[] {
   ]);
 }
 
-/** Groups of parts of the body at a level of detail (see `LoftOptions.detail`), each made when it is asked for. */
+/** Groups of parts of the body at a level of detail (see `LoftOptions.detail`), each made on demand. */
 export function* partGroups(detail: number): Generator<Part[]> {
   yield midlineParts(detail);
   yield headParts(detail);

@@ -1,33 +1,33 @@
 /**
- * A body of prisms for people far away: one for each large part of the mannequin, as long and as wide as the
- * mesh is there, so that the one can take the place of the other unseen.
+ * A body of prisms for distant agents: one for each large part of the mannequin, with the length and width of the mesh
+ * there, so that the change between the two is invisible.
  */
 
 import { JOINT, type Role } from "../humanoid";
 import type { Fit } from "./fit";
 import { type SkinnedBody, skinnedBody } from "./skinned_body";
 
-/** Sides of a prism: of what is seen, and of what only gives an outline. */
+/** Number of sides of a prism: of the visible body, and of the body that only casts an outline. */
 const SIDES = { seen: 6, outline: 4 };
 /** Detail of the mesh that is measured. */
 const DETAIL = 0.25;
 
 /** One prism. */
 interface Prism {
-  /** The joint whose vertices it stands for. */
+  /** The joint whose vertices it replaces. */
   joint: Role;
   /** Direction of its axis in the T-pose: left, up or forward. */
   axis: 0 | 1 | 2;
   /** Number of its cross-sections. */
   sections: number;
   tone: number;
-  /** The joint that its upper or front end follows, if that is another one. */
+  /** The joint that its upper or front end follows, if it differs. */
   to?: Role;
-  /** Whether it stands for that one's vertices too. */
+  /** Whether it also replaces the vertices of `to`. */
   both?: true;
-  /** Whether its ends are inside of others. */
+  /** Whether its ends are inside other prisms. */
   open?: true;
-  /** Of the joint's vertices, those of one tone. */
+  /** Index of the only tone whose vertices are used. */
   only?: number;
 }
 
@@ -54,7 +54,7 @@ const PRISMS: readonly Prism[] = [
   ]),
 ];
 
-/** Builds the bodies for a fit: the one that is seen, and the one that gives the outline of a shadow. */
+/** Builds the bodies for a fit: the visible one, and the one for the outline of a shadow. */
 export function prismBodies(fit: Fit): Record<keyof typeof SIDES, SkinnedBody> {
   const mesh = skinnedBody(fit, DETAIL);
   return { seen: prismBody(mesh, SIDES.seen), outline: prismBody(mesh, SIDES.outline) };
@@ -78,7 +78,7 @@ function prismBody(mesh: SkinnedBody, sides: number): SkinnedBody {
     for (let section = 0; section < sections; section++) {
       const share = section / (sections - 1);
       const at = along.min + share * (along.max - along.min);
-      // Ends are round: what is measured lies a little inside of them.
+      // The mesh's ends are round, so the sections are measured a little inside.
       const half = (0.6 * (along.max - along.min)) / (2 * (sections - 1));
       const near = points.filter((point) => Math.abs(point[axis]! - at) <= half);
       const [a, b] = [extent(near.length > 2 ? near : points, u), extent(near.length > 2 ? near : points, v)];
@@ -94,7 +94,7 @@ function prismBody(mesh: SkinnedBody, sides: number): SkinnedBody {
         normal[u] = cos / (a.max - a.min || 1);
         normal[v] = sin / (b.max - b.min || 1);
         const length = Math.hypot(...normal);
-        // Ends shine a little as the round ones do that they stand for.
+        // Ends shine a little, like the round ones that they replace.
         normal[axis] = section === 0 ? -0.5 * length : section === sections - 1 ? 0.5 * length : 0;
         const whole = Math.hypot(...normal);
         normals.push(...normal.map((part) => part / whole));
@@ -130,7 +130,7 @@ function prismBody(mesh: SkinnedBody, sides: number): SkinnedBody {
   };
 }
 
-/** The vertices that a prism stands for. */
+/** The vertices that a prism replaces. */
 function verticesOf({ positions, joints, tones }: SkinnedBody, { joint, to, both, only }: Prism): number[][] {
   const points: number[][] = [];
   const followed = [JOINT[joint], ...(both && to ? [JOINT[to]] : [])];

@@ -12,7 +12,7 @@ function box({ positions }: SkinnedBody): { low: number[]; high: number[] } {
   return { low: of(Math.min), high: of(Math.max) };
 }
 
-/** Share of the triangles that face away from the axis of what they belong to: their normals agree with their winding. */
+/** Share of the triangles that face away from the axis of their joint: their normals agree with their winding. */
 function outward({ positions, normals, indices }: SkinnedBody): number {
   let agreeing = 0;
   for (let i = 0; i < indices.length; i += 3) {

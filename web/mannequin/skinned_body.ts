@@ -1,4 +1,4 @@
-/** The mannequin in the T-pose as one mesh that follows joints: what a shader needs to pose hundreds of bodies. */
+/** The mannequin in the T-pose as one mesh that follows joints, with the data for a shader that poses hundreds of bodies. */
 
 import { JOINT, restPose } from "../humanoid";
 import type { Fit } from "./fit";
@@ -14,19 +14,19 @@ const ROW_FLOATS = 12;
 export interface SkinnedBody {
   /** xyz of every vertex in the T-pose, metres. */
   positions: Float32Array;
-  /** Unit normal xyz of every vertex, likewise. */
+  /** Unit normal xyz of every vertex, in the T-pose. */
   normals: Float32Array;
-  /** The two joints of every vertex; the same one twice where it follows one. */
+  /** The two joints of every vertex; equal if it follows only one. */
   joints: Uint8Array;
   /** Share of the second joint, 0–1. */
   blends: Float32Array;
   /** 0 for the shell, 1 for the dark joints. */
   tones: Uint8Array;
-  /** Three vertices a triangle, counter-clockwise from outside. */
+  /** Three vertices per triangle, counter-clockwise from outside. */
   indices: Uint16Array;
 }
 
-/** xyz of every joint in the T-pose of a body, metres: what {@link SkinnedBody} is relative to. */
+/** xyz of every joint in the T-pose of a body, metres, to which {@link SkinnedBody} is relative. */
 export function restJoints(fit: Fit): Float32Array {
   return restRows(fit).world.positions;
 }
@@ -40,10 +40,10 @@ function restRows(fit: Fit): SlotRows {
 }
 
 /**
- * Brings the mannequin's mesh from its slots to joints. The waist's rings, which follow a curve in the mannequin, are
- * mixtures of hips and chest here: at the sizes at which crowds are drawn the two look alike.
+ * Converts the mannequin's mesh from its slots to joints. The waist's rings, which follow a curve in the mannequin, are
+ * mixtures of hips and chest here: at the sizes of a crowd the two look alike.
  *
- * @param detail - As of {@link buildMesh}.
+ * @param detail - As for {@link buildMesh}.
  */
 export function skinnedBody(fit: Fit, detail: number): SkinnedBody {
   const { positions, normals, slots, indices, groups } = buildMesh(detail);

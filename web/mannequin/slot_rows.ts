@@ -1,4 +1,4 @@
-/** The matrices of one mannequin: forward kinematics, then one affine transform a slot, as the shaders read them. */
+/** The matrices of one mannequin: forward kinematics, then one affine transform per slot, in the layout of the shaders. */
 
 import { createWorldPose, JOINT, type WorldPose, worldFromLocal } from "../humanoid";
 import type { Fit } from "./fit";
@@ -98,7 +98,7 @@ const blended = new Float32Array(4);
 /** Control points of the waist's Bézier, 4 × xyz. */
 const curve = new Float32Array(12);
 
-/** Writes quaternion number `index` as the rows of a rotation matrix. */
+/** Writes the quaternion at `index` as the rows of a rotation matrix. */
 function rotationInto(out: Float32Array, quaternions: Float32Array, index: number): void {
   const x = quaternions[4 * index]!;
   const y = quaternions[4 * index + 1]!;

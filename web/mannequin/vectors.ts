@@ -1,4 +1,4 @@
-/** Vectors, unit quaternions and affine matrices in plain tuples and arrays: what the mannequin needs of them. */
+/** Vectors, unit quaternions and affine matrices in plain tuples and arrays, as the mannequin needs them. */
 
 /** A direction, a point or three factors. */
 export type Vec3 = readonly [x: number, y: number, z: number];
@@ -6,7 +6,7 @@ export type Vec3 = readonly [x: number, y: number, z: number];
 /** A rotation as a unit quaternion. */
 export type Quat = readonly [x: number, y: number, z: number, w: number];
 
-/** The rotation that turns nothing. */
+/** The identity rotation. */
 export const NO_TURN: Quat = [0, 0, 0, 1];
 
 /** Component-wise sum. */
@@ -24,7 +24,7 @@ export const scaled = (v: Vec3, factor: number): Vec3 => [v[0] * factor, v[1] * 
 /** Euclidean length. */
 export const lengthOf = (v: Vec3): number => Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 
-/** The shortest rotation from one unit vector to another; of opposite ones, half a turn about any normal. */
+/** The shortest rotation from one unit vector to another; for opposite ones, half a turn about any normal. */
 export function turnBetween(from: Vec3, to: Vec3): Quat {
   const w = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + 1;
   if (w >= 1e-8)

@@ -8,9 +8,9 @@ import type { Part, Slot } from "./part";
 
 /** Number of rings, the first in the pelvis, the last in the ribcage. */
 export const WAIST_RINGS = 13;
-/** Where the curve starts, in the pelvis's frame, metres. */
+/** Start of the curve, in the pelvis's frame, metres. */
 export const WAIST_START = [0, 0.055, -0.001] as const;
-/** Where it ends, in the ribcage's frame, metres. */
+/** End of the curve, in the ribcage's frame, metres. */
 export const WAIST_END = [0, -0.045, 0.003] as const;
 
 /** Vertices around at full detail. */
@@ -63,12 +63,12 @@ export function waistRingOf(vertex: number, detail: number): number {
   return Math.floor(vertex / atDetail(SEGMENTS, detail));
 }
 
-/** Height that {@link waistSurface} gave ring `ring`; the ring's slot has its origin there. */
+/** Height of ring `ring` in {@link waistSurface}; the ring's slot has its origin there. */
 export function waistRestHeight(ring: number): number {
   return waistParameter(ring) * LENGTH;
 }
 
-/** The waist as one part; its slot is the first ring's, and the geometry spreads its vertices over the others. */
+/** The waist as one part; its slot is the first ring's, and the geometry distributes its vertices to the others. */
 export function waistParts(detail: number): Part[] {
   return [{ slot: waistSlot(0), tone: "joint", surface: waistSurface(detail) }];
 }

@@ -1,9 +1,9 @@
-/** Every page of the documentation: the choice of the theme, and the search, which is loaded when it is wanted. */
+/** Script of every page of the documentation: the theme, and the search, which is loaded on demand. */
 import { applyTheme, isDark, opposite } from "../ui/theme";
 
 const KEY = "strut-manual-theme";
 
-/** The choice of before; a browser may keep nothing. */
+/** The stored theme; a browser may store nothing. */
 function keptTheme(): "auto" | "dark" | "light" {
   try {
     const kept = localStorage.getItem(KEY);
@@ -18,7 +18,7 @@ function keepTheme(theme: "auto" | "dark" | "light"): void {
     if (theme === "auto") localStorage.removeItem(KEY);
     else localStorage.setItem(KEY, theme);
   } catch {
-    // The page has the theme all the same.
+    // The page still has the theme.
   }
 }
 
@@ -36,7 +36,7 @@ function bindTheme(button: HTMLElement): void {
   show();
 }
 
-/** Scripts of their own, so that pages which are opened from a disk can load them. */
+/** Separate scripts, so that pages opened from a disk can load them. */
 function loadScript(name: string): void {
   const script = document.createElement("script");
   script.src = `${document.documentElement.dataset.root}assets/${name}`;
@@ -59,7 +59,7 @@ function bindSearch(field: HTMLInputElement): void {
   });
 }
 
-/** What is wider than the page can be scrolled by keys, too. */
+/** Elements wider than the page can also be scrolled by keys. */
 function bindWide(elements: Iterable<Element>): void {
   const observer = new ResizeObserver((entries) => {
     for (const { target } of entries)

@@ -1,7 +1,7 @@
-/** The search of the documentation, over the sections that `scripts/docs/search_index.mjs` lists. */
+/** The search of the documentation, over the sections listed by `scripts/docs/search_index.mjs`. */
 import MiniSearch from "minisearch";
 
-/** What the index holds: pages as place and title, sections as number of the page, anchor, title and words. */
+/** Contents of the index: pages as URL and title, sections as index of the page, anchor, title and words. */
 interface ManualIndex {
   pages: [place: string, title: string][];
   sections: [page: number, id: string, title: string, words: string][];
@@ -60,7 +60,7 @@ function resultOf(section: number): HTMLElement {
   return link;
 }
 
-/** Arrow keys go from the field through the results and back, Escape closes them. */
+/** Arrow keys move from the field through the results and back, Escape closes them. */
 function moveFocus(event: KeyboardEvent): void {
   const stops = [field, ...list.querySelectorAll("a")];
   const at = stops.indexOf(document.activeElement as HTMLInputElement);
@@ -79,7 +79,7 @@ function moveFocus(event: KeyboardEvent): void {
 field.addEventListener("input", showResults);
 field.parentElement!.addEventListener("keydown", moveFocus);
 field.parentElement!.addEventListener("click", (event) => {
-  // A link to the same page closes them, too.
+  // A link to the same page also closes them.
   if (event.target instanceof Element && event.target.closest(".results a")) list.hidden = true;
 });
 document.addEventListener("click", (event) => {

@@ -1,8 +1,8 @@
-/** The files beside the package's code. */
+/** The files next to the package's code. */
 
 import type { AssetName } from "../engine/assets";
 
-/** What the engine loads by itself, and what those load who build databases, walk, pose by style variables, or perform. */
+/** Files that the engine loads itself, and files for building databases, walking, key-styling and live streams. */
 export const ENGINE_ASSETS = [
   "strut_wasm_bg.wasm",
   "strut_wasm_build_bg.wasm",
@@ -13,36 +13,36 @@ export const ENGINE_ASSETS = [
   "built_in.bin",
 ] as const satisfies AssetName[];
 
-/** What is loaded with the first character, and with the first that is compressed with Draco. */
+/** Files loaded with the first character, and with the first one that is compressed with Draco. */
 export const CHARACTER_ASSETS = ["strut_wasm_character_bg.wasm", "draco_decoder.wasm"] as const satisfies AssetName[];
 
 export type CharacterAsset = (typeof CHARACTER_ASSETS)[number];
 
 export type EngineAsset = (typeof ENGINE_ASSETS)[number];
 
-/** What the engine asks for: where the page begins with a few strides, the package has all walks. */
+/** Files that the engine requests. For the first strides, with which the page starts, the package provides all walks. */
 export type PlacedAsset = EngineAsset | "first.bin";
 
-/** Addresses of the engine's files, absolute URLs. */
+/** Absolute URLs of the engine's files. */
 export type EnginePlaces = Readonly<Record<PlacedAsset, string>>;
 
 /**
- * The address of a file where the caller says that the files lie.
+ * The URL of a file according to the caller's `assets`.
  * @param assets `LoadOptions.assets`
- * @param base what relative addresses are relative to
- * @throws TypeError if that is not an address
+ * @param base base of relative URLs
+ * @throws TypeError if it is not a URL
  */
 export function placeIn(assets: string | ((file: string) => string), file: string, base: string): string {
   const address = typeof assets === "string" ? `${assets.replace(/\/?$/, "/")}${file}` : assets(file);
   return new URL(address, base).href;
 }
 
-/** What relative addresses are relative to: the page, or the worker in which the package is used. */
+/** Base of relative URLs: the page, or the worker in which the package is used. */
 export function baseAddress(): string {
   return typeof document === "object" ? document.baseURI : location.href;
 }
 
-/** The addresses of all engine files by a function that gives one. */
+/** The URLs of all engine files, from a function that returns one. */
 export function placesBy(place: (file: EngineAsset) => string): EnginePlaces {
   const places = Object.fromEntries(ENGINE_ASSETS.map((name) => [name, place(name)])) as Record<EngineAsset, string>;
   return { ...places, "first.bin": places["walk.bin"] };

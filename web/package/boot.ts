@@ -1,4 +1,4 @@
-/** How a thread of the package begins: it is told where the engine's files lie. */
+/** Start of a thread of the package: it receives the locations of the engine's files. */
 import { type Asset, placeAssets } from "../engine/assets";
 import { setFetchElsewhere } from "../engine/download";
 import type { PlacedAsset } from "./assets";
@@ -6,17 +6,17 @@ import type { PlacedAsset } from "./assets";
 /** Page → worker, once, before any call. URLs are absolute. */
 export interface Boot {
   assets: Readonly<Record<PlacedAsset, string | Uint8Array<ArrayBuffer>>>;
-  /** Fetches files for a worker that may not, such as one with a policy of its own. */
+  /** Fetches files for a worker that may not, for example because of a content security policy of its own. */
   files?: MessagePort;
 }
 
-/** Worker → page, at {@link Boot.files}: the address of a file, and a port for its bytes, or `null` if it cannot be had. */
+/** Worker → page, at {@link Boot.files}: the URL of a file, and a port for its bytes, or `null` if it cannot be loaded. */
 export type FileRequest = [address: string, answer: MessagePort];
 
-/** Worker → page, once, when its script runs. */
+/** Worker → page, once, when its script starts. */
 export const STARTED = "strut-motion started";
 
-/** Places the files on this thread. */
+/** Sets the locations of the files on this thread. */
 export function placeBooted({ assets, files }: Boot): void {
   const placed = Object.entries(assets).map(([name, asset]): [string, Asset] => [
     name,

@@ -1,4 +1,4 @@
-/** Databases that are made here: of clips, and of a database and one more style. */
+/** Builds databases: from clips, or from a database and an additional style. */
 import type { BuildClient, ChosenFile, DroppedFile } from "../client/build/protocol";
 import type { ClientDatabase, ClientMotion } from "../client/handles";
 import { type BuiltInSet, type CallOptions, StrutError } from "../client/protocol";
@@ -11,8 +11,8 @@ export function isZip(bytes: ArrayBuffer): boolean {
 }
 
 /**
- * Builds a database of BVH files, or archives of them, whose names say action and style. The neutral style is found by its
- * name.
+ * Builds a database from BVH files, or archives of them, whose names contain action and style. The neutral style is
+ * found by its name.
  * @throws StrutError `bad-file` with what is missing
  */
 export async function buildDatabase(builds: BuildClient, files: readonly File[], call: CallOptions): Promise<Blob> {
@@ -32,8 +32,8 @@ export async function buildDatabase(builds: BuildClient, files: readonly File[],
 }
 
 /**
- * A database with a motion as one more style: the file of a database.
- * @throws StrutError `bad-input` where the motion is a built-in one, `bad-file` where it does not fit
+ * Adds a motion to a database as a style; returns the new database's file.
+ * @throws StrutError `bad-input` if the motion is a built-in one, `bad-file` if it does not fit
  */
 export async function addedStyle(
   builds: BuildClient,
@@ -50,12 +50,15 @@ export async function addedStyle(
   return (await builds.addStyle(await fileOf(database), clip, style, call)).file;
 }
 
-/** What a database was opened from: a `.strutdb` file, or packed built-in motions, which those who build read as well. */
+/**
+ * The file from which a database was opened: a `.strutdb` file, or packed built-in motions, which the builders read as
+ * well.
+ */
 export async function fileOf({ source }: ClientDatabase): Promise<Blob> {
   return source.kind === "strutdb" ? source.file : packedFile(source.set);
 }
 
-/** A set of built-in motions as those who build and train read it. */
+/** A set of built-in motions in the form that the builders and trainers read. */
 export async function packedFile(set?: BuiltInSet): Promise<Blob> {
   return new Blob([await loadBuiltIn(undefined, set)]);
 }

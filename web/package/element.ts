@@ -16,7 +16,7 @@ declare global {
 
 let options: LoadOptions = {};
 
-/** Says how the players of this page load their engine; before the first of them loads. */
+/** Sets how the players of this page load their engine. Call it before the first of them loads. */
 export function configurePlayers(given: LoadOptions): void {
   options = given;
 }

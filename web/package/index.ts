@@ -1,4 +1,4 @@
-/** `strut-motion` in a browser: the engine in a worker, its files beside this one. */
+/** `strut-motion` in a browser: the engine in a worker, its files next to this one. */
 import { download } from "../engine/download";
 import { StrutError } from "../engine/errors";
 import { baseAddress, placeIn, placesBy } from "./assets";
@@ -28,7 +28,7 @@ export async function loadStrut({ assets, worker = true, signal }: LoadOptions =
   return loadEngine(entry.boot, await startEngine(entry, worker, signal), signal);
 }
 
-/** Each address stands here in the form that bundlers look for. @throws StrutError `load` where this file has no address */
+/** Each URL is in the form that bundlers recognise. @throws StrutError `load` if this file has no URL */
 function beside(): (file: string) => string {
   try {
     const places: Record<string, string> = {
@@ -42,7 +42,7 @@ function beside(): (file: string) => string {
       "walk.bin": new URL("./assets/walk.bin", import.meta.url).href,
       "built_in.bin": new URL("./assets/built_in.bin", import.meta.url).href,
     };
-    // Turbopack makes a path of what is an absolute address elsewhere.
+    // Turbopack returns a path where other bundlers return an absolute URL.
     return (file) => new URL(places[file]!, baseAddress()).href;
   } catch (cause) {
     const message = "The engine's files have no address: this module was loaded from a blob or as data.";

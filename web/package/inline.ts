@@ -1,4 +1,4 @@
-/** `strut-motion/inline`: the engine in one file; built-in motions, and what builds and trains, lie beside it. */
+/** `strut-motion/inline`: the engine in one file; built-in motions, and the code for building and training, are next to it. */
 import { baseAddress } from "./assets";
 import { placeCharacterFiles } from "./character_files";
 import { loadInlined } from "./load_inlined";
@@ -17,7 +17,7 @@ export async function loadStrut({ assets, ...options }: LoadOptions = {}): Promi
   return loadInlined(assets ?? new URL("assets/", addressOrPage()).href, options, servers);
 }
 
-/** A blob has no folder: its files are looked for beside the page. */
+/** A blob has no folder: its files are searched next to the page. */
 function addressOrPage(): string {
   return /^(blob|data):/.test(import.meta.url) ? baseAddress() : import.meta.url;
 }

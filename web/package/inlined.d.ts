@@ -1,6 +1,6 @@
 /** Files that `scripts/package.mjs` writes into an entry. */
 declare module "strut-inline:*.wasm" {
-  /** Deflated. */
+  /** Deflated bytes. */
   const bytes: Uint8Array<ArrayBuffer>;
   export default bytes;
 }

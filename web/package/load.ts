@@ -1,4 +1,4 @@
-/** What all entries of the package do to load the engine. */
+/** Loading of the engine, shared by all entries of the package. */
 import { EngineClient } from "../client/engine_client";
 import { cancelled } from "../engine/errors";
 import { type Boot, placeBooted } from "./boot";
@@ -11,7 +11,7 @@ import type { Strut } from "./types";
  * @throws StrutError `load`, `unsupported` or `cancelled`
  */
 export async function loadEngine(boot: Boot, { thread, ...spawners }: Started, signal?: AbortSignal): Promise<Strut> {
-  // Walk and key-style models are on this thread.
+  // Walk and key-style models run on this thread.
   placeBooted(boot);
   const client = new EngineClient(spawners);
   let stop = () => {};
@@ -20,7 +20,7 @@ export async function loadEngine(boot: Boot, { thread, ...spawners }: Started, s
     signal?.addEventListener("abort", stop, { once: true });
   });
   try {
-    // It may have been aborted before anybody listened.
+    // It may have been aborted before the listener was added.
     if (signal?.aborted) throw cancelled(signal.reason);
     await Promise.race([client.ready(), aborted]);
   } catch (thrown) {

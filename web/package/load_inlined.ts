@@ -1,4 +1,4 @@
-/** The engine with its module and its worker's script written into one file; the other files lie in a folder. */
+/** The engine with its module and its worker's script included in one file; the other files are in a folder. */
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import workerText from "strut-inline:worker.js";
 import { baseAddress, type EngineAsset, placeIn, placesBy } from "./assets";
@@ -9,9 +9,9 @@ import type { LoadOptions, Strut } from "./types";
 
 /**
  * Loads the engine.
- * @param folder where files lie that are not written in
- * @param servers what serves on the page's thread
- * @param bytes files that the caller has already
+ * @param folder folder of the files that are not included
+ * @param servers servers on the page's thread
+ * @param bytes files that the caller already has
  * @throws StrutError `unsupported` if the browser lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadInlined(

@@ -1,20 +1,20 @@
-/** A server on the calling thread behind the same port as a worker's: messages arrive later, as with a real one. */
+/** A server on the calling thread behind the same port as a worker's: messages arrive asynchronously, as with a real one. */
 
-/** As much of a worker's global scope as a server needs. */
+/** The part of a worker's global scope that a server needs. */
 interface ServerSide<Request, Reply> {
   postMessage(message: Reply, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<Request>) => void) | null;
 }
 
-/** A copy of a message; what it transfers is taken from its sender. */
+/** Copies a message; transferred objects are detached from the sender. */
 type Copy = <T>(message: T, transfer: Transferable[]) => T;
 
-/** Copies as a worker's port does. */
+/** Copies like a worker's port. */
 export const structuredCopy: Copy = (message, transfer) => structuredClone(message, { transfer });
 
 export class LocalPort<Request, Reply> {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
-  /** Nothing is reported here: what fails on this thread is answered as a failure of its call. */
+  /** Never called: an error on this thread is answered as a failure of its call. */
   onerror: ((event: ErrorEvent) => void) | null = null;
   #ended = false;
   readonly #server: ServerSide<Request, Reply>;
@@ -23,8 +23,8 @@ export class LocalPort<Request, Reply> {
   readonly #copy: Copy;
 
   /**
-   * @param serve begins to serve at a port
-   * @param copy copies a message, where its sender may change it afterwards
+   * @param serve starts to serve at a port
+   * @param copy copies a message, if its sender may change it afterwards
    */
   constructor(serve: (port: ServerSide<Request, Reply>) => void | Promise<void>, copy: Copy = (message) => message) {
     this.#copy = copy;

@@ -1,4 +1,4 @@
-/** `strut-motion` in Node: the engine on the calling thread, in this file; the built-in motions lie beside it. */
+/** `strut-motion` in Node: the engine on the calling thread, in this file; the built-in motions are next to it. */
 import engine from "strut-inline:strut_wasm_bg.wasm";
 import { cancelled } from "../engine/errors";
 import { placeIn, placesBy } from "./assets";
@@ -18,7 +18,7 @@ export type * from "./public";
  */
 export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<Strut> {
   if (signal?.aborted) throw cancelled(signal.reason);
-  // Not `new URL(…, import.meta.url)`: bundlers for servers would look for a module of that name.
+  // Not `new URL(…, import.meta.url)`: server bundlers would look for a module of that name.
   if (assets !== undefined) placeCharacterFiles(assets, import.meta.url);
   const places = placesBy((file) => placeIn(assets ?? "assets", file, import.meta.url));
   const boot = { assets: { ...places, "strut_wasm_bg.wasm": await inflate(engine) } };

@@ -1,13 +1,14 @@
-/** Classic scripts of the package that hand something over: they need no origin, unlike modules and what is fetched. */
+/** Classic scripts of the package that return a value: they need no origin, unlike modules and fetched files. */
 import { StrutError } from "../engine/errors";
 import { trusted } from "./start";
 
-/** The name under which a script calls what it has for the page. */
+/** The name of the function through which a script returns its value to the page. */
 export const RECEIVER = "strutReceive";
 
 /**
- * Runs a script that calls `strutReceive`, and resolves with what it gave. One after the other: all have the same receiver.
- * @throws StrutError `load` with the sentence and the hint where it cannot be had
+ * Runs a script that calls `strutReceive`, and resolves with its argument. Scripts run one after another, since all
+ * have the same receiver.
+ * @throws StrutError `load` with the sentence and the hint if it cannot be loaded
  */
 export function received<T>(address: URL, message: string, hint: string): Promise<T> {
   const next = before.then(() => run<T>(address, message, hint));
@@ -24,7 +25,7 @@ function run<T>(address: URL, message: string, hint: string): Promise<T> {
     Object.assign(globalThis, { [RECEIVER]: resolve });
     script.onload = () => {
       script.remove();
-      // A script that ended without giving anything is not the one that was meant.
+      // A script that ended without returning a value is not the expected one.
       fail();
     };
     script.onerror = () => {

@@ -1,4 +1,4 @@
-/** The servers on the calling thread, where there is no worker. */
+/** The servers on the calling thread, used without workers. */
 import "../engine/whole";
 
 export { serveBuilds } from "../client/build/server";

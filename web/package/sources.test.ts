@@ -9,7 +9,7 @@ import type { Source } from "./types";
 
 const BVH = "HIERARCHY\nROOT Hips\n";
 
-/** What a source holds as text, and its name. */
+/** The text and the name of a source. */
 async function read(source: Source): Promise<[name: string, text: string]> {
   const { name, bytes } = await readSource(source, "motion");
   return [name, new TextDecoder().decode(bytes)];

@@ -4,26 +4,26 @@ import { cancelled, StrutError } from "../engine/errors";
 import { baseAddress } from "./assets";
 import type { Source } from "./types";
 
-/** A file that was read. */
+/** The contents of a file. */
 export interface SourceFile {
-  /** Its name without folders and its ending; empty where it has none. */
+  /** Its name without folders and extension; empty if it has none. */
   name: string;
   bytes: ArrayBuffer;
 }
 
-/** The name behind `strut:`, or `undefined` for other sources. */
+/** The name after `strut:`, or `undefined` for other sources. */
 export function builtInName(source: Source): string | undefined {
   return typeof source === "string" && source.startsWith("strut:") ? source.slice("strut:".length) : undefined;
 }
 
 /**
  * Reads a source.
- * @param what a noun for messages
- * @throws StrutError `load` if a URL cannot be read, `bad-input` if it is none, `cancelled`
+ * @param what noun for messages
+ * @throws StrutError `load` if a URL cannot be read, `bad-input` if it is not a URL, `cancelled`
  */
 export async function readSource(source: Source, what: string, signal?: AbortSignal): Promise<SourceFile> {
   if (signal?.aborted) throw cancelled(signal.reason);
-  // What came from a frame is of other classes than this page's.
+  // Objects from a frame have other classes than this page's.
   if (tagOf(source) === "ArrayBuffer") return { name: "", bytes: source as ArrayBuffer };
   if (ArrayBuffer.isView(source)) return { name: "", bytes: source.slice().buffer };
   if (isBlob(source)) {
@@ -37,7 +37,7 @@ export async function readSource(source: Source, what: string, signal?: AbortSig
   return { name: nameOf(path), bytes: await fetched(url, what, signal) };
 }
 
-/** A path as people write it; as it is where it has a percent sign that stands for itself. */
+/** A percent-decoded path; unchanged if a percent sign in it is literal. */
 function decoded(path: string): string {
   try {
     return decodeURIComponent(path);
@@ -46,7 +46,7 @@ function decoded(path: string): string {
   }
 }
 
-/** The name of a value's kind, the same for all pages and frames. */
+/** The tag of a value's class, the same for all pages and frames. */
 const tagOf = (value: unknown): string => Object.prototype.toString.call(value).slice("[object ".length, -1);
 
 const isAddress = (source: Source): source is string | URL => typeof source === "string" || tagOf(source) === "URL";
@@ -59,7 +59,7 @@ function noSource(what: string, found: string): StrutError {
   return new StrutError({ code: "bad-input", message: `The ${what} cannot be ${found}.`, hint: HINT });
 }
 
-/** A BVH file is text of several lines, which no URL is. */
+/** A BVH file is text with several lines, unlike a URL. */
 const isText = (source: string): boolean => /^\s*HIERARCHY\b/i.test(source) || source.includes("\n");
 
 function bytesOf(text: string): ArrayBuffer {

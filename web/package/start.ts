@@ -1,4 +1,4 @@
-/** Starts the engine of a page: in a worker; where that is forbidden in one from a blob; else on the page's thread. */
+/** Starts the engine of a page: in a worker; if that is forbidden, in a worker from a blob; otherwise on the page's thread. */
 import type { BuildWorkerPort } from "../client/build/client";
 import type { WorkerPort } from "../client/connection";
 import { download } from "../engine/download";
@@ -7,35 +7,35 @@ import { type Boot, type FileRequest, STARTED } from "./boot";
 import { LocalPort, structuredCopy } from "./local_port";
 import type { Thread } from "./types";
 
-/** A way to start the engine that works on this page. */
+/** A method of starting the engine that works on this page. */
 export interface Started {
   thread: Thread;
-  /** Starts an engine; the first time it is the one that was tried. */
+  /** Starts an engine; the first time it returns the one that was tried. */
   spawn: () => WorkerPort;
-  /** Starts what builds databases and trains models. */
+  /** Starts the worker that builds databases and trains models. */
   spawnBuild: () => BuildWorkerPort;
 }
 
-/** What differs between the package's entries. */
+/** Properties that differ between the package's entries. */
 export interface Entry {
-  /** Address of the worker's script; `undefined` where it has none. */
+  /** URL of the worker's script; `undefined` if it has none. */
   workerUrl: string | undefined;
   /** The text of the worker's script. */
   workerText: () => Promise<string>;
-  /** Address of the script of the worker that builds. */
+  /** URL of the build worker's script. */
   buildWorkerUrl: string;
-  /** What serves on the page's thread, loaded when it is needed. */
+  /** The servers on the page's thread, loaded on demand. */
   servers: () => Promise<Servers>;
   boot: Boot;
 }
 
-/** What serves on the calling thread. */
+/** The servers on the calling thread. */
 export type Servers = typeof import("./servers");
 
 /**
- * Starts the engine in the first way that works.
+ * Starts the engine with the first method that works.
  * @param worker whether workers are tried
- * @throws StrutError `cancelled`, or `load` if nothing works
+ * @throws StrutError `cancelled`, or `load` if no method works
  */
 export async function startEngine(entry: Entry, worker: boolean, signal?: AbortSignal): Promise<Started> {
   const { boot, buildWorkerUrl } = entry;
@@ -76,7 +76,7 @@ const NOTHING_WORKS: ErrorParts = {
   hint: "Check that assets/ lies beside the package's code, and the page's Content-Security-Policy.",
 };
 
-/** The ways to start a worker, the best first. */
+/** The methods of starting a worker, the best first. */
 function workersOf({ workerUrl, workerText }: Entry): { thread: Thread; address: () => Promise<string> }[] {
   return [
     ...(workerUrl === undefined ? [] : [{ thread: "worker" as const, address: async () => workerUrl }]),
@@ -84,7 +84,7 @@ function workersOf({ workerUrl, workerText }: Entry): { thread: Thread; address:
   ];
 }
 
-/** The address of a script with this text: one for each, as it is needed as long as workers may be started again. */
+/** The URL of a script with this text: one per text, since workers may be started again later. */
 function blobOf(text: string): string {
   const known = blobs.get(text) ?? URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   blobs.set(text, known);
@@ -98,7 +98,7 @@ function spawnBooted(url: string | TrustedScriptURL, boot: Boot): Worker {
   return worker;
 }
 
-/** Tells a worker where the files lie, and lends it the page's right to fetch them. */
+/** Sends a worker the locations of the files, and a port through which the page fetches files for it. */
 function sendBoot(worker: Worker, boot: Boot): void {
   const { port1, port2 } = new MessageChannel();
   const known = Object.values(boot.assets);
@@ -109,12 +109,12 @@ function sendBoot(worker: Worker, boot: Boot): void {
   worker.postMessage({ ...boot, files: port2 } satisfies Boot, [port2]);
 }
 
-/** @throws StrutError `load` if the file cannot be had */
+/** @throws StrutError `load` if the file cannot be loaded */
 async function bytesAt(address: string): Promise<ArrayBuffer> {
   return (await download(new URL(address), "engine")).arrayBuffer();
 }
 
-/** Gives the first, then what `next` starts. */
+/** Returns the first worker once, then those that `next` starts. */
 function onceThen(first: WorkerPort, next: () => WorkerPort): () => WorkerPort {
   let unused: WorkerPort | undefined = first;
   return () => {
@@ -125,7 +125,7 @@ function onceThen(first: WorkerPort, next: () => WorkerPort): () => WorkerPort {
 }
 
 /**
- * A worker whose script has begun to run; `undefined` where the browser refuses it or the script cannot be had.
+ * A worker whose script has started to run; `undefined` if the browser refuses it or the script cannot be loaded.
  * @throws StrutError `cancelled`
  */
 function tryWorker(
@@ -149,7 +149,7 @@ function tryWorker(
       settle(undefined);
       reject(cancelled(signal?.reason));
     };
-    // A script that never answers must not keep who has given up.
+    // A script that never answers must not delay a cancelled call.
     signal?.addEventListener("abort", cancel, { once: true });
     worker.onmessage = ({ data }) => {
       if (data !== STARTED) return;
@@ -158,7 +158,7 @@ function tryWorker(
       resolve(worker as WorkerPort);
     };
     worker.onerror = (event) => {
-      // The page's console need not hear of what is then tried in another way.
+      // Another method will be tried, so the error must not appear in the page's console.
       event.preventDefault();
       settle(undefined);
       resolve(undefined);
@@ -166,7 +166,7 @@ function tryWorker(
   });
 }
 
-/** The part of the Trusted Types API that is used; TypeScript's library does not have it yet. */
+/** The part of the Trusted Types API that is used; it is not in TypeScript's library yet. */
 interface TrustedScriptURL {
   toString(): string;
 }
@@ -181,7 +181,7 @@ interface TrustedTypes {
 
 let policy: ReturnType<TrustedTypes["createPolicy"]> | undefined;
 
-/** The address of a script as the page's policy `strut-motion` allows it. @throws where the page allows no such policy */
+/** The URL of a script, approved by the page's policy `strut-motion`. @throws if the page allows no such policy */
 export function trusted(url: string): string | TrustedScriptURL {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
   if (!trustedTypes) return url;

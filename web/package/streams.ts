@@ -1,4 +1,4 @@
-/** `strut-motion/streams`: performers whose poses arrive live, for `Strut.live`. */
+/** `strut-motion/streams`: sources of live poses for `Strut.live`. */
 export type { LiveStats, StreamFrame } from "../client/live/protocol";
 export { StrutError, type StrutErrorCode } from "../engine/errors";
 export type { BufferStats, Play } from "../engine/live/pose_stream";

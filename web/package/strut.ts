@@ -147,12 +147,12 @@ export class StrutEngine implements Strut {
     return this.#built(name, (builds) => buildDatabase(builds, files, call));
   }
 
-  /** Opens the file of a database that is made first. */
+  /** Makes a database and opens its file. */
   async #built(name: string, make: (builds: BuildClient) => Promise<Blob>): Promise<Database> {
     return this.#open({ kind: "strutdb", name, file: await this.client.build(make) }, {});
   }
 
-  /** The database that a model is to be trained on; `undefined` where the source is a file of a model. */
+  /** The database to train a model on; `undefined` if the source is the file of a model. */
   async #trainingSet(source: Source | Database, { signal }: CallOptions): Promise<Blob | undefined> {
     if (signal?.aborted) throw cancelled(signal.reason);
     if (isOpened(source)) return fileOf(this.#database(source));
@@ -207,7 +207,7 @@ class OpenedDatabase implements Database {
   }
 }
 
-/** A motion, and what its file says; `own` refuses databases of other engines. */
+/** A motion and the facts of its file; `own` refuses databases of other engines. */
 class OpenedMotion implements Motion {
   readonly frames: number;
   readonly rateHz: number;
@@ -235,7 +235,7 @@ class OpenedMotion implements Motion {
   }
 }
 
-/** A session whose options can be changed one by one. */
+/** A session whose options can be changed individually. */
 class MotionPlayback implements Playback {
   readonly #session: ClientSession;
   #options: StylizeOptions;
@@ -340,17 +340,17 @@ function setOf(name: string): BuiltInSet {
   throw new StrutError({ code: "bad-input", message, hint: "There are strut:walk and strut:built-in." });
 }
 
-/** What key-style models are trained on unless it is said otherwise: how far apart the feet are. */
+/** Default style variables of key-style models: the separation of the feet. */
 const DEFAULT_AXES = ["foot_separation"];
 
 const isList = (source: Source | readonly File[]): source is readonly File[] => Array.isArray(source);
 
 const isOpened = (source: Source | Database): source is Database => source instanceof OpenedDatabase;
 
-/** The one input that the smaller set has, too. */
+/** The only input that the smaller set also has. */
 const WALK_INPUT = "neutral walk";
 
-/** A name as it stands in a URL: `neutral walk, run and walk` is `neutral-walk-run-and-walk`. */
+/** A name in the form used in a URL: `neutral walk, run and walk` is `neutral-walk-run-and-walk`. */
 const inUrl = (name: string): string => name.toLowerCase().replace(/[^a-z0-9]+/g, "-");
 
 async function motionFile(

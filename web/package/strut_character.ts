@@ -1,7 +1,7 @@
 /**
- * `strut-character.js`: what loads characters for `strut-player.js`, with three.js and its loaders, three-vrm and the module of
- * characters in one classic script, which runs in frames without an origin. Only files that are compressed with Draco need
- * something beside it, `assets/draco_decoder.wasm`: it is a fifth of this script, and few have such files.
+ * `strut-character.js`: loads characters for `strut-player.js`, with three.js and its loaders, three-vrm and the module
+ * of characters in one classic script, which runs in frames without an origin. Only files that are compressed with
+ * Draco need another file, `assets/draco_decoder.wasm`: it has a fifth of this script's size, and few files need it.
  */
 import characters from "strut-inline:strut_wasm_character_bg.wasm";
 import { loadCharacter } from "../character/load";

@@ -1,7 +1,7 @@
 /**
- * `strut-player.js`, the script tag: everything that `<strut-player>` needs but the walks, which lie beside it as `walk.bin`
- * and, for frames that may not fetch, as the script `walk.bin.js`. What loads characters is the script `strut-character.js`, and
- * what few need is in the folder `assets`.
+ * `strut-player.js`, the script tag: everything that `<strut-player>` needs except the walks, which are next to it as
+ * `walk.bin` and, for frames that may not fetch, as the script `walk.bin.js`. The script `strut-character.js` loads
+ * characters, and rarely needed files are in the folder `assets`.
  */
 import "../engine/whole";
 import { serve } from "../client/server/serve";
@@ -16,10 +16,10 @@ type Characters = Pick<typeof import("./three"), "loadCharacter">;
 
 const folder = folderOf(document.currentScript);
 
-/** Frames with `sandbox="allow-scripts"` have no origin that a server could allow to fetch; their address still has one. */
+/** Frames with `sandbox="allow-scripts"` have no origin to which a server could grant access; their URL still has one. */
 const mayFetch = self.origin !== "null";
 
-/** The folder of this script. @throws StrutError where it is not one of the page's classic scripts */
+/** The folder of this script. @throws StrutError if it is not one of the page's classic scripts */
 function folderOf(script: HTMLOrSVGScriptElement | null): string {
   if (script instanceof HTMLScriptElement && script.src) return new URL(".", script.src).href;
   const message = "strut-player.js does not know where it lies: it is no module, and nothing to import.";
@@ -27,7 +27,7 @@ function folderOf(script: HTMLOrSVGScriptElement | null): string {
   throw new StrutError({ code: "load", message, hint });
 }
 
-/** The walks, from the script that has them as text. @throws StrutError `load` */
+/** The walks, from the script that contains them as text. @throws StrutError `load` */
 async function walkFromScript(): Promise<Uint8Array<ArrayBuffer>> {
   const file = "walk.bin.js";
   const message = `The built-in motions could not be loaded: there is no ${file} beside strut-player.js.`;
@@ -36,7 +36,7 @@ async function walkFromScript(): Promise<Uint8Array<ArrayBuffer>> {
   return Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 }
 
-/** Databases are built in a worker alone: what builds them is as large as all else here but three.js and the engine. */
+/** Databases are built only in a worker: the code for it is as large as everything else here except three.js and the engine. */
 const SERVERS: Servers = {
   serve,
   serveBuilds: () => {
@@ -52,7 +52,7 @@ async function load() {
 
 let characters: Promise<Characters> | undefined;
 
-/** With three.js of its own: few need it, and a script cannot share what is inside it. @throws StrutError */
+/** Uses a copy of three.js of its own: few pages need it, and a script cannot share its contents. @throws StrutError */
 async function loadCharacter(...given: Parameters<Characters["loadCharacter"]>) {
   const address = new URL("strut-character.js", folder);
   const message = `Characters cannot perform here: ${address.href} could not be loaded.`;

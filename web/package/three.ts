@@ -26,8 +26,9 @@ export { StrutError, type StrutErrorCode } from "../engine/errors";
 export type { Role } from "../humanoid";
 
 /**
- * Binds a character that is in three.js already: an object with a skin, what `GLTFLoader` gives, or a VRM of three-vrm.
- * @throws StrutError `bad-file` with what the model lacks, `bad-input` where an option does not fit it, `load`
+ * Binds a character that already exists in three.js: an object with a skin, a result of `GLTFLoader`, or a VRM of
+ * three-vrm.
+ * @throws StrutError `bad-file` with what the model lacks, `bad-input` if an option does not fit it, `load`
  */
 export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: BindOptions): Promise<Character> {
   place();
@@ -35,15 +36,15 @@ export function bindCharacter(root: Object3D | VrmLike | GltfLike, options?: Bin
 }
 
 /**
- * Loads a character: `.glb`, `.vrm` or `.fbx`. The hair and clothes of a VRM swing where `@pixiv/three-vrm` is installed.
- * @throws StrutError `bad-file`, `licence` where its use was not accepted, `load`, `cancelled`
+ * Loads a character: `.glb`, `.vrm` or `.fbx`. The hair and clothes of a VRM swing if `@pixiv/three-vrm` is installed.
+ * @throws StrutError `bad-file`, `licence` if its use was not accepted, `load`, `cancelled`
  */
 export function loadCharacter(source: CharacterSource, options?: LoadCharacterOptions): Promise<Character> {
   place();
   return load(source, options, threeVrm);
 }
 
-/** three-vrm, where the page has it. Bundlers pass over what is missing only inside `try`. */
+/** three-vrm, if the page has it. Bundlers ignore a missing module only inside `try`. */
 async function threeVrm() {
   try {
     return await import("@pixiv/three-vrm");
@@ -53,8 +54,8 @@ async function threeVrm() {
 }
 
 /**
- * The motions of a file, whether a figure is in it or not: `.glb`, `.vrm`, `.fbx` or `.vrma`. `Strut.openMotion` opens what
- * {@link CharacterMotion.toBVH} gives.
+ * The motions of a file, with or without a character in it: `.glb`, `.vrm`, `.fbx` or `.vrma`. `Strut.openMotion` opens
+ * the result of {@link CharacterMotion.toBVH}.
  * @throws StrutError `bad-file`, `load`, `cancelled`
  */
 export function loadMotions(source: CharacterSource, call?: CallOptions & BindOptions): Promise<CharacterMotion[]> {
@@ -63,8 +64,9 @@ export function loadMotions(source: CharacterSource, call?: CallOptions & BindOp
 }
 
 /**
- * Says where the files lie: where `loadStrut({ assets })` said, else beside this file, in the form that bundlers look for.
- * @throws StrutError `load` where this file has no address
+ * Sets the locations of the files: those given by `loadStrut({ assets })`, or else next to this file, in the form that
+ * bundlers recognise.
+ * @throws StrutError `load` if this file has no URL
  */
 function place(): void {
   try {

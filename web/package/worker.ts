@@ -3,7 +3,7 @@ import "../engine/whole";
 import { type ServerPort, serve } from "../client/server/serve";
 import { type Boot, placeBooted, STARTED } from "./boot";
 
-/** As much of a worker's global scope as its beginning needs. */
+/** The part of a worker's global scope that is needed at its start. */
 interface Scope {
   onmessage: ((event: MessageEvent<Boot>) => void) | null;
   postMessage(message: string): void;

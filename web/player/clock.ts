@@ -1,6 +1,6 @@
 /** The time step of playback. */
 
-/** Longest time step: after a stall, or in a tab that was hidden, the motion continues instead of skipping ahead. */
+/** Longest time step: after a stall, or in a tab that was hidden, the motion continues instead of skipping ahead, seconds. */
 const LONGEST_STEP_SECS = 0.1;
 
 /** Time step in seconds between two animation frames at the given times in milliseconds. */

@@ -1,31 +1,31 @@
-/** The inputs that can be chosen: the engine's built-in ones and the files that were dropped on this page. */
+/** The available inputs: the engine's built-in ones and the files dropped on this page. */
 import type { BuiltInSet, ExactPoses, FileReading, InputSource } from "../client/protocol";
 
-/** Name of the input that is steered instead of played. */
+/** Name of the input that stands for driving. */
 export const DRIVE = "drive";
-/** Beginning of the names of inputs that are performed live; their addresses follow. */
+/** Prefix of the names of live inputs; their addresses follow. */
 export const LIVE = "live:";
 
-/** Whether an input is performed live. */
+/** Whether an input is a live performance. */
 export const isLive = (name: string): boolean => name.startsWith(LIVE);
 
-/** A clip of a database: its number there, and its name. */
+/** A clip of a database: its index and name. */
 export interface LibraryClip {
   clip: number;
   name: string;
 }
 
-/** A file that was dropped. */
+/** A dropped file. */
 export interface DroppedInput {
   name: string;
   file: Blob;
-  /** The poses that it was written from. */
+  /** The poses from which it was written. */
   exact?: ExactPoses;
-  /** What was said of how it is read. */
+  /** How the user specified that it is read. */
   reading?: FileReading;
 }
 
-/** Most clips of a database that a list offers. */
+/** Maximum number of clips of a database that a list offers. */
 export const MOST_CLIPS = 60;
 
 const CLIP = "clip:";
@@ -33,23 +33,23 @@ const CLIP = "clip:";
 /** The value of a clip of the open database in a list of inputs. */
 export const clipValue = (clip: number): string => `${CLIP}${clip}`;
 
-/** The clip of such a value; `undefined` where it is another input. */
+/** The clip of such a value; `undefined` if it is another input. */
 export const clipIn = (value: string): number | undefined =>
   value.startsWith(CLIP) ? Number(value.slice(CLIP.length)) : undefined;
 
 export class InputLibrary {
-  /** Neutral clips of the open database, which become files when they are chosen. */
+  /** Neutral clips of the open database, which become files when they are selected. */
   clips: readonly LibraryClip[] = [];
   builtIn: readonly string[] = [];
-  /** The set that {@link builtIn} is of; all built-in motions where there is none. */
+  /** The set to which {@link builtIn} belongs; all built-in motions if `undefined`. */
   builtInSet: BuiltInSet | undefined;
-  /** Called when a file was added or removed, or something was said of how one is read. */
+  /** Called when a file was added or removed, or the reading of a file changed. */
   onChange: () => void = () => {};
-  /** The browser keeps what is in a blob outside of the page's memory; the engine reads it when it opens it. */
+  /** The browser stores a blob outside the page's memory; the engine reads it when it opens it. */
   readonly #dropped = new Map<string, Blob>();
-  /** Poses that a file was written from. */
+  /** Poses from which a file was written. */
   readonly #exact = new Map<string, ExactPoses>();
-  /** What was said of how files are read. */
+  /** How the user specified that files are read. */
   readonly #readings = new Map<string, FileReading>();
 
   get dropped(): string[] {
@@ -70,7 +70,7 @@ export class InputLibrary {
   }
 
   /**
-   * Adds a file and returns the name it goes by: its own, with a number where that belongs to another one. The same
+   * Adds a file and returns its name in the library: its own, with a number if another file has that name. The same
    * file keeps its name.
    */
   async add(fileName: string, bytes: BlobPart, exact?: ExactPoses): Promise<string> {
@@ -84,13 +84,13 @@ export class InputLibrary {
     return name;
   }
 
-  /** Keeps what is said of how a file is read, also of one that is yet to be added. */
+  /** Stores the reading of a file, also for one that is added later. */
   say(name: string, reading: FileReading): void {
     this.#readings.set(name, reading);
     this.onChange();
   }
 
-  /** A dropped file, with what is known of it; `undefined` where there is none of that name. */
+  /** A dropped file, with its known properties; `undefined` if there is none of that name. */
   file(name: string): DroppedInput | undefined {
     const file = this.#dropped.get(name);
     const exact = this.#exact.get(name);
@@ -98,13 +98,13 @@ export class InputLibrary {
     return file && { name, file, ...(exact && { exact }), ...(reading && { reading }) };
   }
 
-  /** Adds a file once more that was removed, as it was. */
+  /** Restores a file that was removed. */
   async bringBack({ name, file, exact, reading }: DroppedInput): Promise<void> {
     const added = await this.add(name, file, exact);
     if (reading) this.say(added, reading);
   }
 
-  /** Forgets a file. */
+  /** Removes a file. */
   remove(name: string): void {
     this.#dropped.delete(name);
     this.#readings.delete(name);
@@ -112,7 +112,7 @@ export class InputLibrary {
     this.onChange();
   }
 
-  /** What the engine opens for a name; `undefined` where there is no such input. */
+  /** The source that the engine opens for a name; `undefined` if there is no such input. */
   source(name: string): InputSource | undefined {
     const dropped = this.file(name);
     if (dropped) {

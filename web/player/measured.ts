@@ -1,7 +1,7 @@
-/** Motions whose joints are computed once, so that they can be compared at any instant. */
+/** Motions with joint positions computed in advance, so that they can be compared at any instant. */
 import { createWorldPose, headingOf, JOINTS, POSE_FLOATS, worldFromLocal } from "../humanoid";
 
-/** A motion as poses, `POSE_FLOATS` numbers a frame. */
+/** A motion as poses, `POSE_FLOATS` numbers per frame. */
 export interface Posed {
   poses: Float32Array;
 }
@@ -11,7 +11,7 @@ export type Measured<M extends Posed = Posed> = M & {
   frames: number;
   /** Joints in the world, frames × 21 × xyz, metres. */
   world: Float32Array;
-  /** The same with the hips over the origin and the heading along +Z. */
+  /** The joints with the hips over the origin and the heading along +Z. */
   local: Float32Array;
 };
 
@@ -40,7 +40,10 @@ export function measure<M extends Posed>(motion: M, proportions: ArrayLike<numbe
   return { ...motion, frames, world, local };
 }
 
-/** Distance of a joint between a frame of one motion and a fractional frame of another, place and heading aside, metres. */
+/**
+ * Distance of a joint between a frame of one motion and a fractional frame of another, regardless of position and
+ * heading, metres.
+ */
 export function jointDistance(a: Measured, frame: number, b: Measured, other: number, joint: number): number {
   const first = Math.min(Math.floor(other), b.frames - 1);
   const t = other - first;
@@ -49,7 +52,7 @@ export function jointDistance(a: Measured, frame: number, b: Measured, other: nu
   return Math.hypot(apart(0), apart(1), apart(2));
 }
 
-/** Mean distance of the joints of two motions at a frame, place and heading aside, metres. */
+/** Mean distance of the joints of two motions at a frame, regardless of position and heading, metres. */
 export function meanDistance(a: Measured, b: Measured, frame: number, other = frame): number {
   let sum = 0;
   for (let joint = 0; joint < JOINTS; joint++) sum += jointDistance(a, frame, b, other, joint);
@@ -60,8 +63,8 @@ export function meanDistance(a: Measured, b: Measured, frame: number, other = fr
 const buffers = new WeakMap<Posed, Float32Array>();
 
 /**
- * A motion's pose at a fractional frame, `POSE_FLOATS` numbers that the next call for the motion overwrites. Quaternions are
- * interpolated linearly and not normalised: the mannequin does that.
+ * A motion's pose at a fractional frame, `POSE_FLOATS` numbers that the next call for the motion overwrites.
+ * Quaternions are interpolated linearly and not normalised: the mannequin normalises them.
  */
 export function poseAt(motion: Posed, frame: number): Float32Array {
   const out = buffers.get(motion) ?? new Float32Array(POSE_FLOATS);

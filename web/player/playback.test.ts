@@ -1,4 +1,4 @@
-/** The loop between the browser's repaints and the engine, and how a change of style arrives. */
+/** The loop between the browser's repaints and the engine, and the easing of style changes. */
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { LiveFrame, StylizeOptions } from "../client/protocol";
 import { EasedStyles, type StyledStream } from "../client/server/eased_styles";
@@ -11,7 +11,7 @@ const FRAME_MS = 1000 / 60;
 let repaint: (() => void) | undefined;
 let nowMs: number;
 let settled: boolean;
-/** The weights of each `configure`, and the weight of the style that the engine has. */
+/** The weights of each `configure`, and the engine's current weight of the style. */
 let told: number[];
 let weight: number;
 let playback: Playback;
@@ -26,7 +26,7 @@ beforeEach(() => {
     return 1;
   });
   vi.stubGlobal("cancelAnimationFrame", () => {});
-  // An engine that eases as a session does: frame by frame while it plays, and at once where it stands.
+  // A fake engine that eases as a session does: frame by frame while it plays, and at once while paused.
   const stream = {
     weightsOf: ({ proud = 0 }) => Float32Array.of(proud),
     setWeights: ([proud]: Float32Array) => {
@@ -68,7 +68,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-/** Repaints until something holds; the time that it took, seconds. */
+/** Repaints until a condition is true. Returns the time this took, seconds. */
 async function until(holds: () => boolean): Promise<number> {
   const from = nowMs;
   while (!holds() && nowMs - from < 3000) {

@@ -1,6 +1,6 @@
 /**
- * The loop that keeps the character moving: every animation frame it draws the newest frame and asks the engine for
- * the next, one request at a time. A change of style therefore acts with the next frame, also while paused.
+ * The loop that keeps the character moving: every animation frame it draws the newest frame and requests the next one
+ * from the engine, one request at a time. A change of style therefore acts on the next frame, also while paused.
  */
 
 import type { LiveFrame, ShownFrame, StylizeOptions } from "../client/protocol";
@@ -9,38 +9,38 @@ import { stepSecs } from "./clock";
 import type { Prelude } from "./prelude";
 import { approach, type Weights } from "./smoothing";
 
-/** Marks on the browser's time line: when the first frame was drawn, and the first of the engine. */
+/** Marks on the browser's performance timeline: when the first frame was drawn, and the first one from the engine. */
 export const MARKS = { shown: "strut: first frame", styled: "strut: first styled frame" } as const;
 
-/** A first frame counts as seen after this time, though no picture was drawn, milliseconds. */
+/** After this time a first frame counts as seen, even if nothing was drawn, milliseconds. */
 export const UNSEEN_MS = 3000;
 
-/** Failures in a row after which playing stops. */
+/** Consecutive failures after which playback stops. */
 const MAX_FAILURES = 3;
 
-/** What the loop asks of the engine. */
+/** The engine's interface for the loop. */
 export interface PlaybackEngine {
   step(dtSecs: number): Promise<LiveFrame>;
   seek(inputFrame: number): Promise<LiveFrame>;
   configure(options: StylizeOptions): Promise<void>;
 }
 
-/** How the loop begins before the engine has an input. */
+/** The prelude that plays before the engine has an input. */
 export interface Opening {
   prelude: Prelude;
   /** A new frame of the prelude. */
   onFrame(shown: ShownFrame): void;
-  /** Has the engine go on from a frame, in the same place and at the same time. */
+  /** Makes the engine continue from a frame, at the same position and time. */
   continueFrom(shown: ShownFrame): Promise<unknown>;
 }
 
 export interface PlaybackListeners {
-  /** A new frame came from the engine; `sought` where it does not follow the one before. */
+  /** A new frame arrived from the engine; `sought` if it does not follow the previous one. */
   onFrame: (frame: LiveFrame, sought: boolean) => void;
-  /** Before every repaint of the browser. */
+  /** Called before every repaint of the browser. */
   onTick: (now: number) => void;
   onError: (error: unknown, stopped: boolean) => void;
-  /** The engine has the latest options, and the styles have been eased to them. */
+  /** The engine has the latest options, and the easing of the styles has ended. */
   onSettled: () => void;
 }
 
@@ -51,11 +51,11 @@ export class Playback {
   readonly #listeners: PlaybackListeners;
   #target: StylizeOptions | undefined;
   /**
-   * Weights that the engine has now; they approach the target's with a half-life. While it plays, the engine eases them, and is told
-   * of a change once. While it is paused, the engine applies weights at once, so the page sends every step.
+   * The engine's current weights, which approach the target's with a half-life. While it plays, the engine eases them,
+   * and a change is sent once. While paused, the engine applies weights at once, so the page sends every step.
    */
   #weights: Weights | undefined;
-  /** The options that the engine is easing the styles to. */
+  /** The options to which the engine is easing the styles. */
   #told: StylizeOptions | undefined;
   #stale = false;
   #seek: number | undefined;
@@ -64,12 +64,12 @@ export class Playback {
   #held = 0;
   #failures = 0;
   #request = 0;
-  /** What is shown until the engine's first frame. */
+  /** The prelude, which is shown until the engine's first frame. */
   #opening: Opening | undefined;
-  /** Whether the engine was told to go on from it. */
+  /** Whether the engine was asked to continue from it. */
   #handedOver = false;
   readonly #marks = new Map<string, "to be drawn" | "drawn">();
-  /** When the first frame of the prelude was given, milliseconds. */
+  /** Time of the first frame of the prelude, milliseconds. */
   #firstAt: number | undefined;
   /** Time of the last repaint, milliseconds. */
   #ticked = 0;
@@ -96,12 +96,12 @@ export class Playback {
     return !this.#stale;
   }
 
-  /** Whether the pose on screen answers the latest request. While playing, a new request follows at once. */
+  /** Whether the displayed pose answers the latest request. While playing, a new request follows at once. */
   get upToDate(): boolean {
     return this.settled && !this.#busy && this.#seek === undefined;
   }
 
-  /** Options from the next frame on. Styles are eased to them; all other options act at once. */
+  /** Options from the next frame on. Styles are eased; all other options act at once. */
   set options(options: StylizeOptions) {
     this.#target = options;
     this.#told = undefined;
@@ -109,7 +109,7 @@ export class Playback {
     this.#stale = true;
   }
 
-  /** Goes to an input frame; only the last request before a repaint counts. */
+  /** Jumps to an input frame; only the last request before a repaint counts. */
   seek(frame: number): void {
     this.#seek = frame;
   }
@@ -120,12 +120,12 @@ export class Playback {
     this.#stale = true;
   }
 
-  /** Forgets the current styles, which another database does not have: the next ones act without easing. */
+  /** Forgets the current styles, which another database does not have. The next ones act without easing. */
   forgetStyle(): void {
     this.#weights = undefined;
   }
 
-  /** Shows something until the engine has an input, which it goes on with from there, in the same place; starts the loop. */
+  /** Shows a prelude until the engine has an input, which continues from there, at the same position. Starts the loop. */
   startWith(opening: Opening): void {
     this.#opening = opening;
     this.start();
@@ -143,14 +143,14 @@ export class Playback {
     }
   }
 
-  /** Advances by a fixed time step, independent of the clock; for use within {@link hold}. */
+  /** Advances by a fixed time step, independent of the clock; to be used within {@link hold}. */
   async advance(secs: number): Promise<LiveFrame> {
     const frame = await this.#client.step(secs);
     this.#listeners.onFrame(frame, false);
     return frame;
   }
 
-  /** The frames that were given are drawn: a first one is when it is seen, not when it was computed. */
+  /** Called when the displayed frames are drawn. The first frame counts from when it is seen, not from when it was computed. */
   drawn(): void {
     for (const [name, state] of this.#marks) {
       if (state === "drawn") continue;
@@ -173,7 +173,7 @@ export class Playback {
       return;
     }
     const elapsed = Math.max(0, (now - this.#last) / 1000);
-    // However long the engine takes to begin: the prelude goes on meanwhile.
+    // The prelude continues however long the engine takes to start.
     const dt = this.#opening ? elapsed : stepSecs(this.#last, now);
     this.#last = now;
     const restyled = this.#configure(this.#target, this.playing ? dt * this.speed : elapsed);
@@ -196,14 +196,14 @@ export class Playback {
       });
   };
 
-  /** Notes what the next picture shows for the first time. */
+  /** Records that the next image shows something for the first time. */
   #mark(name: string): void {
     if (!this.#marks.has(name)) this.#marks.set(name, "to be drawn");
   }
 
   /**
-   * Whether the first frame of the prelude is still to be drawn. Nothing goes on before: a clock and a time line that run
-   * would take from the graphics processor the time that the first picture needs.
+   * Whether the first frame of the prelude has not been drawn yet. The clock does not start before: a running clock and
+   * timeline would take GPU time away from the first image.
    */
   #isUnseen(now: number): boolean {
     return (
@@ -214,7 +214,7 @@ export class Playback {
   #showPrelude({ prelude, onFrame }: Opening, now: number): void {
     const dt = stepSecs(this.#ticked, now);
     this.#ticked = now;
-    // The engine's first frame is of the moment at which it was asked for.
+    // The engine's first frame shows the moment at which it was requested.
     if (!this.playing || (this.#handedOver && this.#busy)) return;
     if (this.#isUnseen(now)) return;
     if (this.#firstAt === undefined) this.#firstAt = now;
@@ -223,7 +223,7 @@ export class Playback {
     onFrame(prelude.shown);
   }
 
-  /** Has the engine go on from the prelude, in its styles at first; the prelude is shown until the next frame is there. */
+  /** Makes the engine continue from the prelude, initially in its styles. The prelude is shown until the next frame arrives. */
   #handOver({ prelude, continueFrom }: Opening, target: StylizeOptions, now: number): void {
     this.#weights = prelude.styles;
     this.#send({ ...target, styles: approach(prelude.styles, target.styles, 0) });
@@ -237,7 +237,7 @@ export class Playback {
       });
   }
 
-  /** Tells the engine of changed options; whether there were any. The step that follows is answered after it. */
+  /** Sends changed options to the engine. Returns whether there were any. The step that follows is answered after it. */
   #configure(target: StylizeOptions, dt: number): boolean {
     if (!this.#stale) return false;
     // The engine is a frame or two behind.

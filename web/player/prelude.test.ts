@@ -6,7 +6,7 @@ import { Playback } from "./playback";
 import { Prelude } from "./prelude";
 
 describe("the start of playback", () => {
-  /** Runs the callbacks that were asked for before the next repaint. */
+  /** Runs the callbacks requested before the next repaint. */
   let repaint: (now: number) => void;
   beforeEach(() => {
     let waiting: FrameRequestCallback[] = [];
@@ -25,7 +25,7 @@ describe("the start of playback", () => {
     vi.unstubAllGlobals();
   });
 
-  /** A clip whose poses say by their first number which frame they are of. */
+  /** A clip whose poses contain their frame index as the first number. */
   const CLIP = {
     frames: 600,
     rateHz: 60,
@@ -36,7 +36,7 @@ describe("the start of playback", () => {
     },
   };
 
-  /** An engine that goes on from where it is told to, and answers when it is let. */
+  /** An engine that continues from the requested frame, and answers only when the test releases it. */
   class SlowEngine {
     frame = 0;
     styles: object[] = [];
@@ -98,14 +98,14 @@ describe("the start of playback", () => {
       }
     };
     wait(30);
-    // Nothing can draw yet: the clip waits for its first picture.
+    // Nothing can be drawn yet: the clip waits for its first image.
     expect(shown).toEqual([["clip", 0]]);
     playback.drawn();
     wait(30);
     expect(shown.at(-1)![1]).toBeCloseTo(30);
     expect(engine.asked).toEqual([]);
     playback.options = { ...DEFAULT_OPTIONS, styles: { proud: 1 } };
-    // The engine takes 12 repaints to begin, longer than a step may be otherwise.
+    // The engine takes 12 repaints to start, longer than a normal step may take.
     wait(12);
     expect(engine.asked).toEqual(["continueFrom"]);
     expect(engine.styles).toEqual([{ neutral: 1, proud: 0 }]);

@@ -1,4 +1,4 @@
-/** What is shown until the engine has the first input: that input as it is, on a clock of its own. */
+/** The prelude shown until the engine has the first input: that input unchanged, on a clock of its own. */
 
 import type { FirstSteps } from "../client/first_steps";
 import type { ShownFrame } from "../client/protocol";
@@ -7,7 +7,7 @@ import type { Weights } from "./smoothing";
 export class Prelude {
   #secs = 0;
 
-  /** @param styles what the clip is performed in */
+  /** @param styles styles in which the clip is performed */
   constructor(
     private readonly clip: Pick<FirstSteps, "frames" | "rateHz" | "poseAt">,
     readonly styles: Weights,
@@ -17,7 +17,7 @@ export class Prelude {
     this.#secs += dtSecs;
   }
 
-  /** The present frame; the clip is repeated. */
+  /** The current frame; the clip loops. */
   get shown(): ShownFrame {
     const { frames, rateHz } = this.clip;
     const inputFrame = (this.#secs * rateHz) % frames;

@@ -31,6 +31,6 @@ test("a file that is saved before the first frame is styled with the whole datab
   const saved = await saving;
   expect(await exchanging).toBe("done");
   expect(saved).toMatch(/^HIERARCHY/);
-  // The database is another now, and the file the same.
+  // The database has changed, and the file is the same.
   expect(await session.exportBvh()).toBe(saved);
 });

@@ -1,6 +1,7 @@
 /**
- * What is open in the engine: one database, one input, and the analysis of that input in the present style. Opens,
- * replaces and exports; a failure leaves what was open. Independent of the page, which listens to its events.
+ * The objects open in the engine: one database, one input, and the analysis of that input in the current style. Opens,
+ * replaces and exports them. A failure leaves everything open as it was. It is independent of the page, which listens
+ * to its events.
  */
 
 import type { OpenedAtlas } from "../client/atlas/opened_atlas";
@@ -41,51 +42,51 @@ import { Playback, type PlaybackEngine, UNSEEN_MS } from "./playback";
 import { Prelude } from "./prelude";
 import type { Weights } from "./smoothing";
 
-/** An edit has settled when nothing has changed for so long. */
+/** An edit has settled when nothing has changed for this time. */
 const SETTLE_MS = 150;
 
 /** Events of a session. */
 export interface SessionListeners {
   onDatabase: (database: DatabaseInfo) => void;
   onInput: (input: InputInfo) => void;
-  /** A character is steered in place of the input that is open; `undefined`: that input is played again, or another one. */
+  /** Driving started, in place of the open input; `undefined`: the input, or another one, is played again. */
   onDrive: (drive: DriveInfo | undefined) => void;
-  /** A performer is styled in place of the input that is open; `undefined`: that input is played again, or another one. */
+  /** A live performance started, in place of the open input; `undefined`: the input, or another one, is played again. */
   onLive: (live: LivePerformer | undefined) => void;
-  /** A link names a performer: nothing is connected to unless a person says so. */
+  /** A link names a live performer. Nothing is connected until the user agrees. */
   onLiveAsked: (name: string) => void;
   onAnalysis: (analysis: Analysis) => void;
-  /** The examples behind the last analysis, as far as the curve shows them. */
+  /** The examples behind the last analysis, with the values that the curve shows. */
   onExamples: (examples: Examples | undefined) => void;
-  /** A new frame, of a steered character a `DriveFrame`; `sought` where it does not follow the one before. */
+  /** A new frame, for a driven character a `DriveFrame`; `sought` if it does not follow the previous one. */
   onFrame: (frame: LiveFrame | DriveFrame, sought: boolean) => void;
-  /** A new frame of what is shown until the engine has an input. */
+  /** A new frame of the prelude. */
   onPrelude: (shown: ShownFrame) => void;
-  /** Before every repaint of the browser; `now` in milliseconds. */
+  /** Called before every repaint of the browser; `now` in milliseconds. */
   onTick: (now: number) => void;
-  /** Something failed. */
+  /** An operation failed. */
   onError: (error: unknown) => void;
-  /** The engine failed too often to go on playing. */
+  /** The engine failed too often; playback stopped. */
   onStopped: () => void;
-  /** The engine crashed and was restarted. */
+  /** The engine failed and was restarted. */
   onRestart: (restarted: Restarted) => void;
 }
 
-/** A performer, and the name of the input that it is. */
+/** A live performer, and the name of its input. */
 export interface LivePerformer {
   readonly name: string;
   readonly stream: PerformerStream;
 }
 
-/** How something that may fail or be cancelled ended. */
+/** Result of an operation that can fail or be cancelled. */
 export type Outcome = "done" | "failed" | "cancelled";
 
-/** What may take long: opening a database or an input, the analysis in the background, or making a file. */
+/** Long tasks: opening a database or an input, the background analysis, or making a file. */
 export type SessionTask = "database" | "input" | "analysis" | "styling" | "export";
 
-/** Shows what takes long, and lets it be cancelled. */
+/** Shows the progress of long tasks, and lets the user cancel them. */
 export interface SessionProgress {
-  /** Runs a task about `subject`, a name; a task of the same kind that is running is cancelled. */
+  /** Runs a task about `subject`, a name. A running task of the same kind is cancelled. */
   run<T>(task: SessionTask, subject: string, work: (options: CallOptions) => Promise<T>): Promise<T>;
   cancel(task: SessionTask): void;
 }
@@ -101,42 +102,42 @@ export class Session {
   readonly library = new InputLibrary();
   readonly playback: Playback;
   database: DatabaseInfo | undefined;
-  /** Where {@link database} comes from. */
+  /** Source of {@link database}. */
   databaseSource: DatabaseSource | undefined;
   input: InputInfo | undefined;
-  /** Name, in the library, of the input that is open. */
+  /** Name of the open input in the library. */
   inputName = "";
-  /** What is driven with, while a character is steered; {@link input} stays open beside it. */
+  /** Facts of driving, while a character is driven; {@link input} stays open. */
   drive: DriveInfo | undefined;
-  /** While somebody performs; {@link input} stays open beside it. */
+  /** The live performer, while there is one; {@link input} stays open. */
   live: LivePerformer | undefined;
-  /** The performer that a link named and that nobody was asked about yet. */
+  /** The performer that a link named, until the user is asked about it. */
   liveAsked: string | undefined;
-  /** What people said of skeletons, which counts for files of which nothing is said. */
+  /** Returns the user's readings of skeletons, which apply to files without a reading of their own. */
   remembered: () => RememberedReadings = () => ({});
-  /** What is asked of the steered character now. */
+  /** Returns the current steering input. */
   steer: () => DriveControl = () => STILL;
-  /** The last analysis of the input that is open; {@link analysed} says whether it is in the present style. */
+  /** The last analysis of the open input; {@link analysed} tells whether it is in the current style. */
   analysis: Analysis | undefined;
-  /** The examples behind {@link analysis}, as far as the curve shows them. */
+  /** The examples behind {@link analysis}, with the values that the curve shows. */
   examples: Examples | undefined;
   /** The newest frame of the engine. */
   frame: LiveFrame | DriveFrame | undefined;
-  /** What the timeline's curve shows, where examples of it can be shown beside it. */
+  /** The quantity that the timeline's curve shows, if examples of it can be shown too. */
   #curve: CurveSubject | undefined;
-  /** Whether the engine has the clip in the present options. */
+  /** Whether the engine has the clip with the current options. */
   #analysed = false;
-  /** Whether a database is about to take the place of the open one. */
+  /** Whether a database is about to replace the open one. */
   #exchanging = false;
   readonly #client: StrutClient;
   readonly #progress: SessionProgress;
   readonly #listeners = new Set<Partial<SessionListeners>>();
   #settle: ReturnType<typeof setTimeout> | undefined;
-  /** What waits until the engine has the present style all the way. */
+  /** Callbacks waiting until the engine has eased to the current style. */
   #whenSettled: (() => void)[] = [];
-  /** Whether the engine's first frame was seen, or failed. */
+  /** Whether the engine's first frame was displayed, or failed. */
   #isPlaying = false;
-  /** What waits for that. */
+  /** Callbacks waiting for that. */
   #whenPlaying: (() => void)[] = [];
 
   constructor(client: StrutClient, progress: SessionProgress) {
@@ -155,7 +156,7 @@ export class Session {
     };
     this.playback = new Playback(engine, {
       onFrame: (frame, sought) => {
-        // Where nothing is drawn, as in a page out of sight, the others need not wait for it for ever.
+        // If nothing is drawn, as in a hidden page, the callbacks must not wait forever.
         if (!this.frame) setTimeout(() => this.#plays(), UNSEEN_MS);
         this.frame = frame;
         this.#tell("onFrame", frame, sought);
@@ -164,7 +165,7 @@ export class Session {
       onError: (error, stopped) => {
         this.#plays();
         if (stopped) this.#tell("onStopped");
-        // What is asked again once the engine has been started again has not failed.
+        // An operation that will be repeated after the engine has restarted has not failed.
         if (stopped || !isFault(error)) this.#tell("onError", error);
       },
       onSettled: () => {
@@ -182,29 +183,32 @@ export class Session {
     };
   }
 
-  /** Name of what is shown: in the library, {@link DRIVE} while a character is steered, or the performer's. */
+  /** Name of the displayed input: in the library, {@link DRIVE} while driving, or the live performer's. */
   get chosen(): string {
     return this.live?.name ?? (this.drive ? DRIVE : this.inputName);
   }
 
-  /** What was said of how the file that is shown is read. */
+  /** The user's reading of the displayed file. */
   get reading(): FileReading {
     return (!this.endless && this.input?.reading?.said) || {};
   }
 
-  /** Whether what is shown has no time line: a character who is steered, or a performer. */
+  /** Whether the displayed motion has no timeline: driving, or a live performer. */
   get endless(): boolean {
     return this.drive !== undefined || this.live !== undefined;
   }
 
-  /** Tells `listeners` what happens, in the order in which they came, until `signal` aborts. */
+  /** Calls `listeners` on events, in the order in which they were added, until `signal` aborts. */
   listen(listeners: Partial<SessionListeners>, signal?: AbortSignal): void {
     if (signal?.aborted) return;
     this.#listeners.add(listeners);
     signal?.addEventListener("abort", () => this.#listeners.delete(listeners), { once: true });
   }
 
-  /** Begins to play with a clip of the first input in `styles`, until the engine has that input; it then goes on from there. */
+  /**
+   * Starts playback with a clip of the first input in `styles`, until the engine has that input, which continues from
+   * there.
+   */
   startWith(clip: FirstSteps, styles: Weights): void {
     if (this.input) return;
     this.playback.startWith({
@@ -229,18 +233,18 @@ export class Session {
         const name = this.library.has(inputName) ? inputName : this.library.first;
         const { frame } = this;
         const stands = name === this.inputName && !this.playback.playing;
-        // Where nobody can be steered, something is shown all the same.
+        // If driving is not possible, the first input is shown.
         if (name === DRIVE) await this.#open(this.library.first);
         await this.#open(name);
-        // What stands still stays where it is.
+        // A paused character stays where it is.
         if (frame && stands) this.playback.seek(frame.inputFrame);
       }),
     );
   }
 
   /**
-   * Opens a database beside the open one, once that is seen to play, and then puts it in its place: what plays goes on without a
-   * jump. Until then nothing is analysed.
+   * Opens a database in a second engine, after playback has begun, and then replaces the open one: playback continues
+   * without a jump. Nothing is analysed until then.
    */
   async exchangeDatabase(source: DatabaseSource, signal: AbortSignal): Promise<Outcome> {
     this.#exchanging = true;
@@ -254,18 +258,18 @@ export class Session {
     return outcome;
   }
 
-  /** The frames that were given are drawn. */
+  /** Called when the displayed frames are drawn. */
   drawn(): void {
     this.playback.drawn();
     if (this.frame && !this.#isPlaying) this.#plays();
   }
 
-  /** Opens an input of the library; `reading` is what is said of its file now. */
+  /** Opens an input of the library; `reading` is the new reading of its file. */
   openInput(name: string, reading?: FileReading): Promise<Outcome> {
     return this.#attempt(() => this.#open(name, reading));
   }
 
-  /** Opens the file that is open once more, read as a person says, and goes on at the same frame. */
+  /** Opens the current file again with a reading specified by the user, and continues at the same frame. */
   readAs(reading: FileReading): Promise<Outcome> {
     return this.#attempt(async () => {
       const { inputName, frame } = this;
@@ -275,8 +279,8 @@ export class Session {
   }
 
   /**
-   * Opens a dropped file as the input; the name it goes by, or `undefined` where it cannot be opened. `onRefused` is told why, in
-   * place of those who listen for errors.
+   * Opens a dropped file as the input. Returns its name in the library, or `undefined` if it cannot be opened. The
+   * error is passed to `onRefused` instead of the error listeners.
    */
   async openFile(
     fileName: string,
@@ -291,7 +295,10 @@ export class Session {
     return outcome === "done" ? name : undefined;
   }
 
-  /** Opens a clip of the open database as the input, as if its file had been dropped; its name, as {@link openFile}. */
+  /**
+   * Opens a clip of the open database as the input, as if its file had been dropped. Returns its name, as {@link
+   * openFile} does.
+   */
   async openClip(clip: number): Promise<string | undefined> {
     const { database } = this;
     const found = this.library.clips.find((known) => known.clip === clip);
@@ -306,7 +313,7 @@ export class Session {
     return name;
   }
 
-  /** Has a performer be styled, whose input goes by a name; `undefined` where that failed. */
+  /** Starts styling a live performer, whose input has the name `name`; `undefined` if that failed. */
   async openLive(name: string, delaySecs: number | undefined): Promise<PerformerStream | undefined> {
     let opened: PerformerStream | undefined;
     await this.#attempt(async () => {
@@ -324,7 +331,7 @@ export class Session {
     return opened;
   }
 
-  /** Says that a link names a performer. */
+  /** Reports that a link names a live performer. */
   askForLive(name: string): void {
     this.liveAsked = name;
     this.#tell("onLiveAsked", name);
@@ -334,12 +341,12 @@ export class Session {
     void this.#attempt(() => this.#client.setLoop(loop, range));
   }
 
-  /** Whether {@link analysis} is of the present input in the present style. */
+  /** Whether {@link analysis} is of the current input in the current style. */
   get analysed(): boolean {
     return this.#analysed;
   }
 
-  /** Analyses the input again once nothing has changed for a moment, `delayMs`. */
+  /** Analyses the input again once nothing has changed for `delayMs`. */
   analyseSoon(delayMs = SETTLE_MS): void {
     clearTimeout(this.#settle);
     this.#analysed = false;
@@ -347,39 +354,39 @@ export class Session {
     if (!this.#exchanging) this.#settle = setTimeout(() => void this.#attempt(() => this.#analyse()), delayMs);
   }
 
-  /** What the timeline's curve shows; `undefined` where examples of it cannot be compared. */
+  /** The quantity that the timeline's curve shows; `undefined` if examples of it cannot be compared. */
   set curve(subject: CurveSubject | undefined) {
     if (subject === this.#curve) return;
     this.#curve = subject;
     if (this.#analysed) void this.#attempt(() => this.#showExamples());
   }
 
-  /** The whole input in other options; see `StrutClient.style`. */
+  /** The whole input with other options; see `StrutClient.style`. */
   style(options: StylizeOptions, call: CallOptions): Promise<Analysis & { frameMs: number }> {
     return this.#client.style(options, call);
   }
 
-  /** The whole input in the present style, once the engine has it; `undefined` where that failed or was cancelled. */
+  /** The whole input in the current style, once the engine has it; `undefined` if that failed or was cancelled. */
   styled(): Promise<Analysis | undefined> {
     return this.#make("styling", (options) => this.#client.analyse(options));
   }
 
-  /** The input on the database as a picture of every distance; see `StrutClient.openAtlas`. */
+  /** The input on the database as a picture of all distances; see `StrutClient.openAtlas`. */
   openAtlas(columns: number, call: CallOptions): Promise<OpenedAtlas> {
     return this.#client.openAtlas(columns, call);
   }
 
-  /** The input in every style, for those who perform it; see `StrutClient.record`. */
+  /** The input in every style, for crowds that perform it; see `StrutClient.record`. */
   record(options: StylizeOptions, range: FrameRange | undefined, call: CallOptions): Promise<RecordedMotion> {
     return this.#client.record(options, range, call);
   }
 
-  /** The styled input as BVH text; `undefined` where that failed or was cancelled. */
+  /** The styled input as BVH text; `undefined` if that failed or was cancelled. */
   exportBvh(): Promise<string | undefined> {
     return this.#make("export", (options) => this.#client.exportBvh(options));
   }
 
-  /** What was driven; `undefined` where that failed. */
+  /** The recording of driving; `undefined` if that failed. */
   async driven(): Promise<Driven | undefined> {
     let driven: Driven | undefined;
     await this.#attempt(async () => {
@@ -388,13 +395,13 @@ export class Session {
     return driven;
   }
 
-  /** Brings the steered character back to the middle of the ground, and forgets what it did. */
+  /** Moves the driven character back to the middle of the ground, and discards its recording. */
   async resetDrive(): Promise<void> {
     await this.#attempt(() => this.#client.resetDrive([0, 0, 0]));
     this.playback.refresh();
   }
 
-  /** Resolves when the last request is on screen. */
+  /** Resolves when the last request is displayed. */
   async shown(): Promise<void> {
     while (!this.playback.upToDate) await new Promise(requestAnimationFrame);
   }
@@ -409,7 +416,7 @@ export class Session {
   async #takeDatabase(source: DatabaseSource, database: DatabaseInfo): Promise<void> {
     this.library.builtIn = await this.#client.builtInInputs();
     this.library.builtInSet = source.kind === "demo" ? source.set : undefined;
-    // Those of the built-in one are the built-in motions.
+    // The clips of the built-in database are the built-in motions.
     this.library.clips = source.kind === "demo" ? [] : await this.#client.neutralClips().catch(() => []);
     this.database = database;
     this.databaseSource = source;
@@ -432,23 +439,23 @@ export class Session {
     this.examples = undefined;
     this.playback.refresh();
     this.#tell("onInput", input);
-    // Unlike an edit, which may go on, it is whole.
+    // Unlike an edit, which may continue, this change is complete.
     this.analyseSoon(0);
   }
 
-  /** What the engine opens for a name. @throws UnknownInput */
+  /** The source that the engine opens for a name. @throws UnknownInput */
   #sourceOf(name: string, said: FileReading | undefined): InputSource {
     const source = this.library.source(name);
     if (!source) throw new UnknownInput(name);
     if (source.kind === "built-in") return source;
     const { exact, ...file } = source;
     const reading = said ?? source.reading;
-    // Poses that a file was written from are not read at all.
+    // If the poses behind a file are known, the file is not read.
     const isRead = reading !== undefined && Object.keys(reading).length > 0;
     return { ...file, ...(exact && !isRead && { exact }), reading, remembered: this.remembered() };
   }
 
-  /** Has a character be steered from where the one on screen is. */
+  /** Starts driving from the position of the displayed character. */
   async #openDrive(): Promise<void> {
     const from = this.#root();
     this.drive = await this.#progress.run("input", DRIVE, (options) => this.#client.openDrive(from, options));
@@ -471,7 +478,7 @@ export class Session {
     this.#tell("onLive", undefined);
   }
 
-  /** What is shown of a performer now; what was shown before, while nobody is there and in a pause. */
+  /** The current frame of a live performer; the last displayed frame while there is no performer, and while paused. */
   async #perform({ stream }: LivePerformer, dtSecs: number): Promise<LiveFrame> {
     const shown = dtSecs > 0 ? await stream.advance() : undefined;
     if (!shown) return this.frame ?? this.#client.step(0);
@@ -481,7 +488,7 @@ export class Session {
     return { pose, inputPose, planted, reads, inputFrame: frame, timeOut, frameMs, looped: false, ended: false };
   }
 
-  /** Where the character on screen is. */
+  /** Position and heading of the displayed character. */
   #root(): Root {
     const pose = this.frame?.pose;
     if (!pose || !this.database) return [0, 0, 0];
@@ -532,8 +539,8 @@ export class Session {
   }
 
   /**
-   * Makes something of the whole input once the engine has the present style. Not before it plays: until then the open database
-   * may be a part of the one that is asked for, see {@link exchangeDatabase}.
+   * Makes a result of the whole input once the engine has the current style, and not before playback has begun: until
+   * then the open database may be only a part of the requested one, see {@link exchangeDatabase}.
    */
   async #make<T>(task: SessionTask, work: (options: CallOptions) => Promise<T>): Promise<T | undefined> {
     let made: T | undefined;
@@ -545,7 +552,7 @@ export class Session {
     return made;
   }
 
-  /** Runs a task and reports its error, to those who listen unless told otherwise; a cancellation is not reported. */
+  /** Runs a task and reports its error, to the listeners by default; a cancellation is not reported. */
   async #attempt(
     task: () => Promise<void>,
     report: (error: unknown) => void = (error) => this.#tell("onError", error),

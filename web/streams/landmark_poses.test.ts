@@ -19,7 +19,7 @@ test("landmarks are frames until the signal aborts", async () => {
   const ended = landmarkPoses(subscribe, { mirrored: true }).start(sink, ending.signal);
   const points = Array.from({ length: LANDMARKS }, (_, i): Landmark => ({ x: i, y: 0, z: 0 }));
   see!(points, 1.5);
-  // What is no body is no frame.
+  // An incomplete body gives no frame.
   see!(points.slice(1), 1.6);
   expect(said).toEqual([{ kind: "landmarks", mirrored: true }, [1.5, 132, 1, 1]]);
   ending.abort();

@@ -1,33 +1,33 @@
-/** Poses of what a body tracker sees in a camera's picture. The page brings the tracker. */
+/** Poses from a body tracker on a camera image. The page provides the tracker. */
 import type { PoseSource } from "./pose_source";
 
-/** Points that a tracker gives (BlazePose's numbering). */
+/** Number of points of a tracker (BlazePose's numbering). */
 export const LANDMARKS = 33;
 
-/** A point of the body, metres about the middle of the hips: x to the right of the picture, y down, z away from the camera. */
+/** A point of the body, metres about the middle of the hips: x to the right of the image, y down, z away from the camera. */
 export interface Landmark {
-  /** To the right of the picture. */
+  /** To the right of the image. */
   readonly x: number;
   /** Down. */
   readonly y: number;
   /** Away from the camera. */
   readonly z: number;
-  /** From 0, hidden, to 1; a limb with a point below 0.5 keeps its pose. Without it the point is seen. */
+  /** From 0, hidden, to 1; a limb with a point below 0.5 keeps its pose. Without it the point counts as visible. */
   readonly visibility?: number;
 }
 
-/** Is called with the landmarks of every picture, and when it was taken, seconds. */
+/** Receives the landmarks of every image, and the time when it was taken, seconds. */
 export type OnLandmarks = (landmarks: readonly Landmark[], secs: number) => void;
 
 /** Options of `landmarkPoses`. */
 export interface LandmarkOptions {
-  /** Whether the tracker sees a mirrored picture. */
+  /** Whether the tracker's image is mirrored. */
   readonly mirrored?: boolean;
 }
 
 /**
- * Poses of landmarks.
- * @param subscribe begins to call its argument with landmarks; what it gives back ends that
+ * Poses from landmarks.
+ * @param subscribe starts to call its argument with landmarks; returns a function that stops it
  */
 export function landmarkPoses(
   subscribe: (onLandmarks: OnLandmarks) => () => void,

@@ -12,39 +12,39 @@ import type { PoseSink, PoseSource } from "./pose_source";
 /** Longest recording, seconds. */
 const MAX_RECORDED_SECS = 3600;
 
-/** How a performer is styled. */
+/** Options of styling a live performer. */
 export interface LiveOptions extends Partial<StylizeOptions> {
-  /** How long frames wait so that late ones come in time: as their jitter asks, or so many milliseconds, 0 to 200. */
+  /** Buffering delay of frames, so that late ones arrive in time: adapted to their jitter, or 0 to 200 milliseconds. */
   readonly delay?: "auto" | number;
-  /** Whether the figure is drawn to the performer's place, or goes where its steps lead. */
+  /** Whether the figure is pulled to the performer's position, or goes where its steps lead. */
   readonly place?: "follow" | "free";
 }
 
-/** A performer who is styled as poses arrive. */
+/** A performer styled as poses arrive. */
 export interface Live {
-  /** Is called with every frame that is shown, at the database's rate; not while nothing comes. */
+  /** Receives every displayed frame, at the database's rate; not called while nothing arrives. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
-  /** Called with a message when something does not work: no answer from the source, or data that is not a body. The stream continues. */
+  /** Receives a sentence about a problem: the sender does not answer, or its data is not a body. The stream continues. */
   onTrouble: ((sentence: string) => void) | undefined;
-  /** How the stream goes. */
+  /** Statistics of the stream. */
   readonly stats: LiveStats;
   /** Takes effect with the next frame. @throws StrutError `bad-input`, at once */
   setStyles(styles: StyleWeights, change?: StyleChange): void;
-  /** Begins to keep what is shown, for an hour at most. */
+  /** Starts a recording of the displayed frames, at most an hour. */
   record(): LiveRecorder;
-  /** Ends it, with its source. */
+  /** Closes the stream and its source. */
   close(): void;
 }
 
-/** A recording that goes on. */
+/** A recording in progress. */
 export interface LiveRecorder {
-  /** Ends the recording, and gives it. */
+  /** Ends and returns the recording. */
   stop(): LiveRecording;
 }
 
-/** What was shown, on the body of the database and at its rate; 87 numbers a frame. */
+/** The recorded frames, on the body of the database and at its frame rate; 87 numbers per frame. */
 export interface LiveRecording {
-  /** How many there are. */
+  /** Number of frames. */
   readonly frames: number;
   /** The styled poses. */
   readonly poses: Float32Array;
@@ -56,7 +56,7 @@ export interface LiveRecording {
   inputToBVH(): string;
 }
 
-/** @throws StrutError where something cannot be loaded, or an option is wrong */
+/** @throws StrutError if something cannot be loaded, or an option is invalid */
 export async function openLive(
   engine: EngineClient,
   database: ClientDatabase,
@@ -114,7 +114,7 @@ class SourceLive implements Live {
   }
 
   async #listen(source: PoseSource, signal: AbortSignal): Promise<void> {
-    // Whoever opened it first says what is to become of troubles.
+    // The caller first sets its handler for problems.
     await new Promise((resolve) => setTimeout(resolve));
     if (!signal.aborted) await source.start(this.#sink(), signal).catch((thrown) => this.#trouble(thrown));
   }
@@ -145,11 +145,11 @@ class SourceLive implements Live {
       } catch (thrown) {
         if (signal.aborted) return;
         this.#trouble(thrown);
-        // Another engine takes the place of one that failed; what else is refused will be again.
+        // Another engine replaces a failed one; any other refusal would be repeated.
         if (!isFault(thrown)) return;
       }
       await nextRepaint(1000 / this.#stream.database.info.rateHz);
-      // With the engine, or its database, all that it feeds ends: an open loop would keep a program of Node running.
+      // With the engine, or its database, the stream ends: an open loop would keep a Node program running.
       if (this.#stream.closed) this.close();
     }
   }
@@ -159,7 +159,7 @@ class SourceLive implements Live {
   }
 }
 
-/** The next repaint of the browser, or, where there is none, a while later. */
+/** The next repaint of the browser or, without one, a delay. */
 function nextRepaint(ms: number): Promise<void> {
   return new Promise((resolve) => {
     if (typeof requestAnimationFrame === "function") requestAnimationFrame(() => resolve());

@@ -1,4 +1,4 @@
-/** Messages of senders, good and hostile. */
+/** Messages of senders, valid and hostile. */
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { POSE_FLOATS } from "../humanoid";

@@ -1,18 +1,18 @@
-/** Messages of a sender: JSON, binary, and lines of BVH. What is none is `undefined`; nothing here throws. */
+/** Parses messages of a sender: JSON, binary, and lines of BVH. An invalid message is `undefined`; nothing here throws. */
 import type { StreamJoints, StreamSkeleton } from "../engine/live/skeleton";
 import { POSE_FLOATS } from "../humanoid";
 
-/** Most bytes of a message, as of a packet over UDP. */
+/** Maximum number of bytes of a message, as in a UDP packet. */
 export const MAX_MESSAGE_BYTES = 65_507;
-/** Most joints of a skeleton (`rust/strut-core/src/skeleton.rs`). */
+/** Maximum number of joints of a skeleton (`rust/strut-core/src/skeleton.rs`). */
 const MAX_JOINTS = 512;
 /** Bytes of a binary frame: the time as f64, and a pose of f32, little-endian. */
 export const BINARY_FRAME_BYTES = 8 + 4 * POSE_FLOATS;
 
-/** What a message says. */
+/** Contents of a message. */
 export type Message =
   | { readonly kind: "skeleton"; readonly skeleton: StreamSkeleton }
-  /** A frame; without a time it was sent when it arrived. */
+  /** A frame; without a time the time of arrival is used. */
   | { readonly kind: "frame"; readonly secs: number | undefined; readonly pose: Float32Array };
 
 const isRecord = (value: unknown): value is Record<string, unknown> =>
@@ -75,8 +75,8 @@ export function readBinary(bytes: ArrayBuffer): Message | undefined {
 }
 
 /**
- * BVH: first what stands before the frames of a file, then the channels of a frame a message. Motion capture programs write an
- * index and a name before them, and `||` behind: those are skipped.
+ * BVH: first the part of the file before its frames, then the channels of one frame per message. Motion capture
+ * programs write an index and a name before them, and `||` after them: those are skipped.
  */
 export function readBvh(text: string): Message | undefined {
   if (/^\s*HIERARCHY\b/i.test(text)) return { kind: "skeleton", skeleton: { kind: "bvh", header: text } };
@@ -84,7 +84,7 @@ export function readBvh(text: string): Message | undefined {
     .replace(/\|\|\s*$/, "")
     .trim()
     .split(/\s+/);
-  // A name is no number; what stands before it is the index.
+  // A name is not a number; the word before it is the index.
   const name = words.slice(0, 2).findIndex((word) => !NUMBER.test(word));
   const channels = words.slice(name + 1);
   if (channels.length === 0 || !channels.every((word) => NUMBER.test(word))) return undefined;

@@ -1,27 +1,27 @@
-/** Where live poses come from, and where they go. */
+/** Sources and receivers of live poses. */
 import type { StreamSkeleton } from "../engine/live/skeleton";
 
 export type { StreamSkeleton } from "../engine/live/skeleton";
 
-/** Takes what a source gives. Until a skeleton is told, poses are on the body of the database. */
+/** Receives the output of a source. Until a skeleton is set, poses are on the body of the database. */
 export interface PoseSink {
-  /** Tells what the numbers of the next frames are. */
+  /** Sets the skeleton of the next frames. */
   skeleton(skeleton: StreamSkeleton): void;
   /**
-   * A frame.
-   * @param secs when it was sent, seconds on a clock of the sender's
-   * @param pose as many numbers as the skeleton says; copied
+   * Receives a frame.
+   * @param secs when it was sent, seconds on a clock of the sender
+   * @param pose numbers according to the skeleton; copied
    */
   frame(secs: number, pose: Float32Array): void;
-  /** Nothing comes for now; a sentence says why. */
+  /** Reports that no frames arrive at present, with the reason as a sentence. */
   lost(why: string): void;
 }
 
-/** A performer: a socket, a camera, or anything else that has poses as they happen. */
+/** A source of live poses: a socket, a camera, or anything else. */
 export interface PoseSource {
   /**
-   * Gives poses to `sink` until `signal` aborts, and then resolves.
-   * @throws StrutError where nothing can come
+   * Sends poses to `sink` until `signal` aborts, and then resolves.
+   * @throws StrutError if no poses can be received
    */
   start(sink: PoseSink, signal: AbortSignal): Promise<void>;
 }

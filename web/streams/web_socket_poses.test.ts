@@ -1,4 +1,4 @@
-/** Connections to senders, by a socket that the tests hold. */
+/** Connections to senders, with a socket that the tests control. */
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { PoseSink } from "./pose_source";
 import { addressOf, type SocketState, type StreamFormat, webSocketPoses } from "./web_socket_poses";

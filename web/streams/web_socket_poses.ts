@@ -5,23 +5,23 @@ import type { PoseSink, PoseSource } from "./pose_source";
 
 /** All formats of messages. */
 export const STREAM_FORMATS = ["json", "binary", "bvh"] as const;
-/** How messages are written; see `docs/live.md`. */
+/** Format of messages; see `docs/live.md`. */
 export type StreamFormat = (typeof STREAM_FORMATS)[number];
 
-/** How a connection stands. */
+/** State of a connection. */
 export type SocketState =
   | { readonly kind: "connecting" }
   | { readonly kind: "open" }
-  /** It failed, or ended, and is tried again after so many seconds. */
+  /** It failed, or ended, and will be tried again after this time, seconds. */
   | { readonly kind: "waiting"; readonly secs: number };
 
 /** Options of `webSocketPoses`. */
 export interface WebSocketOptions {
-  /** How the sender writes messages. */
+  /** Format of the sender's messages. */
   readonly format: StreamFormat;
-  /** Is told how the connection stands. */
+  /** Receives the state of the connection. */
   readonly onState?: ((state: SocketState) => void) | undefined;
-  /** Is told how many messages could not be read so far. */
+  /** Receives the number of messages that could not be read so far. */
   readonly onRefused?: ((count: number) => void) | undefined;
 }
 
@@ -31,13 +31,13 @@ const NO_SOCKETS: ErrorParts = {
   hint: "Node has them from version 22 on.",
 };
 
-/** Longest wait before it is tried again, seconds. */
+/** Longest wait between two attempts, seconds. */
 const MAX_WAIT_SECS = 30;
 
 /**
- * Poses of a sender that waits for connections at an address. What fails is tried again after 1, 2, 4 … 30 s, until the signal
- * aborts; what cannot be read is dropped.
- * @throws StrutError `bad-input` for an address that is none, or one over `ws:` that is not of this computer
+ * Poses from a sender that accepts connections at a URL. After a failure the connection is tried again after 1, 2, 4 …
+ * 30 s, until the signal aborts. Messages that cannot be read are dropped.
+ * @throws StrutError `bad-input` for an invalid URL, or one with `ws:` that is not on this computer
  */
 export function webSocketPoses(url: string | URL, { format, onState, onRefused }: WebSocketOptions): PoseSource {
   const address = addressOf(url);
@@ -71,7 +71,7 @@ export function webSocketPoses(url: string | URL, { format, onState, onRefused }
 }
 
 /**
- * The address of a sender.
+ * The URL of a sender.
  * @throws StrutError `bad-input`
  */
 export function addressOf(url: string | URL): URL {
@@ -87,7 +87,7 @@ export function addressOf(url: string | URL): URL {
     throw refuse(`'${url}' is not the address of a WebSocket.`, example);
   if (address.protocol === "ws:" && !isLoopback(address.hostname))
     throw refuse(`ws: is only for this computer, which ${address.hostname} is not.`, "Use wss: for another computer.");
-  // A WebSocket refuses addresses that have one.
+  // A WebSocket refuses URLs with a fragment.
   address.hash = "";
   return address;
 }
@@ -97,7 +97,7 @@ function isLoopback(host: string): boolean {
   return host === "localhost" || host.endsWith(".localhost") || host === "[::1]" || /^127(\.\d+){3}$/.test(host);
 }
 
-/** One connection; resolves when it has ended, with whether there was one. */
+/** One connection. Resolves when it has ended, with whether it was ever open. */
 function connection(
   address: URL,
   format: StreamFormat,
@@ -125,12 +125,12 @@ function connection(
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
       opened = true;
-      // Whoever sends now may be another program than before.
+      // After reconnecting, the sender may be another program than before.
       if (format !== "bvh") sink.skeleton({ kind: "humanoid" });
       onOpen();
     };
     socket.onclose = end;
-    // Node may not close what was never open.
+    // Node may not fire `close` for a socket that was never open.
     socket.onerror = () => {
       if (!opened) end();
     };
@@ -138,7 +138,7 @@ function connection(
       const message = read(data, format);
       if (!message) onRefused();
       else if (message.kind === "skeleton") sink.skeleton(message.skeleton);
-      // Without a time of the sender's, that of its arrival is all that is known.
+      // Without the sender's time, only the time of arrival is known.
       else sink.frame(message.secs ?? performance.now() / 1000, message.pose);
     };
   });

@@ -37,7 +37,7 @@ for (const theme of ["light", "dark"] as const)
         expect(contrast(colour("outline", theme), colour(surface, theme))).toBeGreaterThanOrEqual(3);
       });
     }
-    // Words in the colour of the signal stand on panels and on what is under the pointer, never on what is pressed in the dark.
+    // Text in the signal colour appears on panels and on hovered surfaces, never on a pressed one in the dark theme.
     for (const surface of theme === "light" ? SURFACES : SURFACES.filter((s) => s !== "pressed"))
       it(`has signal to be read on ${surface}`, () => {
         expect(contrast(colour("signal", theme), colour(surface, theme))).toBeGreaterThanOrEqual(4.5);

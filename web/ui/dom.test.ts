@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { setAttributes } from "./dom";
 
-/** An element that says what was written. */
+/** An element that logs what was written. */
 function fakeElement() {
   const written: Record<string, string> = {};
   const writes: string[] = [];

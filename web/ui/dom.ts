@@ -1,12 +1,13 @@
-/** Building elements in one expression, and the few questions about the document that several modules ask. */
+/** Builds elements in one expression, with helpers for the document that several modules need. */
 
 export type Attributes = Readonly<Record<string, string | number | boolean>>;
 
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
- * Sets attributes where they differ, so that what is unchanged costs no layout; `true` is an empty attribute, `false` takes
- * it away. `style` is CSS text and set through the object model: the page's content security policy forbids style attributes.
+ * Sets attributes if they differ, so that unchanged ones cause no layout; `true` is an empty attribute, `false` removes
+ * it. `style` is CSS text and set through the object model, because the page's content security policy forbids style
+ * attributes.
  */
 export function setAttributes(target: Element, attributes: Attributes): void {
   for (const [name, value] of Object.entries(attributes)) {
@@ -43,7 +44,7 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return made;
 }
 
-/** Sets text only where it differs, so that an unchanged read-out costs no layout. */
+/** Sets text only if it differs, so that an unchanged readout causes no layout. */
 export function setText(target: Element, text: string): void {
   if (target.textContent !== text) target.textContent = text;
 }
@@ -52,7 +53,7 @@ export function setText(target: Element, text: string): void {
 export function saveFile(name: string, file: Blob): void {
   const url = URL.createObjectURL(file);
   html("a", { href: url, download: name }).click();
-  // The download has the data once the click is through.
+  // The browser has the data after the click.
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
@@ -71,7 +72,7 @@ export function clock(seconds: number): string {
   return minutes > 0 ? `${minutes}:${rest}` : rest;
 }
 
-/** Gives a group so many children: missing ones are created, and the last of too many removed. */
+/** Adjusts a group to `count` children: missing ones are created, and excess ones removed from the end. */
 export function keepCount(group: Element, count: number, create: () => Element): void {
   while (group.childElementCount > count) group.lastElementChild!.remove();
   while (group.childElementCount < count) group.append(create());

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { listenToDrags } from "./drag";
 
-/** An element and its document, as far as a drag asks them. */
+/** A fake element and document with the properties that a drag uses. */
 class FakeElement extends EventTarget {
   readonly ownerDocument = new EventTarget();
   readonly captured = new Set<number>();

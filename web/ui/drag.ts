@@ -1,28 +1,28 @@
-/** Dragging with the mouse, a finger or a pen. All drags of the page, except those of the 3-D camera, begin here. */
+/** Dragging with the mouse, a finger or a pen. All drags of the page, except those of the 3-D camera, start here. */
 
-/** What happens during one drag. */
+/** Callbacks of one drag. */
 export interface Drag {
   /** The pointer moved. */
   move: (event: PointerEvent) => void;
-  /** Takes back what the drag changed; called before {@link end} when the person presses Escape. */
+  /** Reverts the changes of the drag; called before {@link end} when the user presses Escape. */
   cancel: () => void;
   /** The drag is over. Called once, whether the pointer was released, lost or taken away by the browser. */
   end: () => void;
 }
 
-/** Called at the end of edits that belong together, such as a drag or a run of key presses: they are one step of undo. */
+/** Called at the end of edits that belong together, such as a drag or a run of key presses: they are one undo step. */
 export interface GestureListeners {
   /** The gesture is over: the next edit is a step of its own. */
   onSettle: () => void;
-  /** The gesture was cancelled: its edits are to be taken back. */
+  /** The gesture was cancelled: its edits are to be reverted. */
   onCancel: () => void;
 }
 
 /**
  * Lets the primary button, a finger or a pen drag `target`, one pointer at a time.
  *
- * `begin` is called with each press and returns the drag that it begins, or `undefined` where there is nothing to drag.
- * The pointer is captured until it is released; Escape cancels the drag. `signal` ends a drag under way and stops
+ * `begin` is called with each press and returns the drag that it starts, or `undefined` if there is nothing to drag.
+ * The pointer is captured until it is released; Escape cancels the drag. `signal` ends a drag in progress and stops
  * listening.
  */
 export function listenToDrags(

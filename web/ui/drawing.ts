@@ -1,6 +1,6 @@
 /**
- * Drawings with text are laid out in units, which are CSS pixels at the usual text size. Where the person's text is larger a
- * unit is as many times larger.
+ * Drawings with text use units, which are CSS pixels at the normal text size. If the user's text is larger, a unit is
+ * larger by the same factor.
  */
 import { setAttributes } from "./dom";
 import { textZoom } from "./media";
@@ -17,16 +17,16 @@ export function sizeOf({ clientWidth, clientHeight }: Element): Size {
   return { width: clientWidth / unit, height: clientHeight / unit };
 }
 
-/** So many units as a length in style sheets. */
+/** A length in units for style sheets. */
 export const rem = (units: number): string => `${(units / 16).toFixed(4)}rem`;
 
-/** Gives a drawing its size, units. Its origin is at the top left. */
+/** Sets the size of a drawing, units. Its origin is at the top left. */
 export function setSize(root: SVGSVGElement, { width, height }: Size): void {
   const unit = textZoom();
   setAttributes(root, { viewBox: `0 0 ${width} ${height}`, width: width * unit, height: height * unit });
 }
 
-/** Where the pointer is, units from the top left of an element. */
+/** Position of the pointer, units from the top left of an element. */
 export function placeIn(element: Element, { clientX, clientY }: MouseEvent): { x: number; y: number } {
   const { left, top } = element.getBoundingClientRect();
   const unit = textZoom();

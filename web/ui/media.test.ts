@@ -5,15 +5,15 @@ import { NARROW } from "./media";
 
 const WEB = resolve(import.meta.dirname, "..");
 
-/** The widths of screens that a style sheet asks for. */
+/** The screen widths in a style sheet's conditions. */
 const widthsIn = (sheet: string): string[] =>
   [...readFileSync(resolve(WEB, sheet), "utf8").matchAll(/@media ([^{]*)\{/g)].flatMap(
     ([, condition]) => condition?.match(/\([^()]*width[^()]*\)/g) ?? [],
   );
 
-/** Where the manual has no room for the contents of a page beside its text. */
+/** Below this width the manual has no room for the contents of a page next to its text. */
 const CONTENTS_HIDDEN = "(width < 73.75em)";
-/** Where the page's top bar has room for the icons of its buttons only. */
+/** Below this width the page's top bar has room only for the icons of its buttons. */
 const BAR_OF_ICONS = "(width < 68em)";
 
 it("is narrow below one width only, in style sheets and in code", () => {

@@ -1,8 +1,11 @@
-/** What the controls that page and element share say. Another language is a second table of the same type, and a choice here. */
+/**
+ * Texts of the controls shared by page and element. Another language is a second table of the same type, and a
+ * selection here.
+ */
 import { ui } from "./strings.en";
 
-/** What a language has to say. */
+/** The table of a language. */
 export type UiStrings = typeof ui;
 
-/** The present language. */
+/** The current language. */
 export const strings: UiStrings = ui;

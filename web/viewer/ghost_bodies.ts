@@ -1,4 +1,4 @@
-/** Any number of translucent bodies that stand where their poses have them. */
+/** Any number of translucent bodies at the positions of their poses. */
 import { Group } from "three";
 import { Mannequin } from "./mannequin/mannequin";
 import { GhostLook } from "./mannequin/materials";
@@ -6,7 +6,7 @@ import type { Theme } from "./themes";
 
 /** A translucent body. */
 export interface GhostBody {
-  /** `POSE_FLOATS` numbers; not kept. */
+  /** `POSE_FLOATS` numbers; the array is not kept. */
   pose: ArrayLike<number>;
   /** Its opacity as a share of a ghost's, 0 to 1. */
   share: number;
@@ -25,7 +25,7 @@ export class GhostBodies {
     this.#detail = detail;
   }
 
-  /** Takes all bodies; those that are not needed any more wait unseen. */
+  /** Sets all bodies. Unused mannequins are kept invisible. */
   set(ghosts: readonly GhostBody[]): void {
     while (this.#bodies.length < ghosts.length) this.#add();
     for (const [i, body] of this.#bodies.entries()) {
@@ -37,7 +37,7 @@ export class GhostBodies {
     }
   }
 
-  /** Examples have the colour of weights. */
+  /** Examples are drawn in the colour of weights. */
   setTheme(theme: Theme): void {
     this.#theme = theme;
     for (const body of this.#bodies) this.#paint(body);
@@ -60,7 +60,7 @@ export class GhostBodies {
 
   #add(): void {
     const body = new Mannequin((uniforms) => new GhostLook(uniforms), this.#detail);
-    // They never cover the character itself.
+    // Ghosts never cover the character itself.
     body.look.behindBodies = true;
     body.setProportions(this.#proportions);
     this.#paint(body);

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { createWorldPose, DEFAULT_PROPORTIONS, headingOf, placePose, restPose, worldFromLocal } from "../humanoid";
 import { BESIDE, GhostPlacement, MAX_DRIFT } from "./ghost_placement";
 
-/** A body at a place on the ground, facing `heading`. */
+/** A body at a position on the ground, facing `heading`. */
 function bodyAt(x: number, z: number, heading = 0) {
   const pose = restPose();
   placePose(restPose(), heading, x, z, pose);
@@ -37,7 +37,7 @@ describe("ghost placement", () => {
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0).world, true)).toBe(false);
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 0.9 * MAX_DRIFT.along).world, true)).toBe(false);
     expect(placement.place(input, DEFAULT_PROPORTIONS, bodyAt(0, 5).world, true)).toBe(true);
-    // It lagged, so it gets a head start.
+    // The ghost lagged, so it gets a head start.
     expect(placement.pose[2]).toBeCloseTo(5 + MAX_DRIFT.along / 2, 5);
     expect(placement.pose[0]).toBeCloseTo(-BESIDE, 5);
   });

@@ -1,28 +1,28 @@
 /**
- * Where the ghost of the input walks.
+ * Position of the input's ghost.
  *
- * Beside the character, the ghost keeps its own path: its whole world is turned and moved once, so that its feet never
- * slide. Style changes speed and heading, so the two drift apart. When the ghost has drifted too far it is placed again,
- * half of that distance on the other side of its place, since it will drift the same way again. Over the character, its
- * hips and heading are those of the character in every frame, so that only the pose differs.
+ * Next to the character, the ghost keeps its own path: its whole world is rotated and moved once, so that its feet
+ * never slide. Style changes speed and heading, so the two drift apart. When the ghost has drifted too far, it is
+ * placed again, half of that distance on the opposite side of its place, since it will drift in the same direction again. In
+ * overlay mode, the ghost's hips and heading equal the character's in every frame, so that only the pose differs.
  */
 
 import { createWorldPose, headingOf, placePose, restPose, type WorldPose, worldFromLocal } from "../humanoid";
 
 /** Distance of the ghost's hips from the character's, to its right, metres. */
 export const BESIDE = 1;
-/** Maximum drift of the ghost from there along the character's heading and across it, metres. */
+/** Largest drift of the ghost from there, along the character's heading and across it, metres. */
 export const MAX_DRIFT = { along: 1.1, across: 0.45 };
-/** Share of the drift along the heading by which a ghost that is placed again is ahead. */
+/** Share of the drift along the heading by which a ghost is offset in the opposite direction when it is placed again. */
 const HEAD_START = 0.5;
 
-/** Keeps the transform from the input's world to the ghost's. */
+/** Maintains the transform from the input's world to the ghost's. */
 export class GhostPlacement {
   /** The placed pose. */
   readonly pose = restPose();
-  /** Size of the bodies, as a share of the mannequin's: distances grow with it. */
+  /** Size of the bodies relative to the mannequin; distances scale with it. */
   scale = 1;
-  /** Heading whose right is the side that the ghost is on; the character's own where it is missing. */
+  /** Heading to whose right the ghost is; if missing, the character's own. */
   facing: number | undefined;
   readonly #world = createWorldPose();
   #turn = 0;
@@ -30,12 +30,12 @@ export class GhostPlacement {
   #z = 0;
   #placed = false;
 
-  /** Chooses a new place with the next pose. */
+  /** Chooses a new position with the next pose. */
   reset(): void {
     this.#placed = false;
   }
 
-  /** Places an input pose into {@link pose}; returns whether the ghost had drifted too far and was placed again. */
+  /** Places an input pose into {@link pose}. Returns whether the ghost had drifted too far and was placed again. */
   place(input: ArrayLike<number>, proportions: ArrayLike<number>, body: WorldPose, beside: boolean): boolean {
     if (!beside || !this.#placed) {
       this.#anchor(input, proportions, body, beside ? BESIDE * this.scale : 0, 0);
@@ -54,7 +54,7 @@ export class GhostPlacement {
     return true;
   }
 
-  /** Sets the ghost's hips `right` metres to the right of the body's and `ahead` metres ahead, facing its way. */
+  /** Places the ghost's hips `right` metres to the right of the body's and `ahead` metres ahead, with the same heading. */
   #anchor(
     input: ArrayLike<number>,
     proportions: ArrayLike<number>,

@@ -1,4 +1,4 @@
-/** What the viewer exports. */
+/** Exports of the viewer. */
 
 export type { GhostBody } from "./ghost_bodies";
 export type { Performer } from "./performer";

@@ -1,4 +1,4 @@
-/** The character a moment before and after, as ghosts that fade with their distance in time. */
+/** The character before and after the current moment, as ghosts that fade with their distance in time. */
 
 import { Group } from "three";
 import { POSE_FLOATS, placePose, restPose } from "../humanoid";
@@ -9,7 +9,7 @@ import type { Theme } from "./themes";
 
 /** Frames between two skins: a fifth of a second at 60 Hz. */
 const STEP = 12;
-/** Offset of each skin from the present, in steps, and its opacity as a share of the ghost's. */
+/** Offset of each skin from the current frame, in steps, and its opacity as a share of the ghost's. */
 const SKINS = [
   { steps: -2, fade: 0.3 },
   { steps: -1, fade: 0.6 },
@@ -49,7 +49,7 @@ export class OnionSkin {
     for (const skin of this.#skins) skin.setDetail(detail);
   }
 
-  /** Takes the skins around a frame of a clip; those beyond its ends are not drawn. */
+  /** Shows the skins around a frame of a clip; skins beyond its ends are not drawn. */
   place(clip: Float32Array | null, frame: number, { turn, x, z }: Placement): void {
     const frames = clip ? clip.length / POSE_FLOATS : 0;
     for (const [i, { steps }] of SKINS.entries()) {

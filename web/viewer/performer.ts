@@ -1,21 +1,21 @@
-/** A rigged character on the stage, in the mannequin's place. */
+/** A rigged character on the stage, replacing the mannequin. */
 import { Box3, type Mesh, type Object3D } from "three";
 import { createWorldPose, JOINT, POSE_FLOATS, restPose, type WorldPose, worldFromLocal } from "../humanoid";
 import { fitTo } from "../mannequin/fit";
 import { CASTER_LAYER } from "./light/layers";
 
-/** What performs poses; `Character` of `web/character` is one. It belongs to who made it. */
+/** An object that performs poses, such as `Character` of `web/character`. Its creator owns it. */
 export interface Performer {
-  /** What is drawn: metres, +Y up, on the ground. */
+  /** The object to draw: metres, +Y up, on the ground. */
   readonly object: Object3D;
-  /** The bones of its own body, 21 × xyz, metres. */
+  /** Bone offsets of its own body, 21 × xyz, metres. */
   readonly proportions: ArrayLike<number>;
-  /** The pose that it holds, `POSE_FLOATS` numbers on its own body. */
+  /** Its current pose, `POSE_FLOATS` numbers on its own body. */
   readonly pose: ArrayLike<number>;
-  /** Says which body poses are on. */
+  /** Sets the body on which poses are defined. */
   setBody(proportions: ArrayLike<number>): void;
   apply(pose: ArrayLike<number>): void;
-  /** Moves hair and clothes on. */
+  /** Advances hair and clothes. */
   update(dtSecs: number): void;
   /** Brings hair and clothes to rest, as after a cut. */
   settle(): void;
@@ -23,13 +23,13 @@ export interface Performer {
 
 /** Height of the mannequin, metres. */
 const MANNEQUIN_HEIGHT = 1.75;
-/** Heights beyond which a camera would see nothing but a sole, or would be under the ground. */
+/** Scale limits: outside them a camera would see only a sole, or would be under the ground. */
 const SCALE = { min: 0.2, max: 6 };
 
 /** Joints at the lower ends of thighs and shins. */
 const LEG_BONES = [JOINT.left_lower_leg, JOINT.left_foot, JOINT.right_lower_leg, JOINT.right_foot];
 
-/** A performer with what the stage asks of a body. */
+/** A performer with the body properties that the stage needs. */
 export class Actor {
   readonly performer: Performer;
   readonly proportions: ArrayLike<number>;
@@ -37,12 +37,12 @@ export class Actor {
   readonly world: WorldPose = createWorldPose();
   /** Ratio of leg lengths to the mannequin's own. */
   readonly stature: number;
-  /** Its height as a share of the mannequin's. */
+  /** Its height relative to the mannequin's. */
   readonly scale: number;
-  /** Middle of the head above its joint, and its radius, metres. */
+  /** Middle of the head above its joint, and the head's radius, metres. */
   readonly head: { rise: number; radius: number };
   readonly #pose = restPose();
-  /** Ratio of its legs to those of the body that poses are on. */
+  /** Ratio of its leg lengths to those of the body on which poses are defined. */
   #legs = 1;
 
   constructor(performer: Performer) {
@@ -63,31 +63,31 @@ export class Actor {
       mesh.castShadow = true;
       mesh.receiveShadow = true;
       mesh.layers.enable(CASTER_LAYER);
-      // Skins leave the bounds of the pose in which they were made.
+      // Skinned meshes leave the bounds of the pose in which they were modelled.
       mesh.frustumCulled = false;
     });
   }
 
-  /** Takes the body that poses are on. */
+  /** Sets the body on which poses are defined. */
   setBody(proportions: ArrayLike<number>): void {
     this.performer.setBody(proportions);
     this.#legs = legLength(this.proportions) / legLength(proportions);
   }
 
-  /** Takes a pose of the body of {@link setBody}. */
+  /** Performs a pose of the body of {@link setBody}. */
   perform(pose: ArrayLike<number>): void {
     this.performer.apply(pose);
     worldFromLocal(this.proportions, this.performer.pose, this.world);
   }
 
-  /** Poses whose hips go over the ground as this body's do; the rest is as in `poses`. */
+  /** Poses whose hips travel over the ground as this body's do; the rest is as in `poses`. */
   travelling(poses: ArrayLike<number>): Float32Array {
     const own = Float32Array.from(poses);
     for (let i = 0; i < own.length; i += POSE_FLOATS) for (const axis of [0, 2]) own[i + axis]! *= this.#legs;
     return own;
   }
 
-  /** The poses as this body performs them, a hundredth of a millisecond each; it holds the last of them then. */
+  /** The poses as this body performs them, a hundredth of a millisecond each. Afterwards it holds the last of them. */
   performed(poses: ArrayLike<number>): Float32Array {
     const own = new Float32Array(poses.length);
     const pose = this.#pose;

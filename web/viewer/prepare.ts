@@ -1,4 +1,4 @@
-/** What the first viewer needs and takes long to make. */
+/** Resources of the first viewer that take long to make. */
 
 import { prepareGeometry } from "./mannequin/geometry";
 import { askPage, graphics } from "./stage/graphics";
@@ -6,9 +6,9 @@ import { QUALITY_LEVELS } from "./stage/quality";
 import { firstLevel, Screen, type Size } from "./stage/screen";
 
 /**
- * Makes in steps what the first viewer needs: the mannequin's geometry at the quality that a viewer begins with, kept for all
- * viewers of the page, and the context and the renderer for a picture of this size, CSS pixels. Where the page gets no
- * context, whatever a worker got, nothing draws.
+ * Makes in steps the resources of the first viewer: the mannequin's geometry at the initial quality, kept for all
+ * viewers of the page, and the context and renderer for a picture of this size, CSS pixels. If the page gets no
+ * context, even though a worker got one, nothing is drawn.
  */
 export function* preparation(picture: Size): Generator<undefined> {
   if (graphics() === "none") return;

@@ -1,4 +1,4 @@
-/** Several figures at the same instant, each in a column of its own, seen from the same side by one camera. */
+/** Several figures at the same instant, each in its own column, seen from the same side by one camera. */
 
 import { Vector3 } from "three";
 import { headingOf, isPose, POSE_FLOATS } from "../humanoid";
@@ -14,35 +14,35 @@ import { THEMES, type ThemeName } from "./themes";
 export interface Figure {
   /** `POSE_FLOATS` numbers. */
   pose: ArrayLike<number>;
-  /** A pose that is drawn behind, so that only what differs shows; `null` draws none. */
+  /** A pose that is drawn behind, so that only the difference is visible; `null` draws none. */
   reference: ArrayLike<number> | null;
   /** Draws the pose itself as a ghost of this colour instead of the body. */
   tint?: string;
 }
 
-/** Time in which a column's camera covers half the distance to its figure, seconds. */
+/** Half-life of the distance between a column's camera and its figure, seconds. */
 const FOLLOW_HALF_LIFE = 0.12;
-/** Farther than this the camera jumps, metres. */
+/** Beyond this distance the camera jumps, metres. */
 const JUMP = 0.6;
-/** Nearer than this it has arrived, metres. */
+/** Below this distance it has arrived, metres. */
 const ARRIVED = 1e-4;
-/** Room left and right of a figure, metres. */
+/** Space to the left and right of a figure, metres. */
 const HALF_WIDTH = 0.62;
 
-/** What a column remembers. */
+/** State of a column. */
 interface Column {
   readonly pose: Float32Array;
   readonly reference: Float32Array;
   hasReference: boolean;
   tint: string | undefined;
-  /** From the first column's hips to this one's, on the ground; smoothed. */
+  /** Offset from the first column's hips to this one's, on the ground; smoothed. */
   x: number;
   z: number;
 }
 
 /**
- * A viewer of a row of figures in a container, whose size it follows. One mannequin is posed and drawn for each
- * of them in turn, so that a column costs no memory.
+ * A viewer of a row of figures in a container, whose size it follows. One mannequin is posed and drawn for each column
+ * in turn, so that a column needs no memory.
  */
 export class SideBySideViewer {
   readonly #stage: Stage;
@@ -54,7 +54,7 @@ export class SideBySideViewer {
   #lastTime: number | undefined;
   readonly #redraw = new Redraw();
   #settled = false;
-  /** The colour that the second mannequin has; `undefined` for that of references. */
+  /** The colour of the second mannequin; `undefined` for the colour of references. */
   #tint: string | undefined;
 
   constructor(container: HTMLElement, theme: ThemeName, description: string) {
@@ -80,7 +80,7 @@ export class SideBySideViewer {
     this.#applyTheme();
   }
 
-  /** What a screen reader says of the picture. */
+  /** Description of the picture for screen readers. */
   set description(text: string) {
     this.#stage.canvas.setAttribute("aria-label", text);
   }
@@ -92,19 +92,19 @@ export class SideBySideViewer {
     this.#applyTheme();
   }
 
-  /** Whether nothing is left to draw. */
+  /** Whether there is nothing left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
   }
 
-  /** Takes the bone offsets of all figures: 21 × xyz, metres. */
+  /** Sets the bone offsets of all figures: 21 × xyz, metres. */
   setProportions(proportions: ArrayLike<number>): void {
     this.#body.setProportions(proportions);
     this.#reference.setProportions(proportions);
     this.#redraw.request();
   }
 
-  /** Takes the figures from left to right; poses with a number that is not finite are passed over. */
+  /** Sets the figures from left to right; poses with a number that is not finite are skipped. */
   setFigures(figures: readonly Figure[]): void {
     this.#redraw.request();
     while (this.#columns.length > figures.length) this.#columns.pop();
@@ -123,20 +123,20 @@ export class SideBySideViewer {
     }
   }
 
-  /** Moves every camera to its figure at once: after a seek. */
+  /** Moves every camera to its figure at once, after a seek. */
   settle(): void {
     this.#settled = false;
     this.#stage.view.settle();
   }
 
-  /** Goes to a view, gliding; that from the side is from the left, or from the right. */
+  /** Moves to a view, with a glide; the side view is from the left, or from the right. */
   camera(view: CameraView, fromRight = false): void {
     this.#body.setPose(this.#columns[0]?.pose ?? this.#body.pose);
     this.#stage.setView(view, headingOf(this.#body.world, 0) + (fromRight ? Math.PI : 0));
     this.#redraw.request();
   }
 
-  /** Draws a frame, unless those before are still being drawn; `timeSecs` is any clock that does not run backwards. */
+  /** Draws a frame, unless earlier frames are still being drawn; `timeSecs` is any monotonic clock. */
   render(timeSecs: number): void {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
     this.#lastTime = timeSecs;
@@ -158,19 +158,19 @@ export class SideBySideViewer {
     stage.end();
   }
 
-  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  /** A copy of the picture; valid only right after {@link render} has drawn it, in the same task. */
   copy(): HTMLCanvasElement {
     return this.#stage.copy();
   }
 
-  /** Frees everything; the viewer cannot be used afterwards. */
+  /** Frees all resources; the viewer cannot be used afterwards. */
   dispose(): void {
     this.#body.dispose();
     this.#reference.dispose();
     this.#stage.dispose();
   }
 
-  /** Lets every column's camera follow its figure; whether one is still on its way. */
+  /** Moves every column's camera towards its figure. Returns whether one has not arrived. */
   #followFigures(first: Column, dtSecs: number): boolean {
     const share = this.#settled ? 1 - 0.5 ** (dtSecs / FOLLOW_HALF_LIFE) : 1;
     this.#settled = true;
@@ -186,7 +186,7 @@ export class SideBySideViewer {
     return moving;
   }
 
-  /** Brings the mannequins and the ground to a column's poses. */
+  /** Applies a column's poses to the mannequins and the ground. */
   #pose(column: Column): void {
     const { world, fit } = this.#body;
     this.#body.setPose(column.pose);
@@ -205,7 +205,7 @@ export class SideBySideViewer {
   #tintReference(tint: string | undefined): void {
     this.#tint = tint;
     const theme = THEMES[this.#theme];
-    // The reference is compared with the output: it has the signal's colour, not the input's.
+    // The reference is compared with the output, so it has the signal's colour, not the input's.
     const colour = tint ?? theme.signal;
     this.#reference.look.setTheme({ ...theme, ghost: { body: colour, rim: colour, opacity: 0.34 } });
   }

@@ -17,7 +17,7 @@ export interface Theme {
   /** Labels. */
   ink: string;
   input: string;
-  /** Examples, and what they weigh. */
+  /** Examples and their weights. */
   weight: string;
   /** Ghost: body and rim colour, and opacity facing the viewer. */
   ghost: { body: string; rim: string; opacity: number };
@@ -40,7 +40,7 @@ export interface Theme {
   };
 }
 
-/** Colours that a page may choose itself. */
+/** Colours that a page may set. */
 export type ThemeColours = Pick<Theme, "background" | "signal" | "ink" | "input">;
 
 /** The themes by name. */

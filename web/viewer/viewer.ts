@@ -25,13 +25,13 @@ import type { Screen } from "./stage/screen";
 import { Stage } from "./stage/stage";
 import { THEMES, type Theme, type ThemeColours, type ThemeName } from "./themes";
 
-/** Where the ghost of the input is: at the character's right, in its place and behind it, or nowhere. */
+/** Position of the input's ghost: at the character's right, at the character's position and behind it, or none. */
 export type GhostMode = "beside" | "overlay" | "off";
 
 /** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
 export type MotionTrailMode = "off" | "lines" | "onion";
 
-/** Something more on the stage, which stays its owner's. */
+/** An additional object on the stage; its creator owns it. */
 export interface Prop {
   readonly object: Object3D;
   setTheme(theme: Theme): void;
@@ -45,11 +45,11 @@ export interface ViewerOptions {
   follow?: boolean;
   /** Names above the heads; an empty one is not drawn. */
   labels?: { styled: string; input: string };
-  /** What a screen reader says of the picture. */
+  /** Description of the picture for screen readers. */
   description?: string;
-  /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
+  /** Initial level of quality, 0 being the best; by default chosen for the renderer. */
   quality?: number;
-  /** What is drawn on, shared with other viewers; by default a WebGL context of its own. */
+  /** The screen to draw on, shared with other viewers; by default a WebGL context of its own. */
   screen?: Screen;
 }
 
@@ -62,11 +62,11 @@ export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality" | "screen">
   description: "A mannequin performing the styled motion, beside a translucent one performing the input.",
 };
 
-/** Duration of the ghost's fade in after it was placed again beside the character, seconds. */
+/** Duration of the ghost's fade-in after it was placed again, seconds. */
 const FADE_IN = 0.25;
 /** Middle of the head above its joint, and its radius, metres. */
 const HEAD = { rise: 0.088, radius: 0.122 };
-/** Bones that can be clicked: the joint that turns each one, and its ends. */
+/** Bones that can be clicked: the joint that rotates each one, and its ends. */
 const BONES: readonly [Role, Role, Role][] = [
   ["hips", "hips", "hips"],
   ["spine", "spine", "chest"],
@@ -81,11 +81,11 @@ const BONES: readonly [Role, Role, Role][] = [
     [`${side}_foot`, `${side}_foot`, `${side}_toes`],
   ]),
 ];
-/** A click this near to a bone is on it, however small the character is. */
+/** A click within this distance of a bone hits it, however small the character is. */
 const MIN_REACH_PX = 10;
-/** A motion that begins with less of another heading is seen from the same place, radians. */
+/** If a new motion's heading differs by less than this, the view does not turn, radians. */
 const LEAST_TURN = MathUtils.degToRad(15);
-/** Room left and right of what the camera follows, metres. */
+/** Space to the left and right of the subject that the camera follows, metres. */
 const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 
 /** A viewer in a container, whose size it follows. The page calls {@link render} once an animation frame. */
@@ -99,21 +99,21 @@ export class Viewer {
   #labels: { styled: string; input: string };
   #hasInput = false;
   #planted: [boolean, boolean] = [false, false];
-  /** What performs in the mannequin's place. */
+  /** The performer that replaces the mannequin. */
   #actor: Actor | undefined;
-  /** What is to perform as soon as it can be drawn. */
+  /** The next performer, once it can be drawn. */
   #wanted: Performer | null = null;
-  /** The bones that poses are on. */
+  /** The bones on which poses are defined. */
   #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   readonly #styled = restPose();
-  /** The clip as it was given, and on the body that performs it. */
+  /** The clip as given, and on the body that performs it. */
   #given: Float32Array | null = null;
   #clip: Float32Array | null = null;
   #pathFrame = 0;
   #lastTime: number | undefined;
   readonly #redraw = new Redraw();
   readonly #placement = new GhostPlacement();
-  /** The heading of the motion that the camera was aimed at, radians. */
+  /** The motion's heading at which the camera was aimed, radians. */
   #aimedAt = 0;
   readonly #input = restPose();
   readonly #performedInput = restPose();
@@ -123,11 +123,11 @@ export class Viewer {
   #motionTrail: MotionTrailMode = "off";
   #ghostFade = 1;
   #prop: Prop | undefined;
-  /** Whether the ghost is at the right of the picture instead of at the character's. */
+  /** Whether the ghost is at the right of the picture instead of at the character's right. */
   ghostByCamera = false;
   /** Whether the camera follows the character. */
   follow: boolean;
-  /** Called when a picture was drawn. */
+  /** Called after a picture was drawn. */
   onDraw: (() => void) | undefined;
 
   constructor(container: HTMLElement, options: ViewerOptions = {}) {
@@ -156,12 +156,12 @@ export class Viewer {
     this.#applyGhost();
   }
 
-  /** What a screen reader says of the picture. */
+  /** Description of the picture for screen readers. */
   set description(text: string) {
     this.#stage.canvas.setAttribute("aria-label", text);
   }
 
-  /** Id of what tells a screen reader how the picture is used. */
+  /** Id of the element that describes the picture's controls to screen readers. */
   set describedBy(id: string) {
     this.#stage.canvas.setAttribute("aria-describedby", id);
   }
@@ -177,7 +177,7 @@ export class Viewer {
     this.#applyTheme();
   }
 
-  /** Where the ghost is. */
+  /** Position of the ghost. */
   get ghost(): GhostMode {
     return this.#ghostMode;
   }
@@ -219,13 +219,13 @@ export class Viewer {
     this.#applyLabels();
   }
 
-  /** Width of what lies over the right of the picture, CSS pixels: the character stands in the middle of the rest. */
+  /** Width of the overlay at the right of the picture, CSS pixels: the character is centred in the rest. */
   set covered(width: number) {
     this.#stage.covered = width;
     this.#redraw.request();
   }
 
-  /** Colours that take the place of the theme's. */
+  /** Colours that override the theme's. */
   set colours(colours: Partial<ThemeColours>) {
     this.#colours = colours;
     this.#applyTheme();
@@ -236,22 +236,22 @@ export class Viewer {
     this.#stage.onFps = callback;
   }
 
-  /** Called when the user's hand turns a preset view into a free one. */
+  /** Called when the user turns a preset view into a free one. */
   set onViewChange(callback: ((view: CameraView) => void) | undefined) {
     this.#stage.view.onViewChange = callback;
   }
 
-  /** What zooms; the wheel and all else unless told. */
+  /** Which input zooms; `always` by default. */
   set zooming(zooming: Zooming) {
     this.#stage.view.zooming = zooming;
   }
 
-  /** The present view. */
+  /** The current view. */
   get view(): CameraView {
     return this.#stage.view.view;
   }
 
-  /** Whether the picture has stood still for a while and its finer version is on screen: nothing is left to draw. */
+  /** Whether the picture has been still for a while and its finer version is displayed: there is nothing left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
   }
@@ -261,7 +261,7 @@ export class Viewer {
     return this.#stage.cost;
   }
 
-  /** Takes the bone offsets of the body that poses are on: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
+  /** Sets the bone offsets of the body on which poses are defined: 21 × xyz, metres; see `web/mannequin/fit.ts`. */
   setProportions(proportions: ArrayLike<number>): void {
     this.#proportions = proportions;
     this.#actor?.setBody(proportions);
@@ -269,9 +269,9 @@ export class Viewer {
   }
 
   /**
-   * Has a rigged character perform in the mannequin's place, or the mannequin again (`null`). The mannequin performs until
-   * what draws the character is compiled. The ghost is a mannequin of the same body. The character stays its owner's, who
-   * may free it once another one was given.
+   * Makes a rigged character perform in place of the mannequin, or the mannequin again (`null`). The mannequin performs
+   * until the character's materials are compiled. The ghost is a mannequin of the same body. The caller owns the
+   * character and may free it once another one was set.
    */
   async setPerformer(performer: Performer | null): Promise<void> {
     if (performer === this.#wanted) return;
@@ -283,7 +283,7 @@ export class Viewer {
     if (performer === this.#wanted) this.#cast(actor);
   }
 
-  /** Takes the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
+  /** Sets the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
     if (differ(pose, this.#styled)) this.#redraw.request();
@@ -291,7 +291,7 @@ export class Viewer {
     this.#pose();
   }
 
-  /** Takes the input's pose, or `null` if there is none. */
+  /** Sets the input's pose, or `null` if there is none. */
   setInput(pose: ArrayLike<number> | null): void {
     const has = pose !== null && isPose(pose);
     if (has) {
@@ -303,7 +303,7 @@ export class Viewer {
     this.#applyGhost();
   }
 
-  /** Takes translucent bodies that stand where their poses have them; labels and camera pass over them. */
+  /** Sets translucent bodies at the positions of their poses; labels and camera ignore them. */
   setOthers(others: readonly GhostBody[]): void {
     this.#redraw.request();
     if (!this.#others) {
@@ -314,7 +314,7 @@ export class Viewer {
     this.#others.set(others);
   }
 
-  /** Puts something more on the stage once it can be drawn, in the place of what was put there before. */
+  /** Adds an object to the stage once it can be drawn, replacing the previous one. */
   async setProp(prop: Prop | undefined): Promise<void> {
     if (this.#prop) this.#stage.scene.remove(this.#prop.object);
     this.#prop = prop;
@@ -327,19 +327,19 @@ export class Viewer {
     this.#redraw.request();
   }
 
-  /** Takes which feet of the styled character are planted; a planted foot leaves a footprint. */
+  /** Sets which feet of the styled character are planted; a planted foot leaves a footprint. */
   setPlanted(planted: readonly [left: boolean, right: boolean]): void {
     if (planted[0] !== this.#planted[0] || planted[1] !== this.#planted[1]) this.#redraw.request();
     this.#planted = [...planted];
   }
 
-  /** Takes the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
+  /** Sets the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
   setPath(poses: Float32Array | null): void {
     this.#given = poses;
     this.#applyPath();
   }
 
-  /** Fractional frame of the path's clip that is on screen. */
+  /** Fractional frame of the path's clip that is displayed. */
   set pathFrame(frame: number) {
     this.#pathFrame = frame;
   }
@@ -354,14 +354,14 @@ export class Viewer {
     this.#actor?.performer.settle();
   }
 
-  /** Goes to a view, gliding; that from the side is from the left, or from the right. */
+  /** Moves to a view, with a glide; the side view is from the left, or from the right. */
   camera(view: CameraView, fromRight = false): void {
     this.#stage.setView(view, headingOf(this.#world, 0) + (fromRight ? Math.PI : 0));
   }
 
   /**
-   * Looks at the character where it is now, whether it is followed or not, and from the side from which the one before was seen:
-   * another motion begins, which faces `heading`, radians about +Y.
+   * Looks at the character at its current position, whether or not it is followed, from the same relative direction as
+   * before. Called when another motion begins, which faces `heading`, radians about +Y.
    */
   aim(heading: number): void {
     const turned = heading - this.#aimedAt;
@@ -373,40 +373,40 @@ export class Viewer {
     this.#redraw.request();
   }
 
-  /** Goes behind the character, gliding, from where the ground ahead is seen, and looks at it, whether it is followed or not. */
+  /** Moves behind the character, with a glide, to a view of the ground ahead, and looks at it whether or not it is followed. */
   cameraBehind(): void {
-    // The ghost changes sides on the way.
+    // The ghost changes sides during the glide.
     this.#stage.view.settle();
     this.#stage.setBehind(headingOf(this.#world, 0));
   }
 
-  /** Place of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
+  /** Position of a joint of the styled character in the picture, CSS pixels from the canvas's top left. */
   jointScreenPosition(role: Role): { x: number; y: number } {
     return this.#stage.project(point.fromArray(this.#world.positions, 3 * JOINT[role]));
   }
 
-  /** The joints of the styled character in the world; not to be kept. */
+  /** The joints of the styled character in the world; callers must not keep the object. */
   get joints(): Readonly<WorldPose> {
     return this.#world;
   }
 
-  /** Where the camera looks: a direction of the world, of length 1. */
+  /** Direction in which the camera looks: a unit vector of the world. */
   get lineOfSight(): readonly [x: number, y: number, z: number] {
     const { x, y, z } = this.#stage.view.camera.getWorldDirection(point);
     return [x, y, z];
   }
 
-  /** Where a place of the world is in the picture, CSS pixels from the canvas's top left. */
+  /** Position of a point of the world in the picture, CSS pixels from the canvas's top left. */
   screenPosition(x: number, y: number, z: number): { x: number; y: number } {
     return this.#stage.project(point.set(x, y, z));
   }
 
-  /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
+  /** The point on the ground under a point of the picture, metres; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined {
     return this.#stage.groundAt(x, y);
   }
 
-  /** The joint of the styled character whose bone is at a place of the picture, CSS pixels; `undefined` beside it. */
+  /** The joint of the styled character whose bone is at a point of the picture, CSS pixels; `undefined` if there is none. */
   jointAt(x: number, y: number): Role | undefined {
     let nearest: { role: Role; distance: number } | undefined;
     for (const [bone, from, to] of BONES) {
@@ -423,9 +423,9 @@ export class Viewer {
   }
 
   /**
-   * Draws a frame, unless those before are still being drawn; `timeSecs` is any clock; a step back counts as none. A
-   * picture that has not changed for a while is drawn once more, with more pixels, and then left alone. Says whether it
-   * was drawn.
+   * Draws a frame, unless earlier frames are still being drawn; `timeSecs` is any clock, whose backward steps are
+   * ignored. A picture that has not changed for a while is drawn once more with more pixels, and then not again.
+   * Returns whether it was drawn.
    */
   render(timeSecs: number): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
@@ -452,23 +452,23 @@ export class Viewer {
     return true;
   }
 
-  /** Asks for the picture to be drawn again, though nothing of it has changed. */
+  /** Requests a redraw, although nothing has changed. */
   invalidate(): void {
     this.#redraw.request();
   }
 
-  /** Size of the pictures that are made to leave the page, pixels; `undefined` for that on screen. */
+  /** Size of exported pictures, pixels; `undefined` for the displayed size. */
   set filmed(size: { readonly width: number; readonly height: number } | undefined) {
     this.#stage.filmed = size;
     this.#redraw.request();
   }
 
-  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  /** A copy of the picture; valid only right after {@link render} has drawn it, in the same task. */
   copy(): HTMLCanvasElement {
     return this.#stage.copy();
   }
 
-  /** Frees everything; the viewer cannot be used afterwards. */
+  /** Frees all resources; the viewer cannot be used afterwards. */
   dispose(): void {
     this.#wanted = null;
     this.#dismiss();
@@ -494,7 +494,7 @@ export class Viewer {
     this.resetTrail();
   }
 
-  /** Takes the performer off the stage, unless another viewer has it by now. */
+  /** Removes the performer from the stage, unless another viewer has taken it over. */
   #dismiss(): void {
     if (this.#actor) this.#stage.scene.remove(this.#actor.performer.object);
   }
@@ -509,12 +509,12 @@ export class Viewer {
     return this.#actor?.proportions ?? this.#proportions;
   }
 
-  /** The pose that the styled character holds, on its own body. */
+  /** The current pose of the styled character, on its own body. */
   get #held(): ArrayLike<number> {
     return this.#actor?.performer.pose ?? this.#body.pose;
   }
 
-  /** Brings the styled character to its pose. */
+  /** Applies the styled character's pose. */
   #pose(): void {
     if (this.#actor) this.#actor.perform(this.#styled);
     else this.#body.setPose(this.#styled);
@@ -530,13 +530,13 @@ export class Viewer {
     this.#applyPath();
   }
 
-  /** Lays the clip's path and trail as the body performs it. */
+  /** Computes the clip's path and trail for the body that performs it. */
   #applyPath(): void {
     this.#redraw.request();
     const given = this.#given;
     this.#clip = given;
     if (given && this.#actor) {
-      // Hands and feet matter to the trail alone.
+      // Hands and feet are only needed for the trail.
       const isTraced = this.#motionTrail !== "off";
       this.#clip = isTraced ? this.#actor.performed(given) : this.#actor.travelling(given);
       this.#pose();
@@ -545,7 +545,7 @@ export class Viewer {
     this.#trail.setClip(this.#clip, this.#actor?.proportions ?? this.#body.fit.proportions);
   }
 
-  /** Brings everything on the ground to the present poses. */
+  /** Updates everything on the ground to the current poses. */
   #arrange(dtSecs: number): void {
     const world = this.#world;
     const stature = this.#actor?.stature ?? this.#body.fit.stature;
@@ -593,7 +593,7 @@ export class Viewer {
     this.#stage.labels.set("input", beside ? this.#labels.input : "", theme.input);
   }
 
-  /** Turn that lays the clip's heading at its frame on the character's. */
+  /** Rotation from the clip's heading at its frame to the character's. */
   #pathTurn(): number {
     const clip = this.#clip;
     if (!clip) return 0;
@@ -601,7 +601,7 @@ export class Viewer {
     return hipsTurn(this.#held) - hipsTurn(clip, frame);
   }
 
-  /** Lays the moments before and after along the character, as the clip has them. */
+  /** Draws the moments before and after the character's current frame, from the clip. */
   #drawMotionTrail(): void {
     const clip = this.#clip;
     if (this.#motionTrail === "off" || !clip) return;

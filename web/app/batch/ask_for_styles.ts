@@ -7,7 +7,7 @@ import type { BatchPlace } from "./batch_card";
 import { batchWords as words } from "./strings.en";
 import { presentVariant, singleVariants, type Variant } from "./variants";
 
-/** The styles that a person chooses for so many motions; undefined where they are not to be made. */
+/** The styles that the user chooses for `count` motions; `undefined` if the user cancels. */
 export async function askForStyles(count: number, { store, session }: BatchPlace): Promise<Variant[] | undefined> {
   const database = session.database ?? (await opened(session));
   const { neutral, styles } = database;
@@ -68,7 +68,7 @@ export async function askForStyles(count: number, { store, session }: BatchPlace
 const radio = (name: string, value: string, checked: boolean): HTMLInputElement =>
   html("input", { type: "radio", name, value, checked });
 
-/** The database, once one is open. */
+/** The database, as soon as one is open. */
 function opened(session: BatchPlace["session"]): Promise<NonNullable<BatchPlace["session"]["database"]>> {
   return new Promise((resolve) => {
     const once = new AbortController();

@@ -12,7 +12,7 @@ const state: PlayState = initialOf(PLAY_FIELDS);
 const variants = (...styles: string[]): Variant[] => singleVariants(state, "neutral", styles);
 const clip = (path: string): BatchClip => ({ path, read: async () => new TextEncoder().encode(path) });
 
-/** A lane that says what it was asked for, and fails at what its name tells. */
+/** A fake lane that records its calls, and fails as its file names tell. */
 function lane({ onStyle = (_file: string) => {} } = {}): Lane & { open: Lane["open"]; opened: string[] } {
   const opened: string[] = [];
   return {
@@ -88,7 +88,7 @@ describe("a batch", () => {
         const rest: string[] = [];
         await batch.run([lane({ onStyle: (file) => rest.push(file) })], () => {});
         expect([batch.done, batch.ended, batch.leftOut.length]).toEqual([6, true, 1]);
-        // Nothing is done twice.
+        // No file is made twice.
         expect(rest.length).toBe(6 - before);
         expect(Object.keys(await textsOf(batch.archive())).length).toBe(7);
       }),

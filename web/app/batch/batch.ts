@@ -1,7 +1,7 @@
 /**
- * A batch: every clip in every style, each file once. Clips are taken one after the other by as many lanes as there are; a clip
- * that cannot be used is left out and named, and the others go on. What is done stays done when the batch is stopped, and
- * running it again does the rest. Without the page.
+ * A batch: every clip in every style, each file once. All lanes take clips one after another. A clip that cannot be
+ * used is left out and listed, and the others continue. Finished files are kept when the batch is stopped; running it
+ * again makes the rest. Independent of the page.
  */
 import { ZipError } from "../../client/build/zip";
 import { ZipWriter } from "../../client/build/zip_writer";
@@ -9,7 +9,7 @@ import { type CallOptions, isCancellation, isFault } from "../../client/protocol
 import { errorText } from "../ui/words";
 import type { Variant } from "./variants";
 
-/** A clip that is to be styled. */
+/** A clip to style. */
 export interface BatchClip {
   /** Path of its file. */
   path: string;
@@ -24,20 +24,20 @@ export interface OpenClip {
   dispose(): void;
 }
 
-/** What a lane works with. */
+/** An engine that works on a batch. */
 export interface Lane {
   /** @throws Error with a sentence if the clip cannot be used */
   open(name: string, bytes: Uint8Array<ArrayBuffer>, call: CallOptions): Promise<OpenClip>;
   dispose(): void;
 }
 
-/** A clip that was left out, and why, a sentence. */
+/** A clip that was left out, and the reason, a sentence. */
 export interface LeftOut {
   path: string;
   why: string;
 }
 
-/** How a file is tried again after a fault of the engine. */
+/** Number of attempts per file after a fault of the engine. */
 const TRIES = 2;
 
 export class Batch {
@@ -47,11 +47,11 @@ export class Batch {
   readonly leftOut: LeftOut[] = [];
   readonly #zip: ZipWriter;
   readonly #outputs: readonly string[];
-  /** Numbers of the clips that are still to be done, the first first. */
+  /** Indices of the remaining clips, in order. */
   #waiting: number[];
-  /** Files that are done, by their names in the zip. */
+  /** Finished files, by their names in the zip. */
   readonly #done = new Set<string>();
-  /** Each file with how it ended, for the report. */
+  /** The result of each file, for the report. */
   readonly #rows: string[] = [];
 
   constructor(clips: readonly BatchClip[], variants: readonly Variant[], zip = new ZipWriter()) {
@@ -62,23 +62,23 @@ export class Batch {
     this.#waiting = clips.map((_, i) => i);
   }
 
-  /** Files that there will be, if every clip can be used. */
+  /** Number of files if every clip can be used. */
   get files(): number {
     return this.clips.length * this.variants.length;
   }
 
-  /** Files that are in the zip. */
+  /** Number of files in the zip. */
   get done(): number {
     return this.#done.size;
   }
 
-  /** Share of the files that have ended, one way or the other. */
+  /** Share of the files that were finished or left out. */
   get fraction(): number {
     const lost = this.leftOut.length * this.variants.length;
     return this.files === 0 ? 1 : Math.min(1, (this.done + lost) / this.files);
   }
 
-  /** Whether nothing is left to be done. */
+  /** Whether there is nothing left to do. */
   get ended(): boolean {
     return this.#waiting.length === 0;
   }
@@ -89,9 +89,9 @@ export class Batch {
   }
 
   /**
-   * Does what is left.
-   * @param onChange is called after every file
-   * @throws what `signal` was aborted with; what cannot be done of a clip is in {@link leftOut}
+   * Makes the remaining files.
+   * @param onChange called after every file
+   * @throws the reason with which `signal` was aborted; failures of clips are in {@link leftOut}
    */
   async run(lanes: readonly Lane[], onChange: () => void, { signal }: CallOptions = {}): Promise<void> {
     const call = signal ? { signal } : {};
@@ -104,7 +104,7 @@ export class Batch {
           await this.#clip(lane, next, call, onChange);
         } catch (thrown) {
           if (isCancellation(thrown) || signal?.aborted) {
-            // It was not done whole: the next run goes on with it.
+            // It was not finished: the next run continues with it.
             this.#waiting.unshift(next);
             throw thrown;
           }
@@ -118,7 +118,7 @@ export class Batch {
     if (failed) throw failed.reason;
   }
 
-  /** The zip with what is done, and a table of it. */
+  /** The zip of the finished files, with a report. */
   archive(): Blob {
     const rows = ["output,input,variant,status,message", ...this.#rows];
     const report = new TextEncoder().encode(rows.map((line) => `${line}\n`).join(""));
@@ -160,7 +160,7 @@ export class Batch {
   }
 }
 
-/** Tries once more after a fault of the engine, which has been started again by then. */
+/** Tries again after a fault of the engine, which has restarted by then. */
 async function again(work: () => Promise<void>): Promise<void> {
   for (let left = TRIES; ; left--) {
     try {
@@ -171,7 +171,7 @@ async function again(work: () => Promise<void>): Promise<void> {
   }
 }
 
-/** Paths of the outputs below the folder of a style: those of the inputs, and none leads out of it or is there twice. */
+/** Paths of the outputs below the folder of a style: those of the inputs, made unique and kept inside the folder. */
 export function outputNames(paths: readonly string[]): string[] {
   const taken = new Set<string>();
   return paths.map((path) => {
@@ -182,14 +182,14 @@ export function outputNames(paths: readonly string[]): string[] {
       .filter((part) => part !== "");
     const base = (parts.join("/") || "motion").replace(/\.bvh$/i, "");
     let name = `${base}.bvh`;
-    // Some systems do not tell capitals from small letters.
+    // Some file systems are case-insensitive.
     for (let n = 2; taken.has(name.toLowerCase()); n++) name = `${base} (${n}).bvh`;
     taken.add(name.toLowerCase());
     return name;
   });
 }
 
-/** A name that every system takes for a folder or a file; empty where nothing is left of it. */
+/** A name that is valid as a folder or a file on every system; empty if nothing is left of it. */
 function folderName(name: string): string {
   return name.replace(/[\\/:*?"<>|\p{Cc}]/gu, "-").replace(/^[\s.]+$|[\s.]+$/g, "");
 }

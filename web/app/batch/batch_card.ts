@@ -1,4 +1,4 @@
-/** The card of a batch: how far it is, what was left out, and the zip; the page goes on beside it. */
+/** The card of a batch: its progress, left-out clips, and the zip. The page remains usable. */
 import type { Source } from "../../client/build/sources";
 import { type DatabaseSource, isCancellation } from "../../client/protocol";
 import type { Session } from "../../player/session";
@@ -15,18 +15,18 @@ import { EngineLane, laneCount } from "./engine_lane";
 import { batchWords as words } from "./strings.en";
 import type { Variant } from "./variants";
 
-/** What a batch needs of the page. */
+/** The page's interface for a batch. */
 export interface BatchPlace {
   readonly store: Store;
   readonly session: Session;
   readonly toasts: Toasts;
-  /** The line of inputs. */
+  /** The progress line of inputs. */
   readonly input: ProgressLine;
-  /** What cards are shown in. */
+  /** The element in which cards are shown. */
   readonly root: HTMLElement;
 }
 
-/** How long it takes is guessed once so much time has passed, milliseconds. */
+/** The remaining time is estimated after this time, milliseconds. */
 const GUESS_MS = 5000;
 
 export class BatchCard {
@@ -50,7 +50,7 @@ export class BatchCard {
     this.#batch = new Batch(clips, variants);
     this.#place = place;
     const { databaseSource: source } = place.session;
-    // All of the built-in motions, be it that only the first are there yet.
+    // All built-in motions, even if only the first ones are loaded so far.
     this.#source = source?.kind === "strutdb" ? source : { kind: "demo" };
     this.#reasons = html("details", { hidden: true }, html("summary", {}), this.#left);
     this.#element = taskCard(words.name, this.#bar, this.#heading, this.#figures, this.#reasons, this.#actions);
@@ -63,7 +63,7 @@ export class BatchCard {
     return this.#running !== undefined || this.#unsaved > 0;
   }
 
-  /** Does what is left, until that is done or a person stops it. */
+  /** Makes the remaining files until all are done or the user stops it. */
   async run(): Promise<void> {
     if (this.#running) return;
     const { toasts, session } = this.#place;
@@ -83,7 +83,7 @@ export class BatchCard {
       });
       const started = await Promise.allSettled(starting);
       const refused = started.find((start) => start.status === "rejected");
-      // One is enough.
+      // One lane is enough.
       if (refused && lanes.length === 0) throw refused.reason;
       this.#began = performance.now();
       await batch.run(lanes, () => this.#show(), call);
@@ -110,7 +110,7 @@ export class BatchCard {
   #show(): void {
     const { done, files, clips, leftOut, fraction, ended } = this.#batch;
     const running = this.#running !== undefined;
-    // What is not saved would be lost with the page.
+    // Unsaved files would be lost with the page.
     this.#guard.needed = this.busy;
     const heading = running ? words.running(clips.length) : ended ? words.done(done) : words.stopped(done, files);
     setText(this.#heading, heading);
@@ -123,7 +123,7 @@ export class BatchCard {
     this.#showActions(running);
   }
 
-  /** How far it is. */
+  /** Text of the progress. */
   #said(): string {
     const { done, files, leftOut } = this.#batch;
     const passed = performance.now() - this.#began;
@@ -174,7 +174,7 @@ export class BatchCard {
     this.#show();
   }
 
-  /** Takes the card away; what was not saved can be brought back for as long as the offer stands. */
+  /** Removes the card. Unsaved files can be restored while the offer is shown. */
   #close(): void {
     const unsaved = this.#unsaved;
     this.#element.remove();
@@ -183,7 +183,7 @@ export class BatchCard {
       return;
     }
     this.#place.toasts.offer(words.discarded(unsaved), words.undo, () => this.#place.root.append(this.#element));
-    // Nothing warns of what a person has closed.
+    // No warning about files of a batch that the user has closed.
     this.#saved = this.#batch.done;
     this.#guard.needed = false;
   }

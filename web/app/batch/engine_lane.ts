@@ -1,4 +1,4 @@
-/** An engine of a batch's own, so that what plays goes on. */
+/** A batch's own engine, so that playback continues. */
 import { bvhBytes } from "../../client/bvh_bytes";
 import { EngineClient } from "../../client/engine_client";
 import type { ClientDatabase } from "../../client/handles";
@@ -9,7 +9,7 @@ import type { Variant } from "./variants";
 /** Each has the database in its memory. */
 const MOST_LANES = 4;
 
-/** As many lanes as this machine has cores for, beside the page, its engine and its picture. */
+/** Number of lanes for the cores of this machine that the page, its engine and its picture leave free. */
 export function laneCount(cores = navigator.hardwareConcurrency || 2): number {
   return Math.min(MOST_LANES, Math.max(1, cores - 2));
 }

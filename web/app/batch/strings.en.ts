@@ -1,4 +1,4 @@
-/** What is said of several motions that were dropped, and of a batch. It is loaded with the first of them. */
+/** Texts about several dropped motions, and about a batch. Loaded on first use. */
 import { grouped } from "../strings/numerals";
 
 const counted = (one: string) => (n: number) => `${grouped(n)} ${n === 1 ? one : `${one}s`}`;
@@ -7,7 +7,7 @@ const quoted = (name: string) => `“${name}”`;
 const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`;
 
 export const batchWords = {
-  // --- what is to become of them ---
+  // --- what to do with them ---
   heading: motions,
   looking: "Looking for motions.",
   inputs: "Use as inputs",
@@ -23,7 +23,7 @@ export const batchWords = {
   notRead: (path: string, why: string) => `${quoted(path)} was left out. ${why}`,
   added: (n: number) => `${motions(n)} are inputs now: choose among them beside “Input”.`,
 
-  // --- how they are restyled ---
+  // --- settings of restyling ---
   setup: (n: number) => `Restyle ${motions(n)}`,
   styles: "Styles",
   present: (manner: string) => `As in Play: ${manner}`,

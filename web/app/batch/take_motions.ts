@@ -1,4 +1,4 @@
-/** Asks what is to become of several dropped motions, and does it. Loaded with the first of them. */
+/** Asks what to do with several dropped motions, and does it. Loaded on first use. */
 import "./batch.css";
 import type { DroppedFile } from "../../client/build/protocol";
 import { findSources, reasonOf, type Source } from "../../client/build/sources";
@@ -11,18 +11,18 @@ import { askForStyles } from "./ask_for_styles";
 import { BatchCard, type BatchPlace } from "./batch_card";
 import { batchWords as words } from "./strings.en";
 
-/** Maximum number of motions that become inputs, and of their bytes: all of them are in memory. */
+/** Maximum number of motions that become inputs, and maximum number of bytes of them: all of them are in memory. */
 const MOST_INPUTS = 500;
 const MOST_BYTES = 2 ** 30;
 
-/** What may become of motions. */
+/** Uses of motions. */
 type Use = "inputs" | "restyle" | "database";
 
-/** What the page does with them. */
+/** The page's interface for them. */
 export interface MotionsPlace extends BatchPlace {
   /** Makes them inputs, and opens the first. */
   asInputs(motions: readonly { name: string; bytes: ArrayBuffer }[]): Promise<void>;
-  /** Has the Data view take the files. */
+  /** Passes the files to the Data view. */
   asDatabase(files: DroppedFile[]): Promise<void>;
 }
 
@@ -34,11 +34,11 @@ export class Motions {
     this.#place = place;
   }
 
-  /** Asks what several files, folders and archives are for, and does it. */
+  /** Asks what several files, folders and archives are for, and processes them. */
   async take(files: DroppedFile[]): Promise<void> {
     const { asDatabase } = this.#place;
     const { clips, notes } = await findSources(files);
-    // The Data view says what is wrong with them.
+    // The Data view reports what is wrong with them.
     if (clips.length === 0) return asDatabase(files);
     for (const note of notes) this.#place.toasts.error(note);
     const use = clips.length === 1 ? "inputs" : await askForUse(clips.length);

@@ -1,19 +1,19 @@
-/** The styles of a batch: each is a folder of the zip, by the name that `strut stylize-batch` gives it. */
+/** The styles of a batch: each is a folder of the zip, with the name that `strut stylize-batch` gives it. */
 import type { StylizeOptions } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";
 import type { PlayState } from "../../link/play";
 
-/** A style of a batch, with the options that all of its files are made with. */
+/** A style of a batch, with the options of all its files. */
 export interface Variant {
-  /** What would be typed after `--style`, with `+` for commas. */
+  /** The argument of `--style`, with `+` instead of commas. */
   name: string;
   options: StylizeOptions;
 }
 
-/** What is said of one clip alone: which class it is, and styles at its frames. */
+/** Resets the options that concern one clip only: its labels, and styles at its frames. */
 const OF_ALL = { action: "", inputStyle: "", track: [] };
 
-/** The styles as they are in Play, in steps of a thousandth so that their name says all of them. */
+/** The current styles of Play, rounded to thousandths so that their name specifies them completely. */
 export function presentVariant(state: PlayState, neutral: string): Variant {
   const { styles, parts, ...options } = engineOptions(state, neutral);
   const rounded = (weights: Readonly<Record<string, number>>) =>
@@ -27,7 +27,7 @@ export function presentVariant(state: PlayState, neutral: string): Variant {
   };
 }
 
-/** Each style alone, all of it, with the model as it is in Play. */
+/** Each style alone at full weight, with the current model options of Play. */
 export function singleVariants(state: PlayState, neutral: string, styles: readonly string[]): Variant[] {
   const options = engineOptions({ ...state, parts: {} }, neutral);
   return styles.map((style) => ({

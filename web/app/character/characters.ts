@@ -1,4 +1,4 @@
-/** Who performs in Play: the mannequin, or a character that a person dropped. */
+/** The character in Play: the mannequin, or a dropped character. */
 import type { Character, StyledPoses } from "../../character/types";
 import type { DroppedFile } from "../../client/build/protocol";
 import { type CallOptions, isCancellation } from "../../client/protocol";
@@ -9,14 +9,14 @@ import type { Toasts } from "../ui/toasts";
 import type { Performing } from "../view";
 import type { ChosenRoles, Content } from "./open_character";
 
-/** Confidence in the roles below which a person should look at them. */
+/** Confidence in the roles below which the user should check them. */
 const SURE = 0.7;
 
-/** A character that is open and does not perform yet. */
+/** A character that is open and not in use yet. */
 export interface Prepared {
-  /** Has it perform. */
+  /** Makes it perform. */
   take(): void;
-  /** Frees it where it is not to perform. */
+  /** Frees it if it is not to perform. */
   dispose(): void;
 }
 
@@ -29,17 +29,17 @@ export class Characters {
   #roles: ChosenRoles | undefined;
   #performing: Performing | undefined;
 
-  /** `onChange` is called when another body performs; the one before is freed right after. */
+  /** `onChange` is called when another body performs; the previous one is freed right after. */
   constructor(toasts: Toasts, progress: ProgressLine, onChange: () => void) {
     [this.#toasts, this.#progress, this.#onChange] = [toasts, progress, onChange];
   }
 
-  /** The character that performs; undefined where the mannequin does. */
+  /** The rigged character in use; `undefined` for the mannequin. */
   get performing(): Performing | undefined {
     return this.#performing;
   }
 
-  /** The file of the character that performs, and what a person said of its joints. */
+  /** The file of the character in use, and the user's mapping of its joints. */
   get file(): File | undefined {
     return this.#file;
   }
@@ -48,15 +48,15 @@ export class Characters {
     return this.#roles;
   }
 
-  /** Whether the character may be handed on, as far as its file says. */
+  /** Whether the character may be redistributed, according to its file. */
   get mayHandOn(): boolean {
     return this.#character?.licence?.mayExport ?? true;
   }
 
   /**
-   * Opens a character without having it perform.
-   * @param roles what a person said of its joints
-   * @param accepted whether this person has accepted its terms before
+   * Opens a character without making it perform.
+   * @param roles the user's mapping of its joints
+   * @param accepted whether this user has accepted its terms before
    * @throws StrutError as `loadCharacter`
    */
   async prepare(file: File, roles: ChosenRoles | undefined, accepted: boolean): Promise<Prepared> {
@@ -66,8 +66,8 @@ export class Characters {
   }
 
   /**
-   * Opens a file, and has the character in it perform; who performs stays where there is none. The motions in it are given,
-   * as BVH files.
+   * Opens a file, and makes the character in it perform; if there is none, the current one stays. Returns the file's
+   * motions, as BVH files.
    * @param beside files that the file may name
    */
   async open(file: File, beside: readonly DroppedFile[] = []): Promise<Content["motions"]> {
@@ -93,7 +93,7 @@ export class Characters {
     if (warnings.length > 0) this.#toasts.note(warnings.join(" "));
   }
 
-  /** Asks which joint of the character is which, and has it perform so. */
+  /** Asks the user to check the joint mapping, and binds the character accordingly. */
   async checkJoints(): Promise<void> {
     const file = this.#file;
     if (!this.#character || !file) return;
@@ -103,12 +103,12 @@ export class Characters {
     if (corrected) this.#take(corrected, file, roles);
   }
 
-  /** Has the mannequin perform again. */
+  /** Returns to the mannequin. */
   leave(): void {
     this.#take();
   }
 
-  /** The character's file with a motion; undefined where the mannequin performs. @throws StrutError `licence` */
+  /** The character's file with a motion; `undefined` for the mannequin. @throws StrutError `licence` */
   glb(motion: StyledPoses): Uint8Array<ArrayBuffer> | undefined {
     return this.#character?.toGLB(motion);
   }
@@ -117,14 +117,14 @@ export class Characters {
     this.#character?.dispose();
   }
 
-  /** Opens something of a file, showing how far that is; undefined where it fails, and a person then knows why. */
+  /** Opens a part of a file with progress; `undefined` if that fails, after reporting the error. */
   async #run<T>(file: File, open: (call: CallOptions) => Promise<T>): Promise<T | undefined> {
     try {
       const opened = await this.#progress.run(strings.page.characters.reading(file.name), open);
       this.#toasts.clearErrors();
       return opened;
     } catch (error) {
-      // A person who does not accept the terms knows why it is not there.
+      // A user who does not accept the terms needs no error message.
       if (!isCancellation(error) && codeOf(error) !== "licence") this.#toasts.failure(error);
       return undefined;
     }

@@ -1,13 +1,13 @@
-/** Characters in archives: a zip that holds one, and no clips. */
+/** Characters in archives: a zip that contains a model and no clips. */
 import type { DroppedFile } from "../../client/build/protocol";
 import { Archive, readDirectory, readEntry } from "../../client/build/zip";
 
-/** Most bytes of a file in it. */
+/** Maximum number of bytes of a file in it. */
 const MAX_BYTES = 128 * 1024 * 1024;
-/** Most files of an archive that is looked into. */
+/** Maximum number of files of an archive that is examined. */
 const MAX_FILES = 1000;
 
-/** The model of an archive and all files in it; `undefined` where it holds no model, or clips as well. */
+/** The model of an archive and all files in it; `undefined` if it contains no model, or also clips. */
 export async function modelIn(archive: File): Promise<{ model: File; beside: DroppedFile[] } | undefined> {
   try {
     const zip = new Archive(archive);
@@ -22,7 +22,7 @@ export async function modelIn(archive: File): Promise<{ model: File; beside: Dro
     }
     return { model: beside[entries.indexOf(models[0]!)]!.file, beside };
   } catch {
-    // Whoever reads archives of clips says what is wrong with it.
+    // The reader of clip archives reports what is wrong with it.
     return undefined;
   }
 }

@@ -1,4 +1,4 @@
-/** Opens files of characters, and asks what their files leave open. Loaded with the first character. */
+/** Opens files of characters, and asks the user for missing decisions. Loaded with the first character. */
 
 import { JointsError } from "../../character/joints_error";
 import type { Licence } from "../../character/licence";
@@ -18,13 +18,13 @@ import { spoken } from "../ui/words";
 
 const words = strings.page.characters;
 
-/** Joint of each role, by name, where a person said so. */
+/** Joint of each role, by name, if the user set it. */
 export type ChosenRoles = Partial<Record<Role, string>>;
 
 /**
- * Opens a character. A person is asked whether they may perform it where the author does not allow everybody to.
- * @param roles what a person said of its joints
- * @param accepted whether this person has accepted its terms before
+ * Opens a character. The user is asked for permission to perform it if the author does not allow everyone to.
+ * @param roles the user's mapping of its joints
+ * @param accepted whether this user has accepted its terms before
  * @throws StrutError as `loadCharacter`
  */
 export function openCharacter(
@@ -37,14 +37,14 @@ export function openCharacter(
   return loadCharacter(file, { ...call, ...options }, () => import("@pixiv/three-vrm"));
 }
 
-/** What a person's file holds. */
+/** Contents of a file. */
 export interface Content {
   readonly character: Character | undefined;
   /** Its motions as BVH files. */
   readonly motions: readonly { name: string; bytes: ArrayBuffer }[];
 }
 
-/** A `.gltf` and the files that it names as one `.glb`; other files as they are. @throws StrutError `bad-file` */
+/** A `.gltf` and the files that it names as one `.glb`; other files unchanged. @throws StrutError `bad-file` */
 export async function asOneFile(file: File, beside: readonly DroppedFile[]): Promise<File> {
   if (!/\.gltf$/i.test(file.name)) return file;
   const glb = await bytesOf(beside.length > 0 ? beside.map((each) => each.file) : [file], undefined);
@@ -52,8 +52,8 @@ export async function asOneFile(file: File, beside: readonly DroppedFile[]): Pro
 }
 
 /**
- * Opens a file that may hold a character, motions, or both.
- * @throws StrutError as `loadCharacter`, where there is neither
+ * Opens a file that may contain a character, motions, or both.
+ * @throws StrutError as `loadCharacter`, if it contains neither
  */
 export async function openModel(file: File, call: CallOptions): Promise<Content> {
   if (/\.vrma$/i.test(file.name)) return { character: undefined, motions: asBvh(file, await loadMotions(file, call)) };
@@ -62,7 +62,7 @@ export async function openModel(file: File, call: CallOptions): Promise<Content>
     return { character, motions: asBvh(file, character.motions) };
   } catch (thrown) {
     if ((thrown as { code?: unknown }).code !== "bad-file") throw thrown;
-    // A skeleton without a skin cannot perform, but may move.
+    // A skeleton without a skin cannot perform, but may have motions.
     const motions = await loadMotions(file, call).catch(() => []);
     if (motions.length === 0) throw thrown;
     return { character: undefined, motions: asBvh(file, motions) };
@@ -70,12 +70,12 @@ export async function openModel(file: File, call: CallOptions): Promise<Content>
 }
 
 /**
- * Asks which joint is which where that cannot be told, until the character is bound by what a person says.
- * @throws the reason where there is no such list, or nobody wants to choose
+ * Asks the user to map joints that cannot be identified, until the character can be bound.
+ * @throws `reason` if there is no list of joints, or the user cancels
  */
 async function openAsChosen(file: File, call: CallOptions, reason: unknown): Promise<Character> {
   for (let fault = reason; ; ) {
-    // A thing without limbs is no body that was read wrongly.
+    // An object without limbs is not a misread body.
     if (!(fault instanceof JointsError) || Object.keys(fault.roles).length === 0) throw fault;
     const chosen = await askForJoints({
       joints: fault.joints,
@@ -91,7 +91,7 @@ async function openAsChosen(file: File, call: CallOptions, reason: unknown): Pro
   }
 }
 
-/** Motions as files that the engine opens, named after theirs; the one that walks most is the first. */
+/** Motions as files that the engine opens, named after theirs; the one that walks most comes first. */
 function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motions"] {
   const title = file.name.replace(/\.[^.]*$/, "");
   const first = mostWalking(motions);
@@ -102,7 +102,7 @@ function asBvh(file: File, motions: readonly CharacterMotion[]): Content["motion
   }));
 }
 
-/** Asks which joint is which; undefined where all stay as they are. */
+/** Asks the user to map the joints; `undefined` if nothing changes. */
 export async function askForJoints({
   joints,
   roles,
@@ -114,7 +114,7 @@ export async function askForJoints({
   return Object.fromEntries(ROLES.flatMap((role, i) => (chosen[i]! >= 0 ? [[role, joints[chosen[i]!]!]] : [])));
 }
 
-/** Asks whether the person may perform a character that not everybody may. */
+/** Asks whether the user has permission to perform a character that not everyone may perform. */
 async function askToPerform({ title, url }: Licence): Promise<boolean> {
   const terms = url ? [html("a", { href: url, target: "_blank", rel: "noreferrer" }, words.read)] : [];
   const agreed = await askInDialog<true>("licence", words.notForAll, (choose, cancel) => [

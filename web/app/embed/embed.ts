@@ -1,11 +1,11 @@
-/** Opens the Embed dialog for what is shown. */
+/** Opens the Embed dialog for the displayed state. */
 import { DRIVE, type InputLibrary } from "../../player/input_library";
 import { linkTo } from "../shell/links";
 import { type AppState, initialState } from "../state/state";
 import { strings } from "../strings/strings";
 import { manner } from "../ui/words";
 
-/** Fields of the state that a figure on another page has, too. */
+/** Fields of the state that an embedded figure has, too. */
 const SHOWN = [
   "styles",
   "parts",
@@ -27,21 +27,21 @@ const SHOWN = [
   "loop",
 ] as const satisfies readonly (keyof AppState)[];
 
-/** What is embedded. */
+/** The embedded state. */
 export interface EmbedSubject {
   state: Readonly<AppState>;
   library: InputLibrary;
   neutral: string;
-  /** Whether the database is one of this device. */
+  /** Whether the database exists only on this device. */
   hasOwnDatabase: boolean;
-  /** Whether a character performs. */
+  /** Whether a rigged character is in use. */
   hasCharacter: boolean;
   onPoster: () => void;
-  /** The dialog is closed. */
+  /** Called when the dialog is closed. */
   onClose: () => void;
 }
 
-/** Opens the dialog, which is loaded when it is first wanted. */
+/** Opens the dialog, which is loaded on first use. */
 export async function embed({
   state,
   library,
@@ -52,7 +52,7 @@ export async function embed({
   onClose,
 }: EmbedSubject): Promise<void> {
   const shown = Object.fromEntries(SHOWN.map((name) => [name, state[name]]));
-  // A figure on another page is not steered.
+  // An embedded figure cannot be driven.
   const isFirst = state.input === library.first || state.input === DRIVE;
   const reduced: AppState = { ...initialState(), ...shown, input: isFirst ? "" : state.input };
   const site = new URL(".", location.href).href;

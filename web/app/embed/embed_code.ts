@@ -1,7 +1,7 @@
-/** What is copied into a page to show a figure there. Pure. */
+/** The code to embed a figure in a page. Pure functions. */
 import { escaped, frameOf } from "../ui/frame_code";
 
-/** How a figure is embedded. */
+/** Options of an embedded figure. */
 export interface EmbedChoice {
   /** Size of the frame, CSS pixels. */
   size: { width: number; height: number };
@@ -11,17 +11,17 @@ export interface EmbedChoice {
   ghost: "beside" | "overlay" | "off";
 }
 
-/** What is embedded: the state of a link, and where the site is. */
+/** The embedded state of a link, and the URL of the site. */
 export interface Embedded {
-  /** Address of the playground's folder. */
+  /** URL of the playground's folder. */
   site: string;
-  /** The part of a link behind `#`. */
+  /** The part of a link after `#`. */
   state: string;
-  /** Says what is shown, for screen readers. */
+  /** Description of the figure, for screen readers. */
   title: string;
 }
 
-/** The attributes of a player, by name; `undefined` has none. */
+/** The attributes of a player, by name; those that are `undefined` are omitted. */
 function attributesOf({ state }: Embedded, { controls, autoplay, theme, ghost }: EmbedChoice) {
   const attributes: [name: string, value: string | undefined][] = [
     ["state", state || undefined],
@@ -33,7 +33,7 @@ function attributesOf({ state }: Embedded, { controls, autoplay, theme, ghost }:
   return attributes.filter((pair): pair is [string, string] => pair[1] !== undefined);
 }
 
-/** Address of the page for a frame. */
+/** URL of the page for a frame. */
 export function frameAddress(embedded: Embedded, choice: EmbedChoice): string {
   const url = new URL("embed.html", embedded.site);
   for (const [name, value] of attributesOf(embedded, choice)) url.searchParams.set(name, value);

@@ -1,4 +1,4 @@
-/** The dialog that makes the code to show this figure on another page, with a preview that runs. */
+/** The dialog that makes the code to embed this figure in another page, with a live preview. */
 import "./embed_dialog.css";
 import { button, Segment, Toggle } from "../../ui/controls/buttons";
 import { icon } from "../../ui/controls/icons";
@@ -15,15 +15,15 @@ const SIZES: Readonly<Record<keyof typeof words.sizes, EmbedChoice["size"]>> = {
 };
 type SizeName = keyof typeof SIZES;
 
-/** What the code is for. */
+/** Kind of code. */
 type Kind = "frame" | "element" | "link";
 
 export interface EmbedRequest {
   embedded: Embedded;
-  /** Address of the playground with the same state. */
+  /** URL of the playground with the same state. */
   link: string;
   ghost: EmbedChoice["ghost"];
-  /** What the code cannot carry, as sentences. */
+  /** Parts of the state that the code cannot contain, as sentences. */
   notes: readonly string[];
   onPoster: () => void;
   onClose: () => void;
@@ -37,7 +37,7 @@ export function openEmbedDialog({ embedded, link, ghost, notes, onPoster, onClos
   const preview = html("iframe", { title: words.preview });
   const code = html("textarea", { class: "text code", readonly: true, rows: 4, "aria-label": words.code });
   const said = html("p", { class: "caption", role: "status" });
-  // As large as it will be, and scaled where that is wider than the dialog.
+  // At its actual size, and scaled if that is wider than the dialog.
   const scaleToFit = () => {
     const { width, height } = choice.size;
     const scale = Math.min(1, stage.clientWidth / width || 1);

@@ -1,4 +1,4 @@
-/** What the Embed dialog says. */
+/** Texts of the Embed dialog. */
 export const embed = {
   heading: "Embed",
   preview: "Preview",

@@ -1,35 +1,35 @@
-/** Has the site kept in the browser by its service worker, and brought up to date when a person says so. */
+/** Stores the site in the browser with its service worker, and updates it on the user's request. */
 import type { Order } from "./orders";
 
 /**
- * Starts the worker, and has everything kept that the page may load later, unless the person saves data.
- * @param onUpdate is called when a newer version is there, with what shows it in place of this page
+ * Starts the worker, and stores all files that the page may load later, unless data saving is on.
+ * @param onUpdate called when a newer version is available, with a function that switches to it
  */
 export async function keepSite(onUpdate: (update: () => void) => void): Promise<void> {
   const workers = navigator.serviceWorker;
   const registration = await workers.register("service_worker.js");
   onWaiting(registration, () => onUpdate(() => showNewer(registration)));
   document.addEventListener("visibilitychange", () => {
-    // Without a network there is nothing newer.
+    // Without a network there is no update.
     if (document.visibilityState === "visible") registration.update().catch(() => {});
   });
   const { active } = await workers.ready;
   if (!savesData()) tell(active, "keep all");
 }
 
-/** Calls back when the worker of a newer build waits, now and later. */
+/** Calls back when the worker of a newer build is waiting, now and later. */
 function onWaiting(registration: ServiceWorkerRegistration, call: () => void): void {
   if (registration.waiting) call();
   registration.addEventListener("updatefound", () => {
     const { installing, active } = registration;
     installing?.addEventListener("statechange", () => {
-      // The first worker of all is no update.
+      // The very first worker is not an update.
       if (installing.state === "installed" && active) call();
     });
   });
 }
 
-/** Has the newer worker take over, and loads the page from it. Another page may have done the first. */
+/** Makes the newer worker take over, and reloads the page from it. Another page may have done the former. */
 function showNewer({ waiting }: ServiceWorkerRegistration): void {
   if (!waiting) {
     location.reload();
@@ -43,7 +43,7 @@ function tell(worker: ServiceWorker | null, order: Order): void {
   worker?.postMessage(order);
 }
 
-/** https://wicg.github.io/savedata/, which TypeScript does not know. */
+/** https://wicg.github.io/savedata/, which is not in TypeScript's library. */
 function savesData(): boolean {
   const { connection } = navigator as { connection?: { saveData?: boolean } };
   return connection?.saveData === true;

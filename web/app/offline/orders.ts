@@ -1,2 +1,2 @@
-/** What the page tells its service worker to do: to replace the older version, or to keep all that the page may load. */
+/** Commands of the page to its service worker: to replace the older version, or to store all files that the page may load. */
 export type Order = "take over" | "keep all";

@@ -1,9 +1,9 @@
 /**
- * Keeps the site in the browser, so that it works without a network: the files of the first view when the worker is installed,
- * the others when a page asks for them. `scripts/offline_plugin.mjs` bundles it and lists the files.
+ * Stores the site in the browser, so that it works without a network: the files of the first view when the worker is
+ * installed, the others when a page requests it. `scripts/offline_plugin.mjs` bundles it and lists the files.
  *
- * Versions do not mix. A page and all that it loads later come from the list of one worker; that of a newer build waits until
- * no page is open, or until a person asks for it.
+ * Versions do not mix. A page and everything that it loads later come from the list of one worker. The worker of a
+ * newer build waits until no page is open, or until the user requests the update.
  */
 import { PrecacheController } from "workbox-precaching/PrecacheController.js";
 import type { Order } from "./orders";
@@ -11,17 +11,17 @@ import { isOfThisSite, receiveShared, SHARE_PATH } from "./shared_files";
 
 declare const self: ServiceWorkerGlobalScope;
 
-/** The files by their paths from the worker, each with its digest; the build puts them in place of this name. */
+/** The files by their paths relative to the worker, each with its digest; the build replaces this name by them. */
 declare const FILES: Record<"first" | "rest", Parameters<PrecacheController["addToCacheList"]>[0]>;
 
 const { scope } = self.registration;
-/** The address of a path of the site. */
+/** The URL of a path of the site. */
 const at = (path: string): string => new URL(path, scope).href;
 
 const first = keeperOf("first");
 const rest = keeperOf("rest");
 
-/** Keeps some of the files in a cache of their own. What lies there damaged is fetched anew. */
+/** Stores some of the files in a cache of their own. Damaged files are fetched again. */
 function keeperOf(part: keyof typeof FILES): PrecacheController {
   const keeper: PrecacheController = new PrecacheController({
     cacheName: `strut-${part}-${scope}`,
@@ -33,7 +33,7 @@ function keeperOf(part: keyof typeof FILES): PrecacheController {
           if (!whole) state!.damaged = true;
           return whole ? cachedResponse : undefined;
         },
-        // The browser's own cache may be where the damage comes from.
+        // The damage may come from the browser's own cache.
         requestWillFetch: async ({ request, state }) =>
           state!.damaged ? new Request(request, { cache: "reload" }) : request,
       },
@@ -48,7 +48,7 @@ async function integrityOf(response: Response): Promise<string> {
   return `sha256-${btoa(String.fromCharCode(...digest))}`;
 }
 
-/** A file of this version, from the cache or into it; `undefined` where the version has none of this address. */
+/** A file of this version, from the cache or fetched into it; `undefined` if the version has none with this URL. */
 function keptFile(url: string, event: ExtendableEvent): Promise<Response> | undefined {
   for (const keeper of [first, rest]) {
     const cacheKey = keeper.getCacheKeyForURL(url);
@@ -59,7 +59,7 @@ function keptFile(url: string, event: ExtendableEvent): Promise<Response> | unde
   return undefined;
 }
 
-/** The answer to a request of the app's; other pages of the site and other hosts are left to the network. */
+/** The response to a request of the app; other pages of the site and other hosts are left to the network. */
 function answerTo(event: FetchEvent): Promise<Response> | undefined {
   const { request } = event;
   const { origin, pathname } = new URL(request.url);
@@ -68,12 +68,12 @@ function answerTo(event: FetchEvent): Promise<Response> | undefined {
     return url === at(SHARE_PATH) && isOfThisSite(request) ? receiveShared(request, scope) : undefined;
   if (request.method !== "GET") return undefined;
   if (request.mode === "navigate") return url === scope || url === at("index.html") ? page(event) : undefined;
-  // The network may be better off: it has a newer version where this one cannot be repaired.
+  // The network may work: it has a newer version if this one cannot be repaired.
   const kept = keptFile(request.url, event)?.catch(() => fetch(request));
   return kept ?? (url.startsWith(at("assets/")) ? olderFile(request) : undefined);
 }
 
-/** The app's page, whatever the query. */
+/** The app's page, regardless of the query. */
 function page(event: FetchEvent): Promise<Response> {
   return keptFile(at("index.html"), event)!.catch(() => fetch(event.request));
 }
@@ -83,13 +83,13 @@ async function olderFile(request: Request): Promise<Response> {
   return (await caches.match(request.url, { ignoreVary: true })) ?? fetch(request);
 }
 
-/** Fetches what is missing or damaged. What cannot be fetched now is fetched with the next page. */
+/** Fetches missing or damaged files. Files that cannot be fetched now are fetched with the next page. */
 async function keepAll(event: ExtendableEvent): Promise<void> {
   for (const keeper of [first, rest])
     for (const url of keeper.getCachedURLs()) await keptFile(url, event)?.catch(() => {});
 }
 
-/** Deletes the files of older versions, unless other pages are open that may still need them: then the next version does. */
+/** Deletes the files of older versions, unless other open pages may still need them: then the next version does. */
 async function dropOlder(event: ExtendableEvent): Promise<void> {
   const pages = await self.clients.matchAll({ type: "window" });
   if (pages.length > 1) return;

@@ -1,19 +1,22 @@
-/** Files that another app shares with the installed page: the service worker receives them, and the page takes them. */
+/** Files that another app shares with the installed page: the service worker receives them, and the page opens them. */
 
-/** Where they are sent to, from the folder of the site: the `share_target` of `public/manifest.webmanifest`. */
+/** The path to which they are sent, relative to the site's folder: the `share_target` of `public/manifest.webmanifest`. */
 export const SHARE_PATH = "shared";
 /** The query of the page that is opened with them. */
 export const SHARED_QUERY = "?shared";
 
 const cacheOf = (folder: string): string => `strut-shared-${folder}`;
 
-/** Whether a request comes from the browser itself, as of another app that shares files, or from this site: not from any page. */
+/**
+ * Whether a request comes from the browser itself, as when another app shares files, or from this site, but not from
+ * another site's page.
+ */
 export function isOfThisSite(request: Request): boolean {
   const site = request.headers.get("Sec-Fetch-Site");
   return site === null || site === "none" || site === "same-origin";
 }
 
-/** Stores the files of a form, and answers with the page that takes them. */
+/** Stores the files of a form, and responds with the page that opens them. */
 export async function receiveShared(request: Request, folder: string): Promise<Response> {
   const files = (await request.formData()).getAll("files").filter((value) => value instanceof File);
   const cache = await caches.open(cacheOf(folder));
@@ -23,7 +26,7 @@ export async function receiveShared(request: Request, folder: string): Promise<R
   return Response.redirect(folder + SHARED_QUERY, 303);
 }
 
-/** Takes the files out of the store. */
+/** Returns the stored files and removes them from the store. */
 export async function takeShared(folder: string): Promise<File[]> {
   const name = cacheOf(folder);
   const cache = await caches.open(name);

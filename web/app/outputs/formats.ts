@@ -18,10 +18,10 @@ export const OUTPUT_FORMATS: readonly { format: OutputFormat; name: string }[] =
 /** Containers of videos, by their file extensions. */
 export type VideoContainer = Extract<OutputFormat, "webm" | "mp4">;
 
-/** H.264, profile High, level 4: what an MP4 file is expected to hold, up to 1920 × 1080 pixels. */
+/** H.264, profile High, level 4: the usual codec of an MP4 file, up to 1920 × 1080 pixels. */
 const H264 = "avc1.640028";
 
-/** Whether this browser makes MP4 videos. Builds of Chromium without licensed codecs do not. */
+/** Whether this browser can encode MP4 videos. Builds of Chromium without licensed codecs cannot. */
 export async function makesMp4(): Promise<boolean> {
   if (typeof VideoEncoder === "undefined") return false;
   const config = { codec: H264, width: 1920, height: 1080 };
@@ -29,7 +29,7 @@ export async function makesMp4(): Promise<boolean> {
   return supported === true;
 }
 
-/** Sizes of a video in pixels, by their names in the menu; `undefined` is the size on screen. */
+/** Sizes of a video in pixels, by their names in the menu; `undefined` is the displayed size. */
 export const VIDEO_SIZES = {
   "as on screen": undefined,
   "1280 × 720": { width: 1280, height: 720 },

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { onePass, type PassFrame } from "./one_pass";
 
-/** The frames of one pass over a range of five frames; `loops` says from which call on the playback loops. */
+/** The frames of one pass over a range of five frames; playback loops from call `loops` on. */
 async function recorded(loops: number): Promise<number[]> {
   let [calls, frame] = [0, 0];
   const advance = async (): Promise<PassFrame> => {

@@ -1,12 +1,12 @@
-/** One pass of the playback over the range, as recorded in a video. */
+/** One pass of the playback over the range, for a video. */
 import type { LiveFrame } from "../../client/protocol";
 
-/** What a pass needs to know of a frame. */
+/** The properties of a frame that a pass needs. */
 export type PassFrame = Pick<LiveFrame, "ended" | "looped" | "inputFrame">;
 
 /**
- * The frames of one pass. It ends with the range, also where somebody lets the playback loop meanwhile: the frame that
- * begins anew is not part of it.
+ * The frames of one pass. It ends with the range, even if the user turns looping on meanwhile: the frame that restarts
+ * is not part of it.
  */
 export async function* onePass<T extends PassFrame>(advance: () => Promise<T>): AsyncGenerator<T> {
   for (;;) {

@@ -20,9 +20,9 @@ import { pngOf } from "./png";
 /** Media type of GLB files. */
 const GLB = "model/gltf-binary";
 
-/** Renders the viewer's picture off the clock. */
+/** Renders the viewer's picture independently of the clock. */
 export interface Pictures {
-  /** A copy of the picture, at another size than on screen where one is given. */
+  /** A copy of the picture, optionally at a size other than the displayed one. */
   picture(size?: PictureSize): Promise<HTMLCanvasElement>;
   readonly film: Film;
 }
@@ -33,8 +33,8 @@ export interface OutputSources {
   store: Store;
   pictures: Pictures;
   /**
-   * The file of the character that performs, with a motion; undefined where the mannequin does.
-   * @throws StrutError `licence` where its author forbids that
+   * The file of the character in use, with a motion; `undefined` for the mannequin.
+   * @throws StrutError `licence` if its author forbids that
    */
   characterGlb: (motion: StyledPoses) => Uint8Array<ArrayBuffer> | undefined;
   playhead: Playhead;
@@ -42,7 +42,7 @@ export interface OutputSources {
   progress: ProgressLine;
 }
 
-/** Makes a file and saves it; its name, or `undefined` where it was cancelled or failed. */
+/** Makes and saves a file. Returns its name, or `undefined` if it was cancelled or failed. */
 export async function saveOutput(
   format: OutputFormat,
   size: VideoSize,
@@ -118,8 +118,8 @@ async function trace(session: Session, format: "csv" | "jsonl"): Promise<Blob | 
 }
 
 /**
- * Records the range once at the current speed, frame by frame; `undefined` where the browser has no encoder.
- * @throws DOMException `AbortError` where it is cancelled, or another input or view is shown
+ * Records the range once at the current speed, frame by frame; `undefined` if the browser has no encoder.
+ * @throws DOMException `AbortError` if it is cancelled, or another input or view is shown
  */
 async function video(
   size: VideoSize,

@@ -8,14 +8,14 @@ interface Mover {
   readonly rateHz: number;
 }
 
-/** Saves the text of a BVH file; gives the file's name. */
+/** Saves the text of a BVH file; returns the file's name. */
 export function saveBvh(title: string, text: string): string {
   const name = `${title}.bvh`;
   saveFile(name, new Blob([text], { type: "text/plain" }));
   return name;
 }
 
-/** Saves the mannequin with `POSE_FLOATS` numbers a frame as a GLB file; gives the file's name. */
+/** Saves the mannequin with `POSE_FLOATS` numbers per frame as a GLB file; returns the file's name. */
 export async function saveGlb(title: string, { proportions, rateHz }: Mover, poses: Float32Array): Promise<string> {
   const { mannequinGlb } = await import("../../formats/mannequin_glb");
   const times = Float32Array.from({ length: poses.length / POSE_FLOATS }, (_, frame) => frame / rateHz);

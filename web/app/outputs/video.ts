@@ -1,4 +1,4 @@
-/** Encodes a video with the browser's encoder, at a constant frame rate whatever the time to draw a frame. */
+/** Encodes a video with the browser's encoder, at a constant frame rate, however long a frame takes to draw. */
 import {
   BufferTarget,
   CanvasSource,
@@ -64,7 +64,7 @@ export async function makeVideo(
   }
 }
 
-/** Starts an encoder of what is drawn on a canvas, in the first container that this browser can write. */
+/** Starts an encoder for a canvas, in the first container that this browser can write. */
 async function startEncoder(
   canvas: HTMLCanvasElement,
   containers: readonly VideoContainer[],
@@ -84,8 +84,8 @@ async function startEncoder(
 }
 
 /**
- * Makes an MP4 video, or WebM where this browser encodes no MP4 of this size, and saves it; its name, or `undefined` where this browser has no
- * encoder.
+ * Makes an MP4 video, or WebM if this browser cannot encode MP4 at this size, and saves it. Returns its name, or
+ * `undefined` if this browser has no encoder.
  * @throws whatever `pictures` throws
  */
 export async function saveVideo(

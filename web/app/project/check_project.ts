@@ -1,4 +1,4 @@
-/** Tries what a project holds in an engine of its own, so that what is on screen stays where something of it cannot be opened. */
+/** Opens the contents of a project in an engine of its own, so that the page is unchanged if something cannot be opened. */
 import { EngineClient } from "../../client/engine_client";
 import { type CallOptions, isCancellation, type RememberedReadings } from "../../client/protocol";
 import { errorText } from "../ui/words";
@@ -19,7 +19,7 @@ export async function checkProject(
   const engine = new EngineClient(own ? {} : { preload: "first" });
   try {
     onProgress?.({ label: words.checking(own?.name ?? inputs[0]!.name), fraction: 0 });
-    // The first strides of the built-in database have the body of all of it.
+    // The first strides of the built-in database have the same body as the whole.
     const source = own ? ({ kind: "strutdb", ...own } as const) : ({ kind: "demo", set: "first" } as const);
     const refused = own && ((why: string) => words.databaseRefused(own.name, why));
     const database = await said(engine.openDatabase(source, call), refused);
@@ -35,7 +35,7 @@ export async function checkProject(
   }
 }
 
-/** Has a refusal say what it is about. */
+/** Adds the subject to the message of a refusal. */
 async function said<T>(work: Promise<T>, about: ((why: string) => string) | undefined): Promise<T> {
   try {
     return await work;

@@ -1,8 +1,8 @@
-/** Offers that hold until something else is done. */
+/** Offers that are valid until the next edit. */
 import { UNDOABLE } from "../state/state";
 import type { ProjectPlace } from "./place";
 
-/** Offers something until the person changes what undo takes back. */
+/** Offers an action until the user changes something that undo restores. */
 export function offerUntilEdit(
   text: string,
   label: string,

@@ -1,4 +1,4 @@
-/** Opens project files. Loaded with the first one. */
+/** Opens project files. Loaded on first use. */
 import { isCancellation } from "../../client/protocol";
 import type { Prepared } from "../character/characters";
 import { stateOfLink } from "../shell/links";
@@ -9,7 +9,7 @@ import type { ProjectPlace } from "./place";
 import { isFileOf, type Project, type ProjectCharacter, ProjectError, readProject } from "./project_file";
 import { projectWords as words } from "./strings.en";
 
-/** Opens a project in the place of what is open; where anything of it cannot be opened, nothing changes but what is said. */
+/** Opens a project instead of the current state. If any part of it cannot be opened, nothing changes and the error is shown. */
 export async function openProject(file: File, place: ProjectPlace): Promise<void> {
   const { toasts, progress, session } = place;
   try {
@@ -30,7 +30,7 @@ export async function openProject(file: File, place: ProjectPlace): Promise<void
   }
 }
 
-/** The character of a project, ready to perform; undefined where it is not there. */
+/** The character of a project, ready to perform; `undefined` if it is not available. */
 async function prepared(character: ProjectCharacter, { characters }: ProjectPlace): Promise<Prepared | undefined> {
   const { name, file, roles } = character;
   const present = characters.file;
@@ -40,7 +40,7 @@ async function prepared(character: ProjectCharacter, { characters }: ProjectPlac
   try {
     return await characters.prepare(found, roles, found === present);
   } catch (thrown) {
-    // A person who does not accept the terms has the mannequin perform.
+    // If the user does not accept the terms, the mannequin performs.
     if ((thrown as { code?: unknown }).code === "licence") return undefined;
     if (isCancellation(thrown)) throw thrown;
     throw new ProjectError(words.characterRefused(name, errorText(thrown)));

@@ -1,4 +1,4 @@
-/** What projects need of the page. */
+/** The page's interface for projects. */
 import type { Session } from "../../player/session";
 import type { Characters } from "../character/characters";
 import type { Databases } from "../shell/databases";
@@ -7,7 +7,7 @@ import type { Store } from "../state/store";
 import type { ProgressLine } from "../ui/progress";
 import type { Toasts } from "../ui/toasts";
 
-/** The databases of the page, as far as projects are concerned. */
+/** The page's databases, as projects need them. */
 type ProjectDatabases = Pick<Databases, "file" | "held" | "hold" | "keep" | "release" | "nameUnnamed">;
 
 export interface ProjectPlace {
@@ -16,8 +16,8 @@ export interface ProjectPlace {
   readonly databases: ProjectDatabases;
   readonly characters: Characters;
   readonly toasts: Toasts;
-  /** Shows how far reading and saving are, in any view. */
+  /** The progress of reading and saving, shown in every view. */
   readonly progress: ProgressLine;
-  /** Goes to a state. */
+  /** Applies a state. */
   arrive(state: AppState): Promise<void>;
 }

@@ -9,7 +9,7 @@ const DIGEST = "0123456789abcdef".repeat(4);
 const MANIFEST = { format: "strut-project", version: VERSION, state: "styles=old:1", inputs: [] };
 const bytesOf = (text: string) => new TextEncoder().encode(text);
 
-/** A project with one of everything. */
+/** A project with every kind of content. */
 const FULL: Project = {
   state: "input=walk&styles=old:1,proud:0.5",
   inputs: [
@@ -28,7 +28,7 @@ const FULL: Project = {
   character: { name: "bot.glb", size: 5, sha256: DIGEST, file: new Blob(["glTF!"]), roles: { hips: "Bip01" } },
 };
 
-/** The archive with this `project.json` and other files. */
+/** An archive with this `project.json` and other files. */
 function archive(manifest: unknown, others: Record<string, string | Uint8Array> = {}): Blob {
   const text = typeof manifest === "string" ? manifest : JSON.stringify(manifest);
   const files = [{ name: "project.json", content: text }];
@@ -45,7 +45,7 @@ const why = async (file: Blob): Promise<string> => {
   throw new Error("it was read");
 };
 
-/** A project with blobs as bytes, to be compared. */
+/** A project with blobs converted to bytes, for comparison. */
 async function plain(project: Project) {
   const bytes = async (file: Blob | undefined) => file && [...new Uint8Array(await file.arrayBuffer())];
   const { database, character } = project;

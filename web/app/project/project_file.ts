@@ -1,7 +1,7 @@
 /**
- * The project file, `.strut`: what is open, as one zip archive. `project.json` in it says what is what; every other file is
- * named there. `docs/projects.md` has the format and its limits. A file is read whole and checked before anything of it is
- * used, and whatever it holds, what goes wrong is a sentence.
+ * The project file, `.strut`: the open objects as one zip archive. Its `project.json` lists all other files.
+ * `docs/projects.md` describes the format and its limits. A file is read completely and checked before any of it is
+ * used, and every error is a sentence.
  */
 import { Archive, readDirectory, readEntry, type ZipEntry, ZipError } from "../../client/build/zip";
 import { ZipWriter } from "../../client/build/zip_writer";
@@ -12,7 +12,7 @@ import type { DroppedInput } from "../../player/input_library";
 import { cancelled } from "../ui/words";
 import { projectWords as words } from "./strings.en";
 
-/** What `project.json` says that it is, and the version of the format that this page writes. */
+/** The format name in `project.json`, and the version of the format that this page writes. */
 const FORMAT = "strut-project";
 export const VERSION = 1;
 const MANIFEST = "project.json";
@@ -27,30 +27,30 @@ export const LIMITS = {
   /** Motions, and entries of the archive. */
   inputs: 500,
   entries: 2000,
-  /** Bytes of a motion, of the poses that it was written from, of a database, and of a character. */
+  /** Bytes of a motion, of its exact poses, of a database, and of a character. */
   motion: 256 << 20,
   poses: 256 << 20,
   database: 4096 * (1 << 20),
   character: 512 << 20,
-  /** Bytes of all that is unpacked. */
+  /** Bytes of all unpacked files. */
   all: 4096 * (1 << 20),
 } as const;
 
 /** Numbers of a body: 21 × xyz. */
 const PROPORTIONS = 3 * ROLES.length;
 
-/** A character: its file, or by what its file is known again. */
+/** A character: its file, or the properties that identify its file. */
 export interface ProjectCharacter {
   /** Name of its file. */
   name: string;
   size: number;
   sha256: string;
   file?: Blob;
-  /** Joint of each role, where a person said so. */
+  /** Joint of each role, if the user set it. */
   roles?: Partial<Record<Role, string>>;
 }
 
-/** What a project file holds. */
+/** Contents of a project file. */
 export interface Project {
   /** The state as the text of a link, without `#`. */
   state: string;
@@ -59,10 +59,10 @@ export interface Project {
   character?: ProjectCharacter;
 }
 
-/** Why a project file cannot be read, as a sentence. */
+/** The error of an invalid project file; its message is a sentence. */
 export class ProjectError extends Error {}
 
-/** Writes a project; the bytes depend on nothing but it. @throws ZipError if it is too large */
+/** Writes a project; equal projects give equal bytes. @throws ZipError if it is too large */
 export async function writeProject(project: Project, { signal, onProgress }: CallOptions = {}): Promise<Blob> {
   const { state, inputs, database, character } = project;
   const zip = new ZipWriter();
@@ -98,7 +98,7 @@ export async function writeProject(project: Project, { signal, onProgress }: Cal
       },
     }),
   };
-  // First, so that whoever looks into the file sees at once what it is.
+  // First, so that readers of the file find the format at once.
   await add(MANIFEST, new TextEncoder().encode(JSON.stringify(manifest, undefined, 1)).buffer, true);
   for (const [i, { file, exact }] of inputs.entries()) {
     await add(`inputs/${i + 1}.bvh`, file, true);
@@ -113,7 +113,7 @@ const endingOf = (name: string): string => /\.[a-z0-9]{1,8}$/i.exec(name)?.[0].t
 
 /**
  * Reads a project.
- * @throws ProjectError with what is wrong with the file; `cancelled`
+ * @throws ProjectError if the file is invalid; the message says why; `cancelled`
  */
 export async function readProject(file: Blob, call: CallOptions = {}): Promise<Project> {
   try {
@@ -126,13 +126,13 @@ export async function readProject(file: Blob, call: CallOptions = {}): Promise<P
   }
 }
 
-/** Reads what `project.json` names, as much as the limits allow. */
+/** Reads the files that `project.json` names, within the limits. */
 class Reader {
   readonly #archive: Archive;
   readonly #call: CallOptions;
   #entries = new Map<string, ZipEntry>();
   #unpacked = 0;
-  /** Files that were read, and that there are. */
+  /** Numbers of files read and of all files. */
   #read = 0;
   #files = 1;
 
@@ -169,7 +169,7 @@ class Reader {
     });
     if (entries.length > LIMITS.entries) throw new ProjectError(words.noProject);
     for (const entry of entries) {
-      // What is there twice might be one thing to this reader and another to the next.
+      // Readers may differ in which of two entries with the same name they use.
       if (this.#entries.has(entry.name)) throw new ProjectError(words.twice(entry.name));
       this.#entries.set(entry.name, entry);
     }
@@ -266,7 +266,7 @@ function isRecord(value: unknown): value is Record<string, unknown> {
 
 const isGiven = (value: unknown): boolean => value !== undefined && value !== null;
 
-/** A name to be shown and to be found by: without characters that are not seen. @throws ProjectError */
+/** A name for display and lookup, without invisible characters. @throws ProjectError */
 function nameOf(value: unknown, where: string): string {
   // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what is refused
   const valid = typeof value === "string" && value.trim() !== "" && !/[\u0000-\u001f\u007f]/.test(value);
@@ -283,7 +283,7 @@ function rolesOf(value: unknown): Partial<Record<Role, string>> | undefined {
   return valid ? (value as Partial<Record<Role, string>>) : undefined;
 }
 
-/** The digest of what could not be digested: browsers do that on https alone. */
+/** The digest used where none can be computed: browsers compute digests only on https. */
 const UNKNOWN_DIGEST = "0".repeat(64);
 
 /** SHA-256 of a file, in hexadecimal digits. */
@@ -294,7 +294,7 @@ export async function sha256Of(file: Blob): Promise<string> {
   return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-/** Whether a file is the one that a project was made with, as far as that can be known. */
+/** Whether a file is the one with which a project was made, as far as that can be checked. */
 export async function isFileOf({ size, sha256 }: ProjectCharacter, file: Blob): Promise<boolean> {
   if (file.size !== size) return false;
   const digest = await sha256Of(file);

@@ -1,4 +1,4 @@
-/** Projects and dropped files as the page has them: opens, saves, forgets. Loaded with the first of these. */
+/** Projects and dropped files of the page: opens, saves, removes. Loaded on first use. */
 import { ProgressLine } from "../ui/progress";
 import { taskCard } from "../ui/task_card";
 import { offerUntilEdit } from "./offer";
@@ -10,24 +10,24 @@ import { projectWords as words } from "./strings.en";
 export class Projects {
   readonly #place: ProjectPlace;
 
-  /** @param root what the progress is shown in */
+  /** @param root element in which the progress is shown */
   constructor(place: Omit<ProjectPlace, "progress">, root: HTMLElement) {
     const progress = new ProgressLine();
     root.append(taskCard(words.task, progress.element));
     this.#place = { ...place, progress };
   }
 
-  /** Opens a project file; the one that is being opened is given up. */
+  /** Opens a project file; an opening in progress is cancelled. */
   open(file: File): Promise<void> {
     return openProject(file, this.#place);
   }
 
-  /** Asks how the project is to be saved, and saves it. */
+  /** Asks for the settings of saving the project, and saves it. */
   save(): Promise<void> {
     return saveProject(this.#place);
   }
 
-  /** Takes all dropped files away, from the page and from what the browser keeps; offers to bring them back. */
+  /** Removes all dropped files from the page and from the browser's storage; offers to restore them. */
   async forget(): Promise<void> {
     const { session, databases, characters, toasts, store, arrive } = this.#place;
     const { library } = session;

@@ -1,4 +1,4 @@
-/** Saves what is open as a project file. Loaded with the first one. */
+/** Saves the current state as a project file. Loaded on first use. */
 import "./project.css";
 import { isCancellation } from "../../client/protocol";
 import type { DroppedInput } from "../../player/input_library";
@@ -11,15 +11,15 @@ import type { ProjectPlace } from "./place";
 import { type Project, sha256Of, writeProject } from "./project_file";
 import { projectWords as words } from "./strings.en";
 
-/** How a person wants a project to leave the page. */
+/** The user's settings of saving a project. */
 interface Wish {
   name: string;
-  /** Whether the character's file is in it. */
+  /** Whether the character's file is included. */
   inside: boolean;
   by: "download" | "share";
 }
 
-/** Asks what a project is called and what is in it, and saves or shares it. */
+/** Asks for the name and the contents of a project, and saves or shares it. */
 export async function saveProject(place: ProjectPlace): Promise<void> {
   const { toasts, progress } = place;
   const wish = await askHow(place);
@@ -38,18 +38,18 @@ export async function saveProject(place: ProjectPlace): Promise<void> {
   }
 }
 
-/** The motions that were dropped. */
+/** The dropped motions. */
 function inputsOf({ session: { library } }: ProjectPlace): DroppedInput[] {
   return library.dropped.map((name) => library.file(name)!);
 }
 
-/** What is open as a project. */
+/** The current state as a project. */
 async function projectOf(place: ProjectPlace, inside: boolean): Promise<Project> {
   const { store, databases, characters, session } = place;
   const { name, file } = databases.file;
   const { file: character, roles } = characters;
   return {
-    // How bright the page is has nothing to do with the work; where the motion plays, it begins at its beginning.
+    // The theme is not part of the work; a playing motion starts at its beginning.
     state: toHash({
       ...store.state,
       theme: "auto",
@@ -69,7 +69,7 @@ async function projectOf(place: ProjectPlace, inside: boolean): Promise<Project>
   };
 }
 
-/** Has another app take the file; whether that is settled, be it because the person thought better of it. */
+/** Shares the file with another app. Returns whether that is settled, also if the user cancelled. */
 async function shared(file: File): Promise<boolean> {
   try {
     await navigator.share({ files: [file], title: file.name });
@@ -79,7 +79,7 @@ async function shared(file: File): Promise<boolean> {
   }
 }
 
-/** Whether the browser may share such files. */
+/** Whether the browser can share such files. */
 function canShare(): boolean {
   try {
     return navigator.canShare?.({ files: [new File([""], "project.strut")] }) ?? false;
@@ -88,7 +88,7 @@ function canShare(): boolean {
   }
 }
 
-/** The dialog: name, what is in the file, and how it leaves the page. */
+/** The dialog: name, contents of the file, and whether to save or share it. */
 function askHow(place: ProjectPlace): Promise<Wish | undefined> {
   const { store, session, databases, characters } = place;
   const inputs = inputsOf(place);
@@ -141,7 +141,7 @@ function item(what: string, bytes?: number): HTMLElement {
 const sizeOf = (inputs: readonly DroppedInput[]): number =>
   inputs.reduce((sum, { file, exact }) => sum + file.size + (exact?.poses.byteLength ?? 0), 0);
 
-/** A name that every system takes for a file. */
+/** A name that is valid as a file name on every system. */
 function fileName(text: string): string {
   return text
     .replace(/\.strut$/i, "")

@@ -1,14 +1,14 @@
-/** What is said of project files and of files that are kept for a tab. It is loaded with the first of them. */
+/** Texts about project files and files stored for a tab. Loaded on first use. */
 import { counted } from "../strings/counted.en";
 
 const motions = counted("motion");
 const quoted = (name: string) => `“${name}”`;
 
 export const projectWords = {
-  /** What screen readers call the card that shows how far something is. */
+  /** Name of the progress card for screen readers. */
   task: "Project",
 
-  // --- a file that cannot be read; the name stands before it ---
+  // --- a file that cannot be read; its name comes first ---
   refused: (name: string, why: string) => `${quoted(name)} was not opened. ${why}`,
   noProject: "It is no project of Strut, or its end is missing. Save it again, or copy it again from where it came.",
   damaged: (why: string) => `It is damaged. ${why}`,
@@ -58,7 +58,7 @@ export const projectWords = {
   saved: (name: string, size: string) => `Saved ${name}, ${size}.`,
   notShared: "The browser does not share this file. It was saved instead.",
 
-  // --- files kept for a tab ---
+  // --- files stored for a tab ---
   notKept: (why: string) => `Dropped files will not be here after a reload. ${why} Save a project to keep them.`,
   full: "The browser has no room for them.",
   noStorage: "The browser keeps nothing for this page, as in a private window.",

@@ -1,4 +1,4 @@
-/** The app: builds the page around the views, and keeps it in step with the state. */
+/** The app: builds the page around the views, and synchronises it with the state. */
 import type { DroppedFile } from "../../client/build/protocol";
 import type { FirstSteps } from "../../client/first_steps";
 import type { DatabaseSource, StrutClient } from "../../client/protocol";
@@ -55,21 +55,21 @@ export class App {
   readonly #drop: DropZone;
   readonly #characters: Characters;
   readonly #views: Views;
-  /** What was dropped, for a reload. */
+  /** The dropped files, kept for a reload. */
   readonly #files: SessionFiles;
-  /** What opens and saves projects, once it was asked for. */
+  /** Opens and saves projects; loaded on first use. */
   #projects: Promise<Projects> | undefined;
-  /** What takes several motions, once there were some. */
+  /** Handles several motions at once; loaded on first use. */
   #motions: Promise<Motions> | undefined;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
   #isExporting = false;
   /** Settles the promise for which dropped files wait. */
   #started = () => {};
-  /** Takes away what is said while there is no picture. */
+  /** Removes the message shown while the WebGL context is lost. */
   #pictureBack = () => {};
 
-  /** @param firstSteps what is shown until the engine is there, where the page begins with it */
+  /** @param firstSteps the clip that is shown until the engine is loaded, if the page starts with it */
   constructor(root: HTMLElement, client: StrutClient, firstSteps: Promise<FirstSteps> | undefined) {
     this.#firstSteps = firstSteps;
     const store = this.#store;
@@ -122,7 +122,7 @@ export class App {
       }),
       signal,
     );
-    // The boxes of index.html stay until there is a view.
+    // The placeholders of index.html stay until there is a view.
     const shell = root.querySelectorAll(".shell");
     root.replaceChildren(this.#topBar.element, ...shell, this.#toasts.element, this.#drop.element, this.#help.element);
     this.#views = new Views(
@@ -140,7 +140,7 @@ export class App {
     session.listen({
       onDatabase: () => this.#files.changed(),
       onTick: (now) => {
-        // Where nothing can draw, nothing waits to be drawn.
+        // If nothing can be drawn, nothing must wait for drawing.
         if (this.#viewer.draw(now) || graphics() === "none") session.drawn();
       },
       onInput: () => {
@@ -169,7 +169,7 @@ export class App {
     this.#showTopBar();
   }
 
-  /** Shows the view that the link asks for, opens what it asks for, and begins to play. */
+  /** Shows the view of the link, opens what the link names, and starts playback. */
   async start(): Promise<void> {
     try {
       await Promise.all([this.#startWork(), this.#showFirstView()]);
@@ -184,12 +184,12 @@ export class App {
     await restored.character();
   }
 
-  /** Opens files that came from outside the page as if they had been dropped. */
+  /** Opens files from outside the page as if they had been dropped. */
   open(files: Iterable<File>): void {
     this.#drop.take(files);
   }
 
-  /** Offers a newer version of the page, which `update` shows in place of this one. */
+  /** Offers a newer version of the page; `update` switches to it. */
   offerUpdate(update: () => void): void {
     const { ready, action } = strings.page.update;
     this.#toasts.offer(ready, action, update);
@@ -201,12 +201,12 @@ export class App {
     if (!this.#listening.signal.aborted) showTips(this.#listening.signal);
   }
 
-  /** Says why there is no engine; the page stays as it is. */
+  /** Shows why the engine could not be loaded; the page stays unchanged. */
   fail(error: unknown): void {
     this.#toasts.failure(error);
   }
 
-  /** What is on screen, for scripts. */
+  /** The displayed state, for scripts. */
   get hook(): StrutHook {
     const workspace = this.#workspace;
     const { session } = workspace;
@@ -285,7 +285,7 @@ export class App {
     this.#address.write();
   }
 
-  /** Makes the picture and the view in a task each: together they would hold up the page. */
+  /** Creates the picture and the view in separate tasks: together they would block the page. */
   async #showFirstView(): Promise<void> {
     await otherTasks();
     if (this.#store.state.view === "play" && graphics() !== "none") {
@@ -306,7 +306,7 @@ export class App {
     void this.#views.show(view);
   }
 
-  /** Begins to load a view that is likely to be shown next; what fails is said when it is. */
+  /** Starts to load a view that is likely to be shown next. Errors are reported when it is shown. */
   async #prepare(name: ViewName): Promise<void> {
     try {
       (await viewEntry(name).load()).prepare?.(this.#store.state);
@@ -330,7 +330,7 @@ export class App {
     if (name !== "play") this.#address.redirect({ view: "play" });
   }
 
-  /** The browser has taken the picture away, or given it back. */
+  /** The WebGL context was lost, or restored. */
   #onPicture(lost: boolean): void {
     this.#pictureBack();
     if (lost) this.#pictureBack = this.#toasts.error(strings.page.pictureLost, { lasts: true, action: RELOAD });
@@ -349,7 +349,7 @@ export class App {
     this.#showTopBar();
   }
 
-  /** Makes the browser ask before the page is left while that would lose something. */
+  /** Makes the browser ask before the page is left, if that would lose work. */
   #guardWork(): void {
     this.#guard.needed = this.#views.holdUnkept || this.#files.unkept;
   }
@@ -358,7 +358,7 @@ export class App {
     return this.#views.shown?.history ?? this.#store;
   }
 
-  // --- from the person ---
+  // --- from the user ---
 
   #followLink(hash: string): void {
     void this.#workspace.arrive(this.#address.arrive(hash), hash);
@@ -368,7 +368,7 @@ export class App {
     return this.#workspace.databases.open(source, kept);
   }
 
-  /** Clips go to the view if it takes them; elsewhere a person says what they are for. */
+  /** Passes clips to the view if it accepts them; otherwise asks the user what they are for. */
   async #takeClips(files: DroppedFile[]): Promise<void> {
     const [only, ...others] = files;
     if (only && others.length === 0 && /\.zip$/i.test(only.path)) {
@@ -376,7 +376,7 @@ export class App {
       const found = await modelIn(only.file);
       if (found) return this.#takeModel(found.model, found.beside);
     }
-    // A table of labels or a database among them says it already.
+    // A table of labels or a database among the files answers the question.
     const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
     if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
     else await this.#attempt(async () => (await this.#loadMotions()).take(files));
@@ -412,7 +412,7 @@ export class App {
     (await this.#views.show(view))?.takeFiles?.(files);
   }
 
-  /** A character performs in Play, or the motions of its file do. */
+  /** Opens a character in Play, or the motions of its file. */
   async #takeModel(file: File, beside: readonly DroppedFile[]): Promise<void> {
     this.#store.edit({ view: "play" });
     const motions = await this.#characters.open(file, beside);
@@ -421,7 +421,7 @@ export class App {
     if (others > 0) this.#toasts.note(strings.page.characters.otherMotions(others));
   }
 
-  /** Does something with projects; what does it is loaded with the first time. */
+  /** Runs an action on projects; its code is loaded on first use. */
   async #project(act: (projects: Projects) => Promise<void>): Promise<void> {
     const workspace = this.#workspace;
     const { session, databases } = workspace;
@@ -440,7 +440,7 @@ export class App {
         ),
     );
     const loaded = this.#projects.catch((error: unknown) => {
-      // The next time it may be there.
+      // The next attempt may succeed.
       this.#projects = undefined;
       throw error;
     });
@@ -448,7 +448,7 @@ export class App {
     this.#views.shown?.refresh?.();
   }
 
-  /** Does something whose code may not be loaded yet, and says where that cannot be had. */
+  /** Runs an action whose code may not be loaded yet, and reports an error if it cannot be loaded. */
   async #attempt(task: () => Promise<void>): Promise<void> {
     try {
       await task();
@@ -460,7 +460,7 @@ export class App {
   async #embed(): Promise<void> {
     const { session } = this.#workspace;
     const { state } = this.#store;
-    // Without a graphics card two figures would wait for each other.
+    // Without a GPU two figures would wait for each other.
     this.#viewer.rests = true;
     await embed({
       state,

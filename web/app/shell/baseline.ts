@@ -1,6 +1,6 @@
 /**
- * The oldest browsers that run the page: Chrome and Edge 123, Firefox 125, Safari 17.5. What those have and older ones
- * do not is looked for, not the browser's name.
+ * The oldest browsers that run the page: Chrome and Edge 123, Firefox 125, Safari 17.5. They are detected by features
+ * that older ones lack, not by the browser's name.
  */
 
 /** A module with one SIMD instruction: `v128.const` and `drop`. */
@@ -11,7 +11,7 @@ const SIMD_MODULE = Uint8Array.from([
   ...[10, 23, 1, 21, 0, 253, 12, ...new Array<number>(16).fill(0), 26, 11],
 ]);
 
-/** What is looked for; each is younger than all that is not. */
+/** The features that are checked; all other required features are older. */
 const FEATURES: readonly (() => boolean)[] = [
   () => CSS.supports("color", "light-dark(white, black)"),
   () => "popover" in HTMLElement.prototype,
@@ -20,7 +20,7 @@ const FEATURES: readonly (() => boolean)[] = [
   () => WebAssembly.validate(SIMD_MODULE),
 ];
 
-/** Whether this browser has everything that the page and the engine need, but for graphics. */
+/** Whether this browser has everything that the page and the engine need, except for graphics. */
 export function isSupported(features: readonly (() => boolean)[] = FEATURES): boolean {
   return features.every((has) => {
     try {

@@ -6,7 +6,7 @@ import { Store } from "../state/store";
 import type { Toasts } from "../ui/toasts";
 import { Databases } from "./databases";
 
-/** A session that opens every database but those of the given names. */
+/** A fake session that opens every database except those with the given names. */
 class FakeSession {
   database: DatabaseInfo | undefined;
   databaseSource: DatabaseSource | undefined;
@@ -14,7 +14,7 @@ class FakeSession {
   opened: string[] = [];
   /** Settles when the file is read. */
   reading: Promise<unknown> = Promise.resolve();
-  /** Settles when the input is open on the database that is shown. */
+  /** Settles when the input is open on the displayed database. */
   openingInput: Promise<unknown> = Promise.resolve();
 
   constructor(readonly broken: readonly string[]) {}

@@ -1,4 +1,4 @@
-/** Which database is open: the built-in one, one that is kept on this device, one of a project, or one that was dropped. */
+/** Chooses the open database: the built-in one, one that is stored on this device, one of a project, or a dropped one. */
 
 import type { DatabaseSource } from "../../client/protocol";
 import { isCancellation } from "../../client/protocol";
@@ -11,16 +11,16 @@ import type { Toasts } from "../ui/toasts";
 import { spoken } from "../ui/words";
 import type { ClipStyle, StyleBase } from "../views/data/style_of_clip";
 
-/** Reads a database that is kept on this device by its name; `undefined` where there is none. */
+/** Reads a database stored on this device by its name; `undefined` if there is none. */
 export type ReadSaved = (name: string) => Promise<Blob | undefined>;
 
 const BUILT_IN: DatabaseSource = { kind: "demo" };
-/** The part of the built-in database that is shown while all of it loads. */
+/** The part of the built-in database that is shown while the rest loads. */
 const FIRST: DatabaseSource = { kind: "demo", set: "first" };
 
-/** A style that a clip was made. */
+/** A style that was made from a clip. */
 interface MadeStyle extends ClipStyle {
-  /** Name of its database on this device, where it is kept. */
+  /** Name of its database on this device, if it is stored. */
   kept?: string;
 }
 
@@ -29,23 +29,23 @@ export class Databases {
   readonly #toasts: Toasts;
   readonly #session: Session;
   readonly #readSaved: ReadSaved;
-  /** Name on this device, or of {@link #held}, of the database that is open; empty for others. */
+  /** Name of the open database on this device, or in {@link #held}; empty for others. */
   #name = "";
-  /** Databases of projects, by the names that the state has for them: they last as long as the page. */
+  /** Databases of projects, by their names in the state; they are kept as long as the page is open. */
   readonly #held = new Map<string, Blob>();
   /** The last open database that is not saved under a name. */
   #unnamed: DatabaseSource = BUILT_IN;
-  /** Number of requests for a database: only the last one counts. */
+  /** Counter of requests for a database: only the last one counts. */
   #requests = 0;
-  /** Name of the database that is being opened because the state asks for it; undefined where none is. */
+  /** Name of the database that is being opened because the state asks for it; `undefined` if there is none. */
   #followed: string | undefined;
-  /** What a person opens and its name on this device, until its input is open as well. */
+  /** The database that the user opens and its name on this device, until its input is open as well. */
   #chosen: { source: DatabaseSource; name: string } | undefined;
-  /** Ends the exchange of the first part for the whole built-in database. */
+  /** Aborts the exchange of the first part for the whole built-in database. */
   #completion = new AbortController();
-  /** New names, by the former ones, of styles of the open database that has just been replaced. */
+  /** New names, by the former ones, of styles of the open database when it has just been replaced. */
   renamed: ReadonlyMap<string, string> = new Map();
-  /** Settles when the database that is open is all there. */
+  /** Settles when the open database is complete. */
   complete: Promise<unknown> = Promise.resolve();
 
   constructor(store: Store, toasts: Toasts, session: Session, readSaved: ReadSaved = readSavedDatabase) {
@@ -55,17 +55,17 @@ export class Databases {
     this.#readSaved = readSaved;
   }
 
-  /** The databases that the page holds for projects, by their names. */
+  /** The databases that the page keeps for projects, by their names. */
   get held(): ReadonlyMap<string, Blob> {
     return this.#held;
   }
 
-  /** Holds a file by a name that the state has for it already. */
+  /** Keeps a file under a name that the state uses already. */
   keep(name: string, file: Blob): void {
     this.#held.set(name, file);
   }
 
-  /** Holds a file, so that the state can name it; the name, its own unless another database has that. */
+  /** Keeps a file, so that the state can name it. Returns the name: its own unless another database has it. */
   async hold(fileName: string, file: Blob): Promise<string> {
     const base = fileName.replace(/\.strutdb$/i, "").trim() || "database";
     for (let n = 1; ; n++) {
@@ -77,12 +77,12 @@ export class Databases {
     }
   }
 
-  /** Forgets a held file; what is open of it stays open. */
+  /** Forgets a kept file; a database opened from it stays open. */
   release(name: string): void {
     this.#held.delete(name);
   }
 
-  /** Gives the last open database without a name one: the state can come back to it from the built-in database. */
+  /** Gives the last open unnamed database a name, so that the state can return to it from the built-in database. */
   async nameUnnamed(): Promise<void> {
     const source = this.#unnamed;
     if (source.kind === "demo") return;
@@ -93,39 +93,39 @@ export class Databases {
     this.#store.adopt({ database: name });
   }
 
-  /** The file of the last open database without a name; undefined where that is the built-in one. */
+  /** The file of the last open unnamed database; `undefined` if that is the built-in one. */
   get unnamed(): { name: string; file: Blob } | undefined {
     return this.#unnamed.kind === "demo" ? undefined : this.#unnamed;
   }
 
-  /** Makes a file the last open database without a name, before anything is open. */
+  /** Makes a file the last open unnamed database, before anything is open. */
   set unnamed(file: { name: string; file: Blob } | undefined) {
     this.#unnamed = file ? { kind: "strutdb", ...file } : BUILT_IN;
   }
 
-  /** Whether the state asks for another database than the one that is open. */
+  /** Whether the state asks for a database other than the open one. */
   get moving(): boolean {
     return this.#followed !== undefined || this.#store.state.database !== this.#name;
   }
 
-  /** Whether the state asks for another database than the one that is open or being opened. */
+  /** Whether the state asks for a database other than the one that is open or being opened. */
   get mustFollow(): boolean {
     const wanted = this.#store.state.database;
     if (this.#followed !== undefined) return wanted !== this.#followed;
     if (!this.#chosen) return wanted !== this.#name;
-    // It is on screen before its input is open.
+    // It is displayed before its input is open.
     return this.#session.databaseSource !== this.#chosen.source || wanted !== this.#chosen.name;
   }
 
-  /** Name for people and file of the database that is open; no file where it is the built-in one. */
+  /** Display name and file of the open database; no file for the built-in one. */
   get file(): { name: string; file: Blob | undefined } {
     const source = this.#source;
     return source.kind === "demo" ? { name: "", file: undefined } : { name: source.name, file: source.file };
   }
 
   /**
-   * Opens a database and shows it, in other styles where they are given; `kept` is its name on this device, empty if it
-   * is not kept here. Whether it is open now; otherwise what was open still is.
+   * Opens a database and shows it, with other styles if given. `kept` is its name on this device, empty if it is not
+   * stored. Returns whether it is open; otherwise the previous one stays open.
    */
   async open(source: DatabaseSource, kept: string, styles?: Selection): Promise<boolean> {
     const opened = await this.#show(source, kept, styles);
@@ -134,8 +134,9 @@ export class Databases {
   }
 
   /**
-   * Opens a database that was built, for all views and by its name on this device if it is kept; whether it is open now.
-   * @param renamed new names of styles by their former ones: where it replaces the open database, what was chosen is chosen still
+   * Opens a database that was built, for all views, and by its name on this device if it is stored. Returns whether it
+   * is open.
+   * @param renamed new names of styles by their former ones: if it replaces the open database, the selection is kept
    */
   async openBuilt(
     { name, file }: { name: string; file: Blob },
@@ -164,8 +165,8 @@ export class Databases {
   }
 
   /**
-   * Opens what the state asks for, and the input `inputName` on it. Where that cannot be opened what was open stays, or
-   * the built-in database is opened; the state then says so.
+   * Opens the database that the state asks for, and the input `inputName` on it. If it cannot be opened, the previous
+   * one stays open, or the built-in database is opened; the state is changed accordingly.
    */
   async follow(inputName: string): Promise<void> {
     const request = this.#begin();
@@ -186,7 +187,10 @@ export class Databases {
     this.#store.adopt({ database: this.#name });
   }
 
-  /** Opens a few strides in every style and their input, a tenth of the built-in database, and then all of it beside them. */
+  /**
+   * Opens a few strides in every style and their input, a tenth of the built-in database, and then loads the rest in
+   * the background.
+   */
   async startWithFirst(): Promise<void> {
     const request = this.#begin();
     if (!(await this.#load(FIRST, "", "", request))) return;
@@ -194,13 +198,13 @@ export class Databases {
     this.complete = this.#session.exchangeDatabase(BUILT_IN, this.#completion.signal);
   }
 
-  /** Makes a clip a style of the database that is open, as the person says, and shows it. */
+  /** Adds a clip as a style to the open database, as specified by the user, and shows it. */
   async addStyle(clip: File, progress: ProgressLine): Promise<void> {
     const known = this.#session.database;
     if (known) await this.#makeStyle(clip, { known, file: this.file.file }, progress);
   }
 
-  /** Makes a clip a style of a database; `before` is what it was made before, whose place it takes. */
+  /** Adds a clip as a style to a database; `before` is the style that was made from it before, which is replaced. */
   async #makeStyle(clip: File, base: StyleBase, progress: ProgressLine, before?: MadeStyle): Promise<void> {
     const { known } = base;
     try {
@@ -239,7 +243,7 @@ export class Databases {
     return this.#session.databaseSource ?? BUILT_IN;
   }
 
-  /** The database of a name on this device, empty for the last one without a name; `undefined` where it is not here. */
+  /** The database with a name on this device; an empty name means the last unnamed one. `undefined` if it does not exist. */
   async #wanted(name: string): Promise<DatabaseSource | undefined> {
     if (name === "") return this.#unnamed;
     const held = this.#held.get(name);
@@ -250,7 +254,7 @@ export class Databases {
     return undefined;
   }
 
-  /** Begins a request, which takes the place of the one before. */
+  /** Begins a request, which replaces the previous one. */
   #begin(): number {
     this.#completion.abort();
     this.#completion = new AbortController();
@@ -259,7 +263,7 @@ export class Databases {
     return ++this.#requests;
   }
 
-  /** Opens a database that a person chose, and what is shown on it; whether it is open now. */
+  /** Opens a database that the user chose, and the displayed input on it. Returns whether it is open. */
   async #choose(source: DatabaseSource, kept: string): Promise<boolean> {
     const request = this.#begin();
     this.#chosen = { source, name: kept };
@@ -268,7 +272,7 @@ export class Databases {
     return opened;
   }
 
-  /** Opens a database; whether it is open now, be it without the input. */
+  /** Opens a database. Returns whether it is open, with or without the input. */
   async #load(source: DatabaseSource, kept: string, inputName: string, request: number): Promise<boolean> {
     await this.#session.openDatabase(source, inputName);
     if (request !== this.#requests || this.#session.databaseSource !== source) return false;

@@ -8,33 +8,36 @@ import { filesOfDialog, filesOfDrop } from "../ui/dropped_files";
 
 /** Larger files are refused before they are read into memory. */
 const MAX_BYTES = 512 * 1024 * 1024;
-/** The same of databases, of which the engine knows what they take. */
+/** The limit for databases, whose memory use the engine knows. */
 const MAX_DATABASE_BYTES = 4096 * 1024 * 1024;
 
 export interface FileListeners {
-  /** Which files go to the view that is shown, through {@link FileListeners.onClips}. */
+  /** Which files are passed to the current view, through {@link FileListeners.onClips}. */
   takes: () => "motions" | "all" | undefined;
   onMotion: (file: File) => void;
   onDatabase: (name: string, file: File) => void;
   onProject: (file: File) => void;
-  /** A file that may hold a rigged character, motions, or both; with those beside it that it may name. */
+  /**
+   * Called with a file that may contain a rigged character, motions, or both, and with the files dropped together with
+   * it, which it may name.
+   */
   onModel: (file: File, beside: readonly DroppedFile[]) => void;
-  /** Several files, folders and archives: clips to build a database from. */
+  /** Called with several files, folders and archives: clips to build a database from. */
   onClips: (files: DroppedFile[]) => void;
-  /** One motion that was dropped on {@link styleTarget}. */
+  /** Called with a single motion dropped on {@link styleTarget}. */
   onStyle: (file: File) => void;
-  /** Element on which a dropped motion becomes a style; undefined where there is none. */
+  /** Element on which a dropped motion becomes a style; `undefined` if there is none. */
   styleTarget: () => Element | undefined;
   onRefused: (sentence: string) => void;
 }
 
-/** Routes dropped files by their number, their type and the view that is shown. */
+/** Dispatches dropped files by their number, their type and the current view. */
 function take(files: DroppedFile[], asStyle: boolean, listeners: FileListeners): void {
   const [first, ...others] = files;
   if (!first) return;
   const { path, file } = first;
   if (files.some((dropped) => /\.strut$/i.test(dropped.file.name))) {
-    // It says itself what is open, whatever view is shown.
+    // A project names what is open, whatever view is shown.
     if (others.length > 0) listeners.onRefused(strings.page.drop.projectAlone);
     else listeners.onProject(file);
     return;
@@ -90,7 +93,7 @@ function isOverStyles(event: DragEvent, listeners: FileListeners): boolean {
   return box !== undefined && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom;
 }
 
-/** The overlay that is shown while a file is dragged over the page; handles the drop. */
+/** The overlay shown while a file is dragged over the page. It handles the drop. */
 export class DropZone {
   readonly element = html(
     "div",
@@ -111,11 +114,15 @@ export class DropZone {
   readonly #listeners: FileListeners;
   readonly #ready: Promise<void>;
 
-  /** @param ready settles when the page has opened its first input; dropped files wait for it, as opening that input would cancel them */
+  /**
+   * @param ready settles when the page has opened its first input. Dropped files wait for it, as opening that input
+   * would cancel them
+   */
   constructor(listeners: FileListeners, ready: Promise<void>, signal: AbortSignal) {
     [this.#listeners, this.#ready] = [listeners, ready];
     this.element.append(this.#target, this.#picker);
-    // Moving between two elements fires dragenter before dragleave: only the outermost dragleave leaves the page.
+    // When the pointer moves between two elements, dragenter fires before dragleave: only the outermost dragleave
+    // leaves the page.
     let depth = 0;
     const reset = () => {
       depth = 0;
@@ -181,7 +188,7 @@ export class DropZone {
       this.#target.style.setProperty(name, `${value}px`);
   }
 
-  /** Takes files that came in another way, as if they had been dropped. */
+  /** Handles files from another source as if they had been dropped. */
   take(files: Iterable<File>): void {
     void this.#take(filesOfDialog(files), false);
   }

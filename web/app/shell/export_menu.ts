@@ -37,7 +37,7 @@ export class ExportMenu {
       class: "bar-action outlined",
     });
     this.#open.title = strings.page.outputs.why;
-    // Its words are hidden on a narrow screen.
+    // Its text is hidden on a narrow screen.
     this.#open.setAttribute("aria-label", strings.page.outputs.export);
     this.#open.setAttribute("popovertarget", "export-menu");
     this.elements = [this.#open, menu];

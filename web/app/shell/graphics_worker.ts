@@ -1,4 +1,4 @@
 import { detectGraphics } from "../../viewer/stage/graphics";
 
-/** What draws for the browser is running once it has answered. */
+/** The renderer is running once the worker has answered. */
 self.postMessage(detectGraphics(new OffscreenCanvas(1, 1)));

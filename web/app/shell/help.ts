@@ -1,4 +1,4 @@
-/** The help dialog: what the keys do, and a switch for those of a single character. */
+/** The help dialog: the keys, and a switch for single-character shortcuts. */
 
 import { button, Toggle } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";

@@ -1,4 +1,4 @@
-/** `window.strut`: what is on screen, read-only, for embedding pages, scripts and the end-to-end tests. */
+/** `window.strut`: the displayed state, read-only, for embedding pages, scripts and the end-to-end tests. */
 
 import type { LiveFrame } from "../../client/protocol";
 import type { Role } from "../../humanoid";
@@ -9,13 +9,13 @@ export interface StrutHook {
   readonly frame: LiveFrame | undefined;
   /** The state that the URL encodes. */
   readonly state: Readonly<AppState>;
-  /** Whether the pose on screen has the current input, style and frame. It changes all the time unless the motion is paused. */
+  /** Whether the displayed pose has the current input, style and frame. It changes all the time unless the motion is paused. */
   readonly upToDate: boolean;
-  /** Whether the analysis in the timeline is of the current style. */
+  /** Whether the analysis in the timeline has the current style. */
   readonly analysed: boolean;
-  /** Place of a joint of the styled character in the page, CSS pixels. */
+  /** Position of a joint of the styled character in the page, CSS pixels. */
   jointScreenPosition(role: Role): { x: number; y: number };
-  /** Where a place on the ground, metres, is in the page, CSS pixels. */
+  /** Position of a point on the ground, metres, in the page, CSS pixels. */
   groundScreenPosition(x: number, z: number): { x: number; y: number };
 }
 

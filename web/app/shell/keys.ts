@@ -1,4 +1,4 @@
-/** Keyboard shortcuts of the page and of the view that is shown. The focused control has precedence. */
+/** Keyboard shortcuts of the page and of the current view. The focused control has precedence. */
 import type { KeyTable } from "../view";
 
 export interface PageKeys {
@@ -8,16 +8,16 @@ export interface PageKeys {
   /** Opens a file, and saves the project. */
   open(): void;
   save(): void;
-  /** The keys of the view that is shown. */
+  /** The keys of the current view. */
   view(): KeyTable | undefined;
-  /** Whether single-character shortcuts are on; Space is not one of them. */
+  /** Whether single-character shortcuts are on. Space is not one of them. */
   singleKeys(): boolean;
 }
 
-/** Kinds of `<input>` that no text is typed into. */
+/** Types of `<input>` without text entry. */
 const NO_TEXT = ["checkbox", "radio", "range", "file", "color", "button", "submit"];
 
-/** Whether text is typed into the element, so that letters and undo are its own. */
+/** Whether the element accepts text, so that it handles letters and undo itself. */
 function isTextField(element: Element | null): boolean {
   if (!element) return false;
   const { localName } = element;
@@ -25,7 +25,7 @@ function isTextField(element: Element | null): boolean {
   return localName === "textarea" || element.matches("[contenteditable]");
 }
 
-/** Whether the element handles arrows, Home and letters itself; `byKeys` is whether the keyboard led to it. */
+/** Whether the element handles arrows, Home and letters itself; `byKeys` tells whether it got the focus by the keyboard. */
 function wantsKeys(element: Element | null, byKeys: boolean): boolean {
   if (isTextField(element) || element?.matches("select, input[type=range]")) return true;
   return byKeys && (element?.matches("input[type=radio]") ?? false);
@@ -42,8 +42,8 @@ function takesSpace(element: Element | null, byKeys: boolean): boolean {
 /** Listens to the page's keys until the signal aborts. */
 export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
   let tookSpace = false;
-  // A control that was clicked keeps the focus, for screen readers and switch devices, but leaves Space and arrows to the page.
-  // `:focus-visible` would not do: it holds of what a script gives the focus, as the polygon does.
+  // A clicked control keeps the focus, for screen readers and switch devices, but leaves Space and arrows to the page.
+  // `:focus-visible` is not sufficient: it also matches elements focused by a script, such as the polygon.
   let byKeys = true;
   const onKeyDown = (event: KeyboardEvent): void => {
     if (event.key === "Tab") byKeys = true;
@@ -52,15 +52,15 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
     if (event.key === " ") tookSpace = action !== undefined;
     if (!action) return;
     event.preventDefault();
-    // Key repeat would toggle playback again and again.
+    // Key repeat would toggle playback repeatedly.
     if (event.key !== " " || !event.repeat) action();
   };
-  // Firefox clicks the focused button when Space is let go.
+  // Firefox clicks the focused button when Space is released.
   const onKeyUp = (event: KeyboardEvent): void => {
     if (event.key === " " && tookSpace) event.preventDefault();
   };
-  // What acts on keys itself, the picture and corners of the polygon, loses the focus with a click, so that Space and arrows
-  // are the page's. Who comes there by Tab uses them.
+  // Elements that handle keys themselves, the picture and corners of the polygon, lose the focus on a click, so that
+  // the page handles Space and arrows. With Tab, the user can still reach them.
   const onClick = (event: MouseEvent): void => {
     const focused = document.activeElement;
     if (event.detail === 0 || !focused?.matches("canvas, [role=button]")) return;
@@ -78,8 +78,8 @@ export function listenToKeys(keys: PageKeys, signal: AbortSignal): void {
 type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "altKey" | "shiftKey">;
 
 /**
- * The action of a key press; `undefined` where the focused element or the browser handles it.
- * @param byKeys whether the keyboard led to the focused element, not a click
+ * The action of a key press; `undefined` if the focused element or the browser handles it.
+ * @param byKeys whether the focused element got the focus by the keyboard, not by a click
  */
 export function actionOf(
   pressed: Pressed,
@@ -90,7 +90,7 @@ export function actionOf(
   const key = pressed.key.length === 1 ? pressed.key.toLowerCase() : pressed.key;
   if (pressed.altKey) return undefined;
   if (pressed.ctrlKey || pressed.metaKey) {
-    // The browser would open a file in the place of the page, or save the page.
+    // The browser would open a file instead of the page, or save the page.
     if (key === "o" && !pressed.shiftKey) return keys.open;
     if (key === "s" && !pressed.shiftKey) return keys.save;
     if (isTextField(focused)) return undefined;
@@ -102,7 +102,7 @@ export function actionOf(
   return own(keys.view(), key) ?? (key === "?" ? keys.help : undefined);
 }
 
-/** Looks up an own member only: inherited ones such as `constructor` are not actions. */
+/** Looks up own properties only: inherited ones such as `constructor` are not actions. */
 function own(table: KeyTable | undefined, key: string): (() => void) | undefined {
   return table && Object.hasOwn(table, key) ? table[key] : undefined;
 }

@@ -52,7 +52,7 @@ describe("a link", () => {
   });
 });
 
-/** The browser's history, without the browser. */
+/** A fake of the browser's history. */
 class FakeHistory {
   entries: { state: unknown; hash: string }[] = [{ state: null, hash: "" }];
   at = 0;
@@ -86,12 +86,12 @@ describe("the address bar", () => {
     const store = new Store(initialState());
     const bar = new AddressBar(store, history);
     store.subscribe(() => bar.write());
-    /** Goes to another entry, as the browser's buttons do. */
+    /** Moves to another entry, as the browser's buttons do. */
     const go = (by: number) => {
       history.at += by;
       store.edit(bar.arrive(history.entries[history.at]!.hash.replace("/", "")));
     };
-    /** Follows a link that was put into the address bar. */
+    /** Follows a link that was entered in the address bar. */
     const follow = (hash: string) => {
       history.pushState(null, "", hash);
       store.edit(bar.arrive(hash));

@@ -9,31 +9,31 @@ import type { Store } from "../state/store";
 /** Shortest time between two changes of the URL: browsers limit how often a page may change it. */
 const WRITE_MS = 200;
 
-/** The state of a link. Playback does not start by itself where reduced motion is preferred. */
+/** The state in a link. Playback does not start by itself if the user prefers reduced motion. */
 export function stateOfLink(hash: string, reducedMotion = prefersReducedMotion()): AppState {
   const state = fromHash(hash);
   return reducedMotion ? { ...state, playing: false } : state;
 }
 
-/** The part of the browser's history that is used. */
+/** The part of the browser's history that is needed. */
 type BrowserHistory = Pick<History, "state" | "pushState" | "replaceState">;
 
 /**
- * State of an entry in the browser's history. Entries with the same `link` follow from one opened link: they differ by view or
- * by lesson.
+ * State of an entry in the browser's history. Entries with the same `link` come from one opened link: they differ by
+ * view or by lesson.
  */
 interface Entry {
   link: number;
 }
 
-/** What has a history entry of its own: a view, or a lesson. */
+/** The fields that have a history entry of their own: view and lesson. */
 type Place = Pick<AppState, "view" | "lesson">;
 
 const isSamePlace = (a: Place, b: Place): boolean => a.view === b.view && (a.view !== "learn" || a.lesson === b.lesson);
 
 /**
- * Keeps the address bar in step with the state. A change of view or lesson adds a history entry, so that Back returns to the
- * previous one.
+ * Synchronises the address bar with the state. A change of view or lesson adds a history entry, so that Back returns to
+ * the previous one.
  */
 export class AddressBar {
   readonly #store: Store;
@@ -42,7 +42,7 @@ export class AddressBar {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** Whether the state changed while the timer ran. */
   #late = false;
-  /** The state that the current history entry stands for. */
+  /** The state of the current history entry. */
   #state: Readonly<AppState>;
   #link: number;
 
@@ -55,8 +55,8 @@ export class AddressBar {
   }
 
   /**
-   * Changes the state without a history entry of its own, where what the current one stands for cannot be shown: else Back
-   * would lead to it, and on from it, for ever.
+   * Changes the state without a new history entry, if the view or lesson of the current entry cannot be shown.
+   * Otherwise Back would return to it, and leave it again, forever.
    */
   redirect(change: Partial<AppState>): void {
     this.#state = { ...this.#state, ...change };
@@ -65,8 +65,8 @@ export class AddressBar {
   }
 
   /**
-   * Writes the state, at once unless it was just written: a reload must find what was done last. A change of view or lesson
-   * adds a history entry.
+   * Writes the state, at once unless it was written recently: a reload must restore the last change. A change of view
+   * or lesson adds a history entry.
    */
   write(): void {
     const { state } = this.#store;
@@ -86,22 +86,25 @@ export class AddressBar {
     this.#startTimer();
   }
 
-  /** Writes what is not written yet, as the page may be left for good. */
+  /** Writes pending changes, as the page may be closed. */
   flush(): void {
     if (!this.#late) return;
     this.#stopTimer();
     this.#replace();
   }
 
-  /** Handles a `popstate`: another entry is the current one, and its `hashchange` is on the way; no other state is its. */
+  /**
+   * Handles a `popstate`: another entry is the current one, and its `hashchange` will follow. Until then no state
+   * belongs to it.
+   */
   leave(): void {
     this.#stopTimer();
   }
 
   /**
    * Handles a `hashchange`: Back, Forward, or a link entered in the address bar.
-   * @returns the fields to change: within the entries of one link only the view, and the lesson where that is another;
-   * otherwise everything
+   * @returns the fields to change: within the entries of one link only the view, and the lesson if it differs;
+   * otherwise all fields
    */
   arrive(hash: string): Partial<AppState> {
     this.#stopTimer();
@@ -111,7 +114,7 @@ export class AddressBar {
     this.#link = entry?.link ?? Date.now();
     this.#claim();
     const arrived = within ? this.#placeOf(linked) : linked;
-    // This entry exists already: the edit that follows must not add another one.
+    // This entry already exists: the following edit must not add another one.
     this.#state = { ...this.#store.state, ...arrived };
     this.#late = true;
     this.#startTimer();
@@ -153,7 +156,7 @@ export class AddressBar {
   }
 
   #replace(): void {
-    // A link was followed, and its `hashchange` is on the way: its address must not be overwritten.
+    // A link was followed, and its `hashchange` will follow: its address must not be overwritten.
     if (!entryOf(this.#history.state)) return;
     this.#history.replaceState(this.#entry, "", addressOf(this.#state));
   }
@@ -170,7 +173,7 @@ function addressOf(state: AppState): string {
   return hash ? `#${hash}` : location.pathname + location.search;
 }
 
-/** A link to what is shown, and whether it carries the dropped motion; `undefined` where there is none to carry. */
+/** A link to the displayed state, and whether it contains the dropped motion; `undefined` if there is no motion to include. */
 export async function linkTo(
   state: AppState,
   library: InputLibrary,

@@ -11,9 +11,9 @@ test("the page may fetch from its own host and those of the catalogue, and liste
   const [, allowed] = /connect-src 'self' ([^;]*);/.exec(policyOf("../index.html"))!;
   const { sets } = JSON.parse(read("../../../public/catalog.json")) as { sets: { base: string }[] };
   const hosts = new Set(sets.map(({ base }) => new URL(base).origin));
-  // What is not encrypted must be of this computer.
+  // Unencrypted connections must stay on this computer.
   const performers = ["ws://localhost:*", "ws://127.0.0.1:*", "wss:"];
-  // Textures inside of a character's file, which three.js fetches by addresses of its own making.
+  // Textures inside a character's file, which three.js fetches by URLs that it creates.
   const textures = ["blob:", "data:"];
   expect(allowed!.split(" ").sort()).toEqual([...hosts, ...performers, ...textures].sort());
 });

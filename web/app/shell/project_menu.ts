@@ -1,4 +1,4 @@
-/** The Project menu: open, save, and what the browser keeps of dropped files; on a narrow screen items of the page's menu. */
+/** The Project menu: open, save, and the stored dropped files; on a narrow screen items of the page's menu. */
 
 import { button } from "../../ui/controls/buttons";
 import type { IconName } from "../../ui/controls/icons";
@@ -10,14 +10,14 @@ const words = strings.page.project;
 export interface ProjectListeners {
   onOpen: () => void;
   onSave: () => void;
-  /** Forgets the dropped files. */
+  /** Deletes the stored dropped files. */
   onForget: () => void;
 }
 
 export class ProjectMenu {
   /** The button that opens the menu, and the menu. */
   readonly elements: readonly HTMLElement[];
-  /** The same for the page's menu on a narrow screen. */
+  /** The items for the page's menu on a narrow screen. */
   readonly items: readonly HTMLButtonElement[];
   readonly #kept = html("p", { class: "caption" });
   readonly #keptRow: HTMLElement;
@@ -42,11 +42,11 @@ export class ProjectMenu {
     );
     const open = button(strings.page.bar.project, () => {}, { icon: "folder", label: true, class: "bar-action" });
     open.title = words.why;
-    // Its word is hidden on a narrow screen.
+    // Its text is hidden on a narrow screen.
     open.setAttribute("aria-label", strings.page.bar.project);
     open.setAttribute("popovertarget", menu.id);
     menu.addEventListener("beforetoggle", () => {
-      // Below its button, as far as the window allows.
+      // Below its button, within the window.
       menu.style.setProperty("--left", `${open.getBoundingClientRect().left}px`);
     });
     this.elements = [open, menu];
@@ -57,7 +57,7 @@ export class ProjectMenu {
     this.items = [narrow(words.open, "folder", onOpen), narrow(words.menuSave, "save", onSave), this.#menuForget];
   }
 
-  /** How many dropped files there are, and their bytes. */
+  /** Number of dropped files, and their bytes. */
   set kept({ files, bytes }: { files: number; bytes: number }) {
     this.#keptRow.hidden = files === 0;
     this.#menuForget.hidden = files === 0;

@@ -1,32 +1,32 @@
-/** What a person said of how skeletons are read, kept by the browser for the next file with the same one. */
+/** The user's readings of skeletons, stored by the browser for the next file with the same skeleton. */
 import type { FileReading, RememberedReadings } from "../../client/protocol";
 import { decodeReading, encodeReading } from "../../link/reading";
 import { askToPersist } from "../ui/storage";
 
 /** Key in localStorage. */
 const KEY = "strut readings";
-/** Maximum number of skeletons; the one that was not spoken of for longest is forgotten first. */
+/** Maximum number of skeletons; the one that was used least recently is removed first. */
 const MOST = 100;
 
-/** As much of `localStorage` as is needed. */
+/** The part of `localStorage` that is needed. */
 type Memory = Pick<Storage, "getItem" | "setItem">;
 
 export class ReadingMemory {
   readonly #memory: () => Memory;
-  /** What storage did not take lasts as long as the page. */
+  /** Entries that the storage refused; they are kept as long as the page is open. */
   #unkept: Record<string, string> | undefined;
 
   constructor(memory: () => Memory = () => localStorage) {
     this.#memory = memory;
   }
 
-  /** What is known, by the identities of skeletons. */
+  /** All readings, by the identities of skeletons. */
   all(): RememberedReadings {
     const entries = Object.entries(this.#texts()).map(([skeleton, text]) => [skeleton, decodeReading(text)] as const);
     return Object.fromEntries(entries.filter((entry): entry is [string, FileReading] => entry[1] !== undefined));
   }
 
-  /** Keeps what is said of a skeleton: neither where the floor is nor what is said against a guess, which differ from file to file. */
+  /** Stores the reading of a skeleton, without the floor and the exchange of sides, which differ from file to file. */
   keep(skeleton: string, { floor: _, swapSides: __, ...reading }: FileReading): void {
     const { [skeleton]: ___, ...others } = this.#texts();
     const text = encodeReading(reading);

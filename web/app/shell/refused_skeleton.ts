@@ -1,10 +1,10 @@
-/** Files whose skeleton the engine cannot read as a human's: a person says which joint is which. */
+/** Handles files whose skeleton the engine cannot recognise as human: the user maps the joints. */
 import type { Skeleton } from "../../client/build/protocol";
 import type { JointNames } from "../../client/protocol";
 
-/** The skeleton of a BVH file; `undefined` where the file has none that can be read. */
+/** The skeleton of a BVH file; `undefined` if the file has none that can be read. */
 export async function skeletonOf(path: string, bytes: ArrayBuffer): Promise<Skeleton | undefined> {
-  // Few files come here: what reads any skeleton is loaded for them alone.
+  // This is rare, so the reader for any skeleton is loaded on demand.
   const { createBuildClient } = await import("../../client/build/client");
   const client = createBuildClient();
   const skeletons: Skeleton[] = [];
@@ -19,7 +19,7 @@ export async function skeletonOf(path: string, bytes: ArrayBuffer): Promise<Skel
   return skeletons[0];
 }
 
-/** Asks which joint of a skeleton is which; `undefined` where nobody says. */
+/** Asks the user to map the joints of a skeleton; `undefined` if the user cancels. */
 export async function askForJoints({ joints, roles, fault }: Skeleton): Promise<JointNames | undefined> {
   const { askForRoles, jointNames } = await import("../ui/roles_dialog");
   const chosen = await askForRoles({ joints, roles, note: fault });

@@ -1,6 +1,6 @@
 /**
- * Keeps the dropped files of this tab in the browser, so that a reload finds them, and forgets them when a person says so. What
- * does it is loaded with the first dropped file.
+ * Stores the dropped files of this tab in the browser, so that a reload restores them, and deletes them on request. Its
+ * code is loaded with the first dropped file.
  */
 import { decodeReading, encodeReading, saysNothing } from "../../link/reading";
 import type { InputLibrary } from "../../player/input_library";
@@ -9,39 +9,39 @@ import type { SessionFile } from "../project/kept_files";
 import type { Toasts } from "../ui/toasts";
 import type { Databases } from "./databases";
 
-/** Name of this tab, in `sessionStorage`, while it has files. */
+/** Key of this tab's name in `sessionStorage`, while it has files. */
 const SESSION = "strut session";
-/** When a file was last kept in any tab, in `localStorage`, while there may be some. */
+/** Key of the time in `localStorage` at which any tab last stored a file, while there may be some. */
 const LAST = "strut files kept";
-/** Files are kept when nothing has changed for so long: those that cannot be opened are gone by then. */
+/** Files are stored when nothing has changed for this time; those that cannot be opened are removed by then. */
 const SETTLE_MS = 250;
 
-/** What is kept. */
+/** The sources of the stored files. */
 interface Sources {
   readonly library: InputLibrary;
   readonly databases: Pick<Databases, "held" | "keep" | "unnamed">;
   readonly characters: Pick<Characters, "file" | "roles" | "prepare">;
 }
 
-/** A file that is to be kept, and by what it is known that it is the same still. */
+/** A file to be stored, and a key that tells whether it is unchanged. */
 interface Kept extends Pick<SessionFile, "kind" | "name"> {
   bytes: number;
   same: readonly unknown[];
   make: () => SessionFile;
 }
 
-/** A tab's files are kept anew when they were kept so long ago, milliseconds: they last from when it was last loaded. */
+/** A tab's files are stored again after this time, milliseconds: they expire a certain time after the tab was last loaded. */
 const RENEWED_MS = 24 * 3600 * 1000;
 
 export class SessionFiles {
-  /** Called when there are other files, and when the browser has kept them or refused to. */
+  /** Called when the files have changed, and when the browser has stored them or refused to. */
   onChange = () => {};
   readonly #sources: Sources;
   readonly #toasts: Toasts;
   #kept = new Map<string, Kept>();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #writing: Promise<void> = Promise.resolve();
-  /** Whether a person was told that the browser does not keep files. */
+  /** Whether the user was told that the browser does not store files. */
   #told = false;
 
   constructor(sources: Sources, toasts: Toasts) {
@@ -49,24 +49,24 @@ export class SessionFiles {
     this.#toasts = toasts;
   }
 
-  /** How many dropped files there are, and their bytes. */
+  /** Number of dropped files, and their bytes. */
   get size(): { files: number; bytes: number } {
     const wanted = [...this.#wanted().values()];
     return { files: wanted.length, bytes: wanted.reduce((sum, { bytes }) => sum + bytes, 0) };
   }
 
-  /** Whether the browser does not keep all of them, or not yet. */
+  /** Whether the browser does not store all of them, or not yet. */
   get unkept(): boolean {
     return [...this.#wanted()].some(([key, file]) => !this.#isKept(key, file));
   }
 
-  /** Some of the files may be others now. */
+  /** To be called when the files may have changed. */
   changed(): void {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.#settle(), SETTLE_MS);
   }
 
-  /** Brings back what was dropped before this tab was loaded again; a character by the time that `character` runs. */
+  /** Restores the files dropped before this tab was reloaded; a character when `character` is called. */
   async restore(): Promise<{ character: () => Promise<void> }> {
     const session = stored("session", SESSION);
     const last = Number(stored("local", LAST) ?? Number.NaN);
@@ -120,7 +120,7 @@ export class SessionFiles {
     this.onChange();
   }
 
-  /** Keeps what is new and drops what is gone. */
+  /** Stores new files and deletes removed ones. */
   async #write(): Promise<void> {
     const wanted = this.#wanted();
     if (wanted.size === 0 && this.#kept.size === 0) return;
@@ -153,7 +153,7 @@ export class SessionFiles {
     this.#toasts.note(words.notKept(isFull ? words.full : words.noStorage));
   }
 
-  /** All that is to be there after a reload, by kind and name. */
+  /** All files to be restored after a reload, by kind and name. */
   #wanted(): Map<string, Kept> {
     const { library, databases, characters } = this.#sources;
     const wanted = new Map<string, Kept>();
@@ -176,7 +176,7 @@ export class SessionFiles {
   }
 }
 
-/** The name of this tab, which it has from now on. */
+/** The name of this tab, created on first use. */
 function sessionName(): string {
   const known = stored("session", SESSION);
   if (known !== undefined) return known;
@@ -188,7 +188,7 @@ function sessionName(): string {
 type Place = "session" | "local";
 const storageOf = (place: Place): Storage => (place === "session" ? sessionStorage : localStorage);
 
-/** What the browser keeps under a key; undefined where there is nothing, or it keeps nothing for this page. */
+/** The stored value of a key; `undefined` if there is none, or the browser stores nothing for this page. */
 function stored(place: Place, key: string): string | undefined {
   try {
     return storageOf(place).getItem(key) ?? undefined;

@@ -5,7 +5,7 @@ import { strings } from "../strings/strings";
 import { ProgressLine } from "../ui/progress";
 import type { ProgressLines } from "../view";
 
-/** What is said of a task. */
+/** Labels of the tasks. */
 const LABELS: Readonly<Record<SessionTask, (subject: string) => string>> = {
   database: (name) => (name === "" ? strings.page.engine.preparing : strings.page.engine.reading(name)),
   input: (name) => strings.page.engine.reading(name),

@@ -1,4 +1,4 @@
-/** Copies a link to what is shown, or offers it to be copied by hand. */
+/** Copies a link to the displayed state, or offers it to be copied by hand. */
 import type { InputLibrary } from "../../player/input_library";
 import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
@@ -8,8 +8,8 @@ import type { Toasts } from "../ui/toasts";
 import { linkTo } from "./links";
 
 /**
- * Shares the state. It must be called in the event of the click: later the browser does not let the page copy.
- * @param saveProject saves what is too large for a link
+ * Shares the state. It must be called in the event of the click: later the browser does not allow copying.
+ * @param saveProject saves a state that is too large for a link
  */
 export async function shareLink(
   state: AppState,
@@ -30,7 +30,7 @@ export async function shareLink(
   else toasts.note(carried ? words.copiedWithMotion : words.copied);
 }
 
-/** Safari only copies what is handed over in the event itself: a promise of the text, not the text later. */
+/** Safari copies only what is passed in the event itself: a promise of the text, not the text later. */
 async function copy(text: Promise<string>): Promise<void> {
   if (typeof ClipboardItem === "undefined") return navigator.clipboard.writeText(await text);
   const blob = text.then((plain) => new Blob([plain], { type: "text/plain" }));

@@ -1,34 +1,34 @@
-/** The one 3-D viewer of the page: views borrow it, because a second one would compile all shaders again. */
+/** The one 3-D viewer of the page. Views borrow it, because a second one would compile all shaders again. */
 import type { Role } from "../../humanoid";
 import { html } from "../../ui/dom";
 import { VIEWER_DEFAULTS, Viewer } from "../../viewer";
 import type { Film, PictureSize } from "../ui/film";
 import type { ViewerLease } from "../view";
 
-/** Drawing goes on for so long after the last change: glides and fades end within it. */
+/** Drawing continues for this time after the last change, in which glides and fades end. */
 const AFTERGLOW_MS = 1200;
-/** A picture that the graphics processor was not ready for is tried again after this time. */
+/** A picture for which the GPU was not ready is tried again after this time. */
 const RETRY_MS = 4;
-/** A picture that the browser has not given back after this time, milliseconds, is taken for lost. */
+/** After this time without a restored context, milliseconds, it counts as lost. */
 const LOST_MS = 3000;
 
 export class SharedViewer {
-  /** Made when a view first wants it, so that a browser that cannot draw in 3-D still shows the others. */
+  /** Created when a view first needs it, so that a browser without 3-D can show the other views. */
   #made: Viewer | undefined;
   #theme: "dark" | "light";
   readonly #container = html("div", { class: "stage-view" });
   readonly #observer = new ResizeObserver(() => this.#invalidate());
   #borrower: HTMLElement | undefined;
   #tinted: readonly Role[] = [];
-  /** Whether nothing is drawn: not even the finer picture of what stands still, which takes its time. */
+  /** Whether nothing is drawn, not even the finer picture of a still scene, which takes longer. */
   #frozen = false;
   #drawUntil = 0;
-  /** Whether nothing is drawn because something else is, over it. */
+  /** Whether drawing is off because something else is drawn over it. */
   rests = false;
 
   readonly #listening = new AbortController();
 
-  /** @param onLost is told when the browser has taken the picture away for a while, and when it is back */
+  /** @param onLost called when the WebGL context is lost for a while, and when it is restored */
   constructor(theme: "dark" | "light", onLost: (lost: boolean) => void) {
     this.#theme = theme;
     this.#watchContext(onLost);
@@ -43,7 +43,7 @@ export class SharedViewer {
     this.#invalidate();
   }
 
-  /** Makes the viewer before a view wants it. */
+  /** Creates the viewer before a view needs it. */
   make(): void {
     void this.#viewer;
   }
@@ -53,7 +53,7 @@ export class SharedViewer {
     return this.#made;
   }
 
-  /** Moves the viewer into a container, where it shows nothing of what it showed in another one. */
+  /** Moves the viewer into a container, without the contents of the previous one. */
   borrow(container: HTMLElement): ViewerLease {
     const viewer = this.#viewer;
     this.#frozen = false;
@@ -80,7 +80,7 @@ export class SharedViewer {
     };
   }
 
-  /** The events of a canvas do not bubble, but pass here on their way to it. */
+  /** The events of a canvas do not bubble, but can be captured here. */
   #watchContext(onLost: (lost: boolean) => void): void {
     const { signal } = this.#listening;
     let wait: ReturnType<typeof setTimeout> | undefined;
@@ -119,21 +119,21 @@ export class SharedViewer {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;
   }
 
-  /** Draws if anything may have changed, and until the viewer has drawn its still picture; whether it did. */
+  /** Draws if anything may have changed, and until the viewer has drawn its still picture. Returns whether it did. */
   draw(now: number): boolean {
     if (!this.#made || this.#frozen || this.rests) return false;
     return (now < this.#drawUntil || !this.#made.still) && this.#made.render(now / 1000);
   }
 
-  /** A copy of the picture, drawn now or as soon as the graphics processor is ready for it, at a size other than on screen. */
+  /** A copy of the picture, drawn now or as soon as the GPU is ready, at a size that may differ from the displayed one. */
   picture(size?: PictureSize): Promise<HTMLCanvasElement> {
     return this.film((pictureAt) => pictureAt(0), { size });
   }
 
   /**
-   * Runs a task while pictures are drawn for it alone: each shows its own time, seconds from the start, however long it
-   * takes to draw. They bear no mark of what is being edited. They are drawn at `size`, or as they are on screen.
-   * @throws what `signal` was aborted with
+   * Runs a task that controls all drawing: each picture shows its own time, seconds from the start, however long it
+   * takes to draw, without marks of editing. Pictures are drawn at `size`, or at the displayed size.
+   * @throws the reason with which `signal` was aborted
    */
   readonly film: Film = async (task, { signal, size } = {}) => {
     const viewer = this.#viewer;
@@ -159,12 +159,12 @@ export class SharedViewer {
     }
   };
 
-  /** Place of a joint of the styled character in the page, CSS pixels. */
+  /** Position of a joint of the styled character in the page, CSS pixels. */
   jointPosition(role: Role): { x: number; y: number } {
     return this.#onPage(this.#viewer.jointScreenPosition(role));
   }
 
-  /** Where a place on the ground is in the page, CSS pixels. */
+  /** Position of a point on the ground in the page, CSS pixels. */
   groundPosition(x: number, z: number): { x: number; y: number } {
     return this.#onPage(this.#viewer.screenPosition(x, 0, z));
   }

@@ -1,4 +1,4 @@
-/** The setting that turns single-character shortcuts on or off (WCAG 2.1.4): speech input and tremor trigger them by accident. */
+/** The setting for single-character shortcuts (WCAG 2.1.4): speech input and tremor trigger them by accident. */
 
 /** Key in localStorage. */
 const STORAGE_KEY = "strut.singleKeys";
@@ -7,7 +7,7 @@ export class SingleKeys {
   readonly #memory: () => Pick<Storage, "getItem" | "setItem">;
   #on = true;
 
-  /** Where storage is refused, as in a private window, the setting lasts as long as the page. */
+  /** If storage is refused, as in a private window, the setting lasts as long as the page. */
   constructor(memory: () => Pick<Storage, "getItem" | "setItem"> = () => localStorage) {
     this.#memory = memory;
     try {
@@ -26,7 +26,7 @@ export class SingleKeys {
     try {
       this.#memory().setItem(STORAGE_KEY, on ? "on" : "off");
     } catch {
-      // As above.
+      // The setting lasts as long as the page.
     }
   }
 }

@@ -7,7 +7,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Workers that do as told with their answers. */
+/** Fake workers that answer as the test specifies. */
 function workersThat(answer: (worker: { onmessage?: (event: { data: unknown }) => void }) => void) {
   const terminate = vi.fn();
   vi.stubGlobal(

@@ -1,14 +1,14 @@
-/** Starts what draws in 3-D. */
+/** Starts 3-D rendering. */
 
 import type { Graphics } from "../../viewer/stage/graphics";
 
-/** Longest wait for the worker's answer: a graphics process may hang, or an extension keep workers from drawing. */
+/** Longest wait for the worker's answer: a graphics process may hang, or an extension may prevent workers from drawing. */
 export const PATIENCE_MS = 3000;
 
 /**
- * Waits on a thread of its own until the first WebGL context is there: the page would stand still meanwhile. Its own
- * contexts come at once then. Resolves with what draws, or with nothing where workers cannot draw: the page has to wait and
- * to find out itself. So it does where there are no workers, or none answers in time.
+ * Waits on another thread until the first WebGL context exists, which would block the page. The page's own contexts are
+ * then created at once. Resolves with the kind of renderer, or with `undefined` if workers do not exist, cannot draw,
+ * or do not answer in time; the page must then find out itself.
  */
 export async function startGraphics(): Promise<Graphics | undefined> {
   let worker: Worker;

@@ -3,7 +3,7 @@ import { counted } from "../strings/counted.en";
 const styles = counted("style");
 const frames = counted("frame");
 
-/** What is said everywhere: titles, menus, toasts, what went wrong. */
+/** Texts of the whole page: titles, menus, toasts, errors. */
 export const page = {
   views: {
     play: "Play",

@@ -12,12 +12,12 @@ import { VIEWS } from "./view_table";
 
 export interface TopBarListeners extends ProjectListeners {
   onView: (view: ViewName) => void;
-  /** The tab of a view is pointed at, or has the focus. */
+  /** Called when the tab of a view is hovered or focused. */
   onReach: (view: ViewName) => void;
   onUndo: () => void;
   onRedo: () => void;
   onShare: () => void;
-  /** Shows the code to embed what is shown. */
+  /** Shows the code to embed the displayed figure. */
   onEmbed: () => void;
   onExport: (format: OutputFormat, size: VideoSize) => void;
   onTheme: () => void;
@@ -32,7 +32,7 @@ export class TopBar {
   readonly #export: ExportMenu;
   readonly #project: ProjectMenu;
   readonly #embeds: HTMLButtonElement[];
-  /** What holds them. */
+  /** Elements that contain the embed buttons. */
   readonly #embedPlaces: HTMLElement[];
   /** The tabs, and the menu items for them on a narrow screen. */
   readonly #views: { name: ViewName; element: HTMLElement }[];
@@ -116,7 +116,7 @@ export class TopBar {
 
   show({ view, canUndo, canRedo, dark }: { view: ViewName; canUndo: boolean; canRedo: boolean; dark: boolean }): void {
     for (const { name, element } of this.#views) setAttributes(element, { "aria-current": name === view && "page" });
-    // A figure on another page does what Play does.
+    // An embedded figure has the functions of Play.
     for (const place of this.#embedPlaces) place.hidden = view !== "play";
     for (const undo of this.#undo) undo.disabled = !canUndo;
     for (const redo of this.#redo) redo.disabled = !canRedo;
@@ -127,7 +127,7 @@ export class TopBar {
     this.#theme.replaceChildren(icon(dark ? "sun" : "moon"));
   }
 
-  /** How many dropped files there are, and their bytes. */
+  /** Number of dropped files, and their bytes. */
   set kept(kept: { files: number; bytes: number }) {
     this.#project.kept = kept;
   }
@@ -139,7 +139,7 @@ export class TopBar {
   }
 }
 
-/** Acts on a click on a link instead of following it. With Ctrl, Cmd or Shift held the browser opens the link as usual. */
+/** Handles a plain click on a link instead of following it. With Ctrl, Cmd or Shift the browser opens the link as usual. */
 function onPlainClick(link: HTMLElement, act: () => void): void {
   link.addEventListener("click", (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return;

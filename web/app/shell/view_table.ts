@@ -1,4 +1,4 @@
-/** The views that there are. */
+/** The table of the views. */
 
 import type { ViewName } from "../../link/page";
 import type { AppState } from "../state/state";
@@ -8,24 +8,24 @@ import { createView as createPlay } from "../views/play/play_view";
 
 interface ViewModule {
   createView(host: ViewHost): View;
-  /** Begins what takes long, such as an engine, before the view is made: its tab is pointed at. */
+  /** Starts long preparations, such as loading an engine, before the view is made. Called when its tab is hovered. */
   prepare?(state: Readonly<AppState>): void;
 }
 
 export interface ViewEntry {
   name: ViewName;
   title: string;
-  /** Loads the code of the view when it is first shown; that of Play is part of the page. */
+  /** Loads the code of the view when it is first shown; the code of Play is part of the page. */
   load: () => Promise<ViewModule>;
-  /** Which dropped files go to the view; the page handles the others. */
+  /** Which dropped files are passed to the view; the page handles the others. */
   takes?: "motions" | "all";
-  /** Whether it is of use in a browser that cannot draw in 3-D. */
+  /** Whether it works in a browser without 3-D. */
   flat?: true;
 }
 
 const titles = strings.page.views;
 
-/** Every view in the order of the tabs. A new view is a name in `state/page.ts` and a row here. */
+/** All views in the order of the tabs. A new view is a name in `state/page.ts` and a row here. */
 export const VIEWS: readonly ViewEntry[] = [
   { name: "play", title: titles.play, load: () => Promise.resolve({ createView: createPlay }) },
   { name: "learn", title: titles.learn, load: () => import("../views/learn/learn_view"), flat: true },

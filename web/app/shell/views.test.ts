@@ -3,7 +3,7 @@ import type { ViewName } from "../../link/page";
 import type { View, ViewHost } from "../view";
 import { Views } from "./views";
 
-/** A view that only says what happens to it. */
+/** A fake view that logs its calls. */
 function fakeView(said: string[], name: string, holdsWork = false) {
   return {
     element: { remove: () => said.push(`${name} removed`) } as unknown as HTMLElement,
@@ -51,7 +51,7 @@ function made(holdsWork = false) {
   return { views, walk, signals, show, take };
 }
 
-// A task of its own is a timer as well, and goes on.
+// Yielding to other tasks uses a timer, too, which must continue.
 beforeEach(() => void vi.useFakeTimers({ shouldAdvanceTime: true }));
 afterEach(() => void vi.useRealTimers());
 

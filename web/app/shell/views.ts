@@ -1,26 +1,26 @@
-/** Shows one view at a time: each is made when it is shown, and disposed of after a while out of sight. */
+/** Shows one view at a time. Each is made when it is shown, and disposed of after being hidden for a while. */
 
 import type { ViewName } from "../../link/page";
 import { otherTasks } from "../ui/tasks";
 import type { View, ViewHost } from "../view";
 import type { ViewEntry } from "./view_table";
 
-/** A view out of sight for so long is disposed of: it may hold a graphics context, a worker and recordings. */
+/** A view hidden for this time is disposed of: it may hold a graphics context, a worker and recordings. */
 const DISPOSE_MS = 60_000;
 
-/** The views that there are, and how each is loaded. */
+/** The views, and how each is loaded. */
 type ViewTable = readonly Pick<ViewEntry, "name" | "load">[];
 
 export interface ViewsListeners {
   /** Makes the host of a view that lives until `signal` aborts. */
   host: (signal: AbortSignal) => ViewHost;
-  /** Another view is shown; `first` where there was none before. */
+  /** Called when another view is shown; `first` if there was none before. */
   onShow: (name: ViewName, view: View, first: boolean) => void;
-  /** The code of a view could not be loaded, or the view could not be made. */
+  /** Called when the code of a view could not be loaded, or the view could not be made. */
   onRefused: (name: ViewName, error: unknown) => void;
 }
 
-/** A view that was made, or is being made. */
+/** A view that exists or is being made. */
 interface Made {
   view: Promise<View | undefined>;
   life: AbortController;
@@ -30,10 +30,10 @@ interface Made {
 export class Views {
   readonly #listeners: ViewsListeners;
   readonly #table: ViewTable;
-  /** Puts the element of a view into the page. */
+  /** Adds the element of a view to the page. */
   readonly #place: (element: HTMLElement) => void;
   readonly #made = new Map<ViewName, Made>();
-  /** The views that there are now. */
+  /** The existing views. */
   readonly #alive = new Set<View>();
   #wanted: ViewName | undefined;
   #shown: { name: ViewName; view: View } | undefined;
@@ -44,7 +44,7 @@ export class Views {
     this.#table = table;
   }
 
-  /** Goes to a view; `undefined` where it cannot be loaded. */
+  /** Shows a view; `undefined` if it cannot be loaded. */
   async show(name: ViewName): Promise<View | undefined> {
     this.#wanted = name;
     const view = await this.#make(name);
@@ -63,12 +63,12 @@ export class Views {
     return view;
   }
 
-  /** The view that is shown; `undefined` until the first one is made. */
+  /** The current view; `undefined` until the first one is made. */
   get shown(): View | undefined {
     return this.#shown?.view;
   }
 
-  /** Whether leaving the page would lose what a person made in any of the views. */
+  /** Whether leaving the page would lose the user's work in any view. */
   get holdUnkept(): boolean {
     return [...this.#alive].some((view) => view.holdsUnkept);
   }
@@ -93,11 +93,11 @@ export class Views {
       const entry = this.#table.find((view) => view.name === name)!;
       const view = (await entry.load()).createView(this.#listeners.host(life.signal));
       this.#alive.add(view);
-      // To make a view and to place it in the page take long enough for a task each.
+      // Making a view and adding it to the page each take long enough for a task of their own.
       await otherTasks();
       return view;
     } catch (error) {
-      // Ends what the view has begun before it failed.
+      // Cancels everything that the view started before it failed.
       life.abort();
       this.#made.delete(name);
       this.#listeners.onRefused(name, error);

@@ -1,4 +1,4 @@
-/** What is open, in step with the state: database, input, the styles that there are, and the engine's options. */
+/** The open objects, synchronised with the state: database, input, the available styles, and the engine's options. */
 
 import type { FirstSteps } from "../../client/first_steps";
 import {
@@ -39,17 +39,17 @@ export class Workspace {
   readonly #store: Store;
   readonly #toasts: Toasts;
   readonly #progress: SessionProgressLines;
-  /** What the person said of skeletons. */
+  /** The user's readings of skeletons. */
   readonly #readings = new ReadingMemory();
-  /** What is being opened because the state asks for it. */
+  /** The opening that the state has requested. */
   #opening: Promise<void> = Promise.resolve();
-  /** Links that are being followed, and what the state asks for that is still being opened. */
+  /** Number of links being followed, and of requests by the state still in progress. */
   #pending = 0;
-  /** Whether the state becomes that of a link: whatever a person had begun to open, the link says what is to be open. */
+  /** Whether a link is being followed: it overrides whatever the user had started to open. */
   #arriving = false;
-  /** Inputs that were removed, by their names: undo brings them back. */
+  /** Removed inputs, by their names: undo restores them. */
   readonly #removed = new Map<string, DroppedInput>();
-  /** The file that a link was made with and does not hold, and the frame that it shows of it. */
+  /** The file that a link refers to and does not contain, and the frame that it shows. */
   #awaited: { input: string; frame: number } | undefined;
 
   constructor(client: StrutClient, store: Store, toasts: Toasts, progress: SessionProgressLines) {
@@ -76,8 +76,8 @@ export class Workspace {
   }
 
   /**
-   * Opens what the state asks for, and the file that the link carries, and begins to play. Without a link it begins with a
-   * few strides, which are there first.
+   * Opens what the state asks for, and the file in the link, and starts playback. Without a link it starts with a few
+   * strides, which are available first.
    */
   async start(hash: string, firstSteps: Promise<FirstSteps> | undefined): Promise<void> {
     const { session } = this;
@@ -100,17 +100,17 @@ export class Workspace {
     session.playback.start();
   }
 
-  /** Whether all that the state asks for is open. */
+  /** Whether everything that the state asks for is open. */
   get opened(): boolean {
     return this.#pending === 0;
   }
 
-  /** Whether the pose on screen is of the input, the frame and the styles of the state. */
+  /** Whether the displayed pose has the input, the frame and the styles of the state. */
   get upToDate(): boolean {
     return this.opened && this.session.playback.upToDate;
   }
 
-  /** Goes to the state of a link, or to what of it is given; the link may carry a file. */
+  /** Applies the state of a link, or the given fields of it; the link may contain a file. */
   arrive(arrived: Partial<AppState>, hash: string): Promise<void> {
     return this.#counted(this.#followLink(arrived, hash));
   }
@@ -128,14 +128,14 @@ export class Workspace {
     if (arrived.frame !== undefined && !playing) this.playhead.goTo(frame);
   }
 
-  /** Opens an input of the library and makes it the state's; whether it is open now. */
+  /** Opens an input of the library and stores it in the state. Returns whether it is open. */
   async chooseInput(name: string): Promise<boolean> {
     const opened = (await this.session.openInput(name)) === "done";
     if (opened) this.#store.edit({ input: this.#openInput, reading: this.session.reading, ...this.#beginning });
     return opened;
   }
 
-  /** Takes the dropped file that is open out of the inputs. Undo brings it back. */
+  /** Removes the open dropped file from the inputs. Undo restores it. */
   async removeInput(): Promise<void> {
     const { library, chosen } = this.session;
     const removed = library.file(chosen);
@@ -151,14 +151,14 @@ export class Workspace {
     offerUntilEdit(strings.play.input.removed(removed.name), strings.page.bar.undo, () => this.#store.undo(), place);
   }
 
-  /** Opens a clip of the open database and makes it the state's input; whether it is open now. */
+  /** Opens a clip of the open database and stores it as the state's input. Returns whether it is open. */
   async chooseClip(clip: number): Promise<boolean> {
     const name = await this.session.openClip(clip);
     if (name !== undefined) this.#store.edit({ input: name, reading: this.session.reading });
     return name !== undefined;
   }
 
-  /** Reads the open file as a person says, which is remembered for its skeleton; whether it could be read so. */
+  /** Reads the open file as the user specifies, which is stored for its skeleton. Returns whether it could be read so. */
   async readAs(reading: FileReading): Promise<boolean> {
     const { session } = this;
     const read = (await this.#counted(session.readAs(reading))) === "done";
@@ -169,7 +169,7 @@ export class Workspace {
     return read;
   }
 
-  /** Reads a dropped motion, however slow its disk is, and opens it; the last of several that are dropped is opened. */
+  /** Reads a dropped motion, however slow its disk is, and opens it. Of several dropped motions, the last one is opened. */
   async takeFile(file: File): Promise<void> {
     let bytes: ArrayBuffer;
     try {
@@ -183,7 +183,7 @@ export class Workspace {
     await this.takeMotion(file.name, bytes);
   }
 
-  /** Opens a motion, read as a person says. */
+  /** Opens a motion, read as the user specifies. */
   async takeMotion(fileName: string, bytes: ArrayBuffer, exact?: ExactPoses, reading?: FileReading): Promise<void> {
     const refused = (error: unknown) =>
       isOfFile(error) && !exact
@@ -193,7 +193,7 @@ export class Workspace {
     if (name === undefined) return;
     if (reading) this.#rememberReading();
     this.#store.edit({ input: name, reading: this.session.reading, ...this.#beginning });
-    // The link is complete now: it shows its own instant.
+    // The link is complete now: its own frame is shown.
     if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
     this.#awaited = undefined;
   }
@@ -203,7 +203,7 @@ export class Workspace {
     else this.#toasts.failure(error);
   }
 
-  /** What can be done where a file was refused because of its skeleton: to say which joint is which. */
+  /** The action offered when a file was refused because of its skeleton: to map the joints. */
   async #offerOfJoints(fileName: string, bytes: ArrayBuffer): Promise<ToastAction | undefined> {
     const skeleton = await skeletonOf(fileName, bytes);
     if (!skeleton?.fault) return undefined;
@@ -214,7 +214,7 @@ export class Workspace {
     return { label: strings.page.drop.choose, act: () => void act() };
   }
 
-  /** Opens the first of several dropped motions; the others can be chosen. */
+  /** Opens the first of several dropped motions; the others can be selected. */
   async takeMotions(motions: readonly { name: string; bytes: ArrayBuffer }[]): Promise<void> {
     const [first, ...others] = motions;
     if (!first) return;
@@ -229,7 +229,7 @@ export class Workspace {
   #onChange(changed: Changed): void {
     const { session } = this;
     const moving = (this.#arriving || changed.has("database")) && this.databases.mustFollow;
-    // Another database has other styles: they are looked at when it is open.
+    // Another database has other styles: they are checked when it is open.
     if (session.database && !moving && any(changed, "styles", "parts", "track", "action", "inputStyle"))
       this.#completeStyles(session.database);
     const { loop, range, speed } = this.#store.state;
@@ -239,7 +239,7 @@ export class Workspace {
     if (!this.#arriving) this.#follow(changed.has("database"), any(changed, "input", "reading"));
   }
 
-  /** Opens the database or the input that the state asks for anew. */
+  /** Opens the database or the input that the state asks for. */
   #follow(database: boolean, input: boolean): void {
     const { session } = this;
     const { input: name } = this.#store.state;
@@ -264,7 +264,7 @@ export class Workspace {
     session.analyseSoon();
   }
 
-  /** Drops styles that the database does not have, and chooses some where none is left. */
+  /** Drops styles that the database does not have, and selects some if none is left. */
   #completeStyles(database: DatabaseInfo): void {
     const first = firstSelection(database.styles, database.neutral);
     const renamed = withRenamedStyles(this.#store.state, this.databases.renamed);
@@ -279,11 +279,11 @@ export class Workspace {
     if (!this.databases.moving) this.#settleInput();
   }
 
-  /** Opens the input that undo, redo or a link brought; where that fails the state goes back to what is open. */
+  /** Opens the input that undo, redo or a link brought. If that fails, the state returns to the open input. */
   async #followInput(wanted: string): Promise<void> {
     const { session } = this;
     const name = wanted || session.library.first;
-    // What is being read or opened instead must not come after it.
+    // An input being read or opened instead must not replace it afterwards.
     const { reading } = this.#store.state;
     const reread = !sameReading(reading, session.reading);
     if (name === session.chosen && !reread && !this.#progress.input.busy) return;
@@ -294,13 +294,13 @@ export class Workspace {
     }
     if (this.#store.state.input !== wanted) return;
     if (name === session.chosen && reread) {
-      // Undo and redo are a person's choices, too.
+      // Undo and redo are also choices of the user.
       if ((await session.readAs(reading)) === "done") this.#rememberReading();
     } else if (session.library.has(name)) await session.openInput(name, reading);
     if (this.#store.state.input === wanted) this.#settleInput();
   }
 
-  /** Keeps what is said of the open file for others with its skeleton. */
+  /** Stores the reading of the open file for other files with its skeleton. */
   #rememberReading(): void {
     const { reading } = this.session.input ?? {};
     if (reading) this.#readings.keep(reading.skeleton.id, reading.said);
@@ -315,7 +315,7 @@ export class Workspace {
       this.#store.adopt({ reading: session.reading });
       return;
     }
-    // A link never connects by itself.
+    // A link never connects without consent.
     if (isLive(wanted)) session.askForLive(wanted);
     else if (!session.library.has(wanted)) {
       this.#awaited = { input: wanted, frame };
@@ -325,32 +325,32 @@ export class Workspace {
     this.#store.adopt({ input: this.#openInput, reading: session.reading });
   }
 
-  /** Another input begins at its beginning, where it stands still, too. */
+  /** Another input starts at its beginning, also while paused. */
   get #beginning(): Partial<AppState> {
     return this.#store.state.playing ? {} : { frame: 0 };
   }
 
-  /** The input that is open, as the state names it. */
+  /** The open input, as named in the state. */
   get #openInput(): string {
     const { library, chosen } = this.session;
     return chosen === library.first ? "" : chosen;
   }
 
-  /** Puts the file that a link carries into the library, read as the link says; its name there. */
+  /** Adds the file in a link to the library, with the link's reading. Returns its name there. */
   async #carriedInput(hash: string, reading: FileReading): Promise<string | undefined> {
     const file = await linkedFile(hash);
     if (!file) return undefined;
     const name = await this.session.library.add(file.name, file.bytes);
-    // Even where it says nothing: a link shows the same to everybody.
+    // Also if the reading is empty: a link shows the same for everyone.
     this.session.library.say(name, reading);
     return name;
   }
 }
 
-/** Whether an error says that a file cannot be used. */
+/** Whether an error means that a file cannot be used. */
 const isOfFile = (error: unknown): boolean => error instanceof StrutError && error.code === "bad-file";
 
-/** Settles as `work` does, or rejects when the signal aborts: a file cannot be told that nobody waits for it. */
+/** Settles as `work` does, or rejects when the signal aborts: reading a file cannot be cancelled. */
 function unlessAborted<T>(work: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
   return new Promise((resolve, reject) => {
     signal?.addEventListener("abort", () => reject(cancelled()), { once: true });

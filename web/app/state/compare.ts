@@ -6,15 +6,18 @@ export interface CompareState {
   columns: readonly string[];
   /** The column that is drawn behind the others. */
   behind: string;
-  /** The search that is shown beside the exact one. */
+  /** The search that is compared with the exact one. */
   search: SearchName;
 }
 
-/** Searches for neighbours, as the command line names them: the exact one, and those among so many candidates of kd-trees. */
+/**
+ * Searches for neighbours, as named by the command line: the exact one, and those with a number of candidates from
+ * kd-trees.
+ */
 export const SEARCHES = ["exact", "kdtree:40", "kdtree:160", "kdtree:640"] as const;
 export type SearchName = (typeof SEARCHES)[number];
 
-/** How many candidates of every kd-tree a search looks at; `undefined` for the exact one, which has no trees. */
+/** Number of candidates that a search examines in every kd-tree; `undefined` for the exact one, which has no trees. */
 export function candidatesOf(search: SearchName): number | undefined {
   const [, candidates] = search.split(":");
   return candidates === undefined ? undefined : Number(candidates);

@@ -1,43 +1,43 @@
-/** State of the Crowd view: who walks, the styles of places, the way that people take, and what is looked at. */
+/** State of the Crowd view: the agents, the styles of places, the route, and the current selection. */
 
 import { type FieldVertex, MAX_CROWD, MAX_ROUTE_POINTS, MAX_VERTICES, type Place } from "../../client/crowd/limits";
 import { choice, type Field, type Fields, flag, number, SEPARATOR } from "../../link/fields";
 import type { Range } from "../../ui/controls/range";
 
-/** Who is there: people who walk by a model, or who perform the input of Play. */
+/** Kinds of agents: they walk by a walk model, or perform the input of Play. */
 export const CROWD_KINDS = ["walkers", "performers"] as const;
 export type CrowdKind = (typeof CROWD_KINDS)[number];
 
-/** How many there are, and the seed of all that is drawn by lot. */
+/** Number of agents, and the seed of all random choices. */
 export interface People {
   count: number;
   seed: number;
 }
 
-/** What a link says where it says nothing that can be: the view says so, and keeps what it has. */
+/** An invalid value in a link. The view reports it, and keeps its own value. */
 export class Refused {
   constructor(
     /** The text of the link. */
     readonly text: string,
-    /** What was expected of it. */
+    /** What was expected. */
     readonly why: RefusedWhy,
   ) {}
 }
 
-/** Of a link's text: the kind of people, their number, the number of vertices, what a vertex is, or what a route is. */
+/** The invalid part of the link: the kind of agents, their number, the number of vertices, a vertex, or the route. */
 export type RefusedWhy = "kind" | "count" | "vertices" | "vertex" | "route";
 
 export interface CrowdState {
   crowdKind: CrowdKind | Refused;
   crowd: People | Refused;
-  /** Styles by place; `undefined` until a model gives the first ones. */
+  /** Styles by place; `undefined` until a model provides the initial ones. */
   field: readonly FieldVertex[] | undefined | Refused;
-  /** The way that everybody follows; none sets them free. */
+  /** The route that all agents follow; an empty one removes it. */
   route: readonly Place[] | Refused;
-  /** Number of the chosen vertex, and that of the walker whose card is open, or −1. */
+  /** Index of the selected vertex, and of the agent whose card is open, or −1. */
   crowdVertex: number;
   crowdWalker: number;
-  /** Whether the camera follows that walker. */
+  /** Whether the camera follows that agent. */
   crowdFollow: boolean;
   crowdCamera: CrowdCamera;
   /** Whether the field is drawn on the ground. */
@@ -56,7 +56,7 @@ export const CROWD_RANGES = {
   intensity: { min: -1, max: 2, digits: 2 },
 } as const satisfies Record<string, Range>;
 
-/** A field without a vertex, which is another one than none chosen. */
+/** A field without vertices, as opposed to a default field. */
 const EMPTY = "none";
 
 const within = (value: number, { min, max }: Range): boolean => value >= min && value <= max;
@@ -118,7 +118,7 @@ function encodeRoute(points: readonly Place[]): string {
   return points.map((point) => point.map((v) => plain(v, CROWD_RANGES.place)).join("_")).join(SEPARATOR.entry);
 }
 
-/** A field of the state of which a link may say what cannot be. */
+/** A field of the state whose value in a link may be invalid. */
 function refusable<T>(
   key: string,
   initial: T,

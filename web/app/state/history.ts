@@ -1,6 +1,6 @@
 /** Undo and redo over anything that can be saved and restored. */
 
-/** What the buttons and keys of undo and redo act upon. */
+/** Targets of the buttons and keys for undo and redo. */
 export interface UndoRedo {
   readonly canUndo: boolean;
   readonly canRedo: boolean;
@@ -8,21 +8,21 @@ export interface UndoRedo {
   redo(): void;
 }
 
-/** Maximum number of steps that are remembered. */
+/** Maximum number of steps that are kept. */
 const DEPTH = 200;
 
-/** Two stacks of saved states: those before the present one, and those that were undone. */
+/** Two stacks of saved states: those before the current one, and those that were undone. */
 export class History<Saved> implements UndoRedo {
   readonly #present: (of: Saved) => Saved;
   readonly #restore: (saved: Saved) => void;
   #past: Saved[] = [];
   #future: Saved[] = [];
-  /** What the last step replaced, see {@link withdraw}. */
+  /** The entries that the last step replaced, see {@link withdraw}. */
   #replaced: { oldest: Saved | undefined; future: Saved[] } | undefined;
 
   /**
-   * @param present saves the present state of whatever the given one was saved of
-   * @param restore goes back to a saved state
+   * @param present saves the current state of the object from which the given state was saved
+   * @param restore restores a saved state
    */
   constructor(present: (of: Saved) => Saved, restore: (saved: Saved) => void) {
     this.#present = present;
@@ -37,7 +37,7 @@ export class History<Saved> implements UndoRedo {
     return this.#future.length > 0;
   }
 
-  /** Remembers the state before an edit, which undo will restore; what was undone before cannot be redone any more. */
+  /** Stores the state before an edit, which undo will restore. Undone states can no longer be redone. */
   record(before: Saved): void {
     this.#past.push(before);
     const oldest = this.#past.length > DEPTH ? this.#past.shift() : undefined;
@@ -45,7 +45,7 @@ export class History<Saved> implements UndoRedo {
     this.#future = [];
   }
 
-  /** Restores the state before the last recorded step, and the stacks as they were before it was recorded. */
+  /** Restores the state before the last recorded step, and the stacks from before it was recorded. */
   withdraw(): void {
     const replaced = this.#replaced;
     const before = replaced && this.#past.pop();
@@ -64,7 +64,7 @@ export class History<Saved> implements UndoRedo {
     this.#move(this.#future, this.#past);
   }
 
-  /** Forgets all steps: what they were saved of is gone. */
+  /** Removes all steps, because their objects no longer exist. */
   forget(): void {
     this.#past = [];
     this.#future = [];

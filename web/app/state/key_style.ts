@@ -13,28 +13,28 @@ export interface TimedValue {
 }
 
 export interface KeyStyleState {
-  /** The set of training clips, see `views/key_style/sets.ts`, and the names of its clips where they were chosen. */
+  /** The set of training clips, see `views/key_style/sets.ts`, and the names of its clips if they were selected. */
   keySet: string;
   keyClips: readonly string[];
-  /** Style variables; none for those that fit the motions. */
+  /** Style variables; empty for those that fit the motions best. */
   keyAxes: readonly Axis[];
-  /** Number of components of the mixture, 0 for that of the training rule, and how it is trained. */
+  /** Number of components of the mixture, 0 for the number that training chooses, and the training method. */
   keyComponents: number;
   keyLearning: KeyLearning;
-  /** Whether the winning component alone is the pose. */
+  /** Whether the winning component alone determines the pose. */
   keyHard: boolean;
-  /** Values at the handle; empty until a model gives its default. */
+  /** Values at the handle; empty until a model provides its default. */
   keyHandle: readonly number[];
   /** The last drag. */
   keyTrail: readonly TimedValue[];
-  /** Keys over time, the chosen one's number, the length of the animation and the playhead, seconds. */
+  /** Keys over time, the index of the selected key, the length of the animation and the playhead, seconds. */
   keys: readonly TimedValue[];
   keyChosen: number;
   keyLength: number;
   keyTime: number;
   keyCurve: KeyCurve;
   keyMethod: KeyMethod;
-  /** Whether the nearest recorded pose is drawn, and what is below the pad. */
+  /** Whether the nearest recorded pose is drawn, and the panel below the pad. */
   keyGhost: boolean;
   keyPane: KeyPane;
 }
@@ -52,28 +52,28 @@ export const KEY_STYLE_RANGES = {
   components: { min: 0, max: 32, digits: 0 },
 } as const satisfies Record<string, Range>;
 
-/** Maximum number of training clips by choice. */
+/** Maximum number of training clips that can be selected. */
 export const MAX_CLIPS = 1000;
-/** Style variables of one model. */
+/** Maximum number of style variables of a model. */
 export const MAX_AXES = 3;
-/** Longest expression of a style variable. */
+/** Longest expression of a style variable, characters. */
 export const MAX_CHARACTERS = 80;
 export const MAX_KEYS = 60;
 /** Length of the animation, seconds. */
 export const LENGTH_RANGE = { min: 0.5, max: 30, digits: 2 } as const satisfies Range;
-/** Points a second of a trail that are kept: links stay short, and a hand is not faster. */
+/** Points per second of a trail that are kept: links stay short, and hand movements are not faster. */
 export const TRAIL_RATE_HZ = 20;
-/** Longest trail, seconds; what is older is forgotten. */
+/** Longest trail, seconds; older points are removed. */
 export const LONGEST_TRAIL_SECS = 6;
 /** Maximum number of points of a trail. */
 export const MAX_POINTS = TRAIL_RATE_HZ * LONGEST_TRAIL_SECS + 2;
 
-/** Axes in links stand behind each other with `~`, which no expression has. */
+/** Encodes axes in links, separated by `~`, which no expression contains. */
 export function encodeAxes(axes: readonly Axis[]): string {
   return axes.join(SEPARATOR.name);
 }
 
-/** What {@link encodeAxes} wrote; `undefined` where there are too many, or the same twice. */
+/** Decodes {@link encodeAxes}; `undefined` if there are too many, or duplicates. */
 export function decodeAxes(text: string): Axis[] | undefined {
   const axes = text === "" ? [] : text.split(SEPARATOR.name);
   const valid = axes.every((axis) => axis !== "" && axis.length <= MAX_CHARACTERS);
@@ -91,7 +91,10 @@ export function encodeTimed(timed: readonly TimedValue[]): string {
     .join(SEPARATOR.entry);
 }
 
-/** What {@link encodeTimed} wrote; `undefined` where it is none: times must grow and all have as many values. */
+/**
+ * Decodes {@link encodeTimed}; `undefined` if it is invalid: times must increase and all entries must have the same
+ * number of values.
+ */
 export function decodeTimed(text: string, max: number): TimedValue[] | undefined {
   if (text === "") return [];
   const entries = text.split(SEPARATOR.entry, max + 1);
@@ -111,7 +114,7 @@ export function decodeTimed(text: string, max: number): TimedValue[] | undefined
   return valid && timed.length <= max ? timed : undefined;
 }
 
-/** The handle as one value of no time. */
+/** The handle as one value without a time. */
 function encodeHandle(values: readonly number[]): string {
   return values.length === 0 ? "" : encodeTimed([{ secs: 0, values }]).slice("0_".length);
 }

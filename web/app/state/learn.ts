@@ -1,26 +1,26 @@
-/** State of the Learn view: where one is in the lessons, and what the figures show. */
+/** State of the Learn view: the position in the lessons, and the state of the figures. */
 import { type Fields, flag, number, text } from "../../link/fields";
 
 export interface LearnState {
-  /** Id of the lesson; the first where there is none of the id. */
+  /** Id of the lesson; an unknown id means the first lesson. */
   lesson: string;
-  /** Number of the part of the lesson. */
+  /** Index of the part of the lesson. */
   beat: number;
-  /** Id of the exercise under way: a link that has one is checked when it is opened. */
+  /** Id of the current exercise: a link with an exercise is checked when it is opened. */
   task: string;
   /** Language of the lessons. */
   language: string;
-  /** Whether the lesson is presented: large type, arrow keys turn over. */
+  /** Whether the lesson is presented: large type, and arrow keys turn pages. */
   present: boolean;
-  /** What is not shown, with commas: `text`, `controls`, `answers`. */
+  /** Hidden parts, comma-separated: `text`, `controls`, `answers`. */
   hide: string;
-  /** State of the lesson's figures as the text of a link. Its keys stand in the page's link beside the others. */
+  /** State of the lesson's figures as the text of a link. Its keys are in the page's link, together with the others. */
   figures: string;
 }
 
-/** Parts of a lesson, `web/lessons/lesson.ts`. */
+/** Range of the parts of a lesson, `web/lessons/lesson.ts`. */
 const BEATS = { min: 0, max: 5, digits: 0 };
-/** A longer text is no state of figures. */
+/** A longer text is not a state of figures. */
 const MAX_LENGTH = 2000;
 
 export const LEARN_FIELDS: Fields<LearnState> = {

@@ -1,4 +1,7 @@
-/** Links of version 2191801, and what that version read from them beside the defaults. `tests/e2e/links.test.ts` opens some of them. */
+/**
+ * Links of version 2191801, and the values other than defaults that it read from them. `tests/e2e/links.test.ts` opens
+ * some of them.
+ */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";

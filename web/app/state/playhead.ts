@@ -8,7 +8,7 @@ export class Playhead {
   readonly #store: Store;
   readonly #session: Session;
   #scrubbing = false;
-  /** Frame that was asked of the engine and has not come yet. */
+  /** Frame that was requested from the engine and has not arrived yet. */
   #target: number | undefined;
   #previewing = false;
 
@@ -60,7 +60,7 @@ export class Playhead {
     this.#store.edit({ playing: true, frame: 0 });
   }
 
-  /** Pauses at the newest frame, which may still be on its way from the engine. */
+  /** Pauses at the newest frame, which the engine may still have to deliver. */
   pause(): void {
     this.#store.edit({ playing: false, frame: this.at });
     void this.#session.shown().then(() => {
@@ -68,7 +68,7 @@ export class Playhead {
     });
   }
 
-  /** Goes to an input frame, clamped to the input. */
+  /** Jumps to an input frame, clamped to the input. */
   goTo(frame: number): void {
     const input = this.#session.input;
     if (!input) return;
@@ -77,13 +77,13 @@ export class Playhead {
     if (!this.#store.state.playing) this.#store.edit({ frame: at });
   }
 
-  /** Is at a frame already, though its input may have to be opened before {@link goTo} can show it. */
+  /** Sets the frame before its input is open, so that {@link goTo} cannot show it yet. */
   awaitFrame(frame: number): void {
     this.#previewing = false;
     this.#target = frame;
   }
 
-  /** Shows a frame to which another view went: where nothing plays the state has it already. */
+  /** Shows a frame that another view chose; while paused it is already in the state. */
   takeOver(frame: number): void {
     this.awaitFrame(frame);
     this.#session.playback.seek(frame);

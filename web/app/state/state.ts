@@ -34,7 +34,7 @@ export const FIELDS: Fields<AppState> = {
   ...LEARN_FIELDS,
 };
 
-/** Names of the fields that undo takes back. */
+/** Names of the fields that undo restores. */
 export const UNDOABLE = namesOf(FIELDS).filter((name) => FIELDS[name].undoable);
 
 /** Keys of the page's own fields in a link. */
@@ -51,7 +51,10 @@ export function toHash(state: AppState): string {
   return [writeHash(FIELDS, { ...state, figures: "" }), figures].filter((part) => part !== "").join("&");
 }
 
-/** Reads what {@link toHash} wrote; in Learn, keys that the page does not know are the figures' state. Other unknown keys and invalid values are ignored, so that links of other versions open. */
+/**
+ * Decodes {@link toHash}. In Learn, keys that the page does not know are the figures' state. Other unknown keys and invalid
+ * values are ignored, so that links of other versions open.
+ */
 export function fromHash(hash: string): AppState {
   const state = readHash(FIELDS, hash);
   return state.view === "learn" ? { ...state, figures: foreignPairs(hash, KEYS) } : state;

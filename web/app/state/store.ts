@@ -4,7 +4,7 @@ import { History, type UndoRedo } from "./history";
 import { type AppState, UNDOABLE } from "./state";
 
 type Name = keyof AppState;
-/** The fields that undo takes back. */
+/** The fields that undo restores. */
 type Snapshot = Pick<AppState, (typeof UNDOABLE)[number]>;
 /** Called after every change with the names of the fields that changed. */
 export type Listener = (state: Readonly<AppState>, changed: ReadonlySet<Name>) => void;
@@ -22,10 +22,10 @@ export class Store implements UndoRedo {
     },
   );
   #gesture: string | undefined;
-  /** The state before the gesture under way. */
+  /** The state before the current gesture. */
   #before: Snapshot | undefined;
   #listeners = new Set<Listener>();
-  /** Ends and cancels the gesture under way: for controls whose edits belong to gestures. */
+  /** Ends and cancels the current gesture: for controls whose edits belong to gestures. */
   readonly gestureListeners: GestureListeners = {
     onSettle: () => this.endGesture(),
     onCancel: () => this.cancelGesture(),
@@ -55,8 +55,8 @@ export class Store implements UndoRedo {
   }
 
   /**
-   * Changes fields. Successive edits of one `gesture` (a drag, a run of key presses) are one step of undo until
-   * {@link endGesture}, {@link cancelGesture} or an edit without it.
+   * Changes fields. Successive edits of one `gesture` (a drag, a run of key presses) are one undo step until {@link
+   * endGesture}, {@link cancelGesture} or an edit without a gesture.
    */
   edit(patch: Partial<AppState>, gesture?: string): void {
     const changed = this.#changes(patch);
@@ -71,23 +71,23 @@ export class Store implements UndoRedo {
     this.#apply(patch, changed);
   }
 
-  /** Changes fields without a step of undo: defaults filled in, or an input that could not be opened. */
+  /** Changes fields without an undo step: defaults filled in, or an input that could not be opened. */
   adopt(patch: Partial<AppState>): void {
     const changed = this.#changes(patch);
     if (changed.size > 0) this.#apply(patch, changed);
   }
 
-  /** Ends a gesture: the next edit is a step of its own. A gesture that ends where it began leaves no step of undo. */
+  /** Ends a gesture: the next edit is a step of its own. A gesture that ends where it began leaves no undo step. */
   endGesture(): void {
     if (this.#gesture !== undefined && same(this.#before, this.#snapshot())) {
       this.#history.withdraw();
-      // Nothing of the state has changed, but there is a step less.
+      // The state has not changed, but there is one step less.
       this.#notify(new Set());
     }
     this.#gesture = undefined;
   }
 
-  /** Takes back the edits of the gesture under way, which leaves no step of undo. */
+  /** Reverts the edits of the current gesture, which leaves no undo step. */
   cancelGesture(): void {
     if (this.#gesture !== undefined) this.#history.withdraw();
   }

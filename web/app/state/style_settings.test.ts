@@ -93,14 +93,14 @@ describe("the style track", () => {
     const edited = patched(two, withStyles(two, OLD, 90));
     expect(edited.track.map((key) => key.styles)).toEqual([PROUD, OLD]);
     expect(chooseKey(edited, 0)).toMatchObject({ key: 0, styles: PROUD });
-    // The last one was chosen, but the playhead is at the first.
+    // The last key was selected, but the playhead is at the first.
     const first = patched(two, withStyles(two, OLD, 31.5));
     expect([first.track.map((key) => key.styles), first.key]).toEqual([[OLD, PROUD], 0]);
   });
 
   it("makes a key where the polygon is moved between keys, and leaves the others as they are", () => {
     const proud = patched(state(), addKey(state(), 60));
-    // Away from the key, old is chosen; K then finds its key there.
+    // Away from the key, old is selected; K then finds its key there.
     const old = patched(proud, withStyles(proud, OLD, 462));
     expect(old.track).toEqual([
       { frame: 60, styles: PROUD },

@@ -11,15 +11,15 @@ import { type AppState, fromHash, initialState, toHash, UNDOABLE } from "./state
 
 type Patch = Partial<AppState>;
 
-/** The styles that the polygon shows: those of the chosen body part if it has its own, otherwise the whole body's. */
+/** The styles that the polygon shows: those of the selected body part if it has its own, otherwise the whole body's. */
 export function shownStyles({ part, parts, styles }: AppState): Selection {
   return (part && parts[part]) || styles;
 }
 
-/** A key is under the playhead if it is at most so many frames away: a pixel of the timeline may be several frames. */
+/** A key is under the playhead if it is at most this many frames away: a pixel of the timeline may cover several frames. */
 const UNDER_PLAYHEAD = 3;
 
-/** Number of the key under the playhead at a frame, the nearest one; −1 where there is none. */
+/** Index of the nearest key under the playhead at a frame; −1 if there is none. */
 export function keyUnder({ track }: Pick<AppState, "track">, frame: number): number {
   const away = track.map((key) => Math.abs(key.frame - frame));
   const least = Math.min(...away);
@@ -27,9 +27,9 @@ export function keyUnder({ track }: Pick<AppState, "track">, frame: number): num
 }
 
 /**
- * Sets the styles of what the polygon shows: the chosen body part, or the whole body. Where there is a track, an edit is of the
- * key under the playhead, and where there is none it makes one: what was set elsewhere stays. `frame` is the playhead's;
- * `undefined` where there is no time line.
+ * Sets the styles that the polygon shows: of the selected body part, or of the whole body. With a track, the edit
+ * changes the key under the playhead, or adds a key there if there is none; styles elsewhere do not change. `frame` is
+ * the playhead's; `undefined` without a timeline.
  */
 export function withStyles(state: AppState, styles: Selection, frame: number | undefined): Patch {
   const { part, parts, track } = state;
@@ -45,18 +45,18 @@ export function withoutPart({ parts }: AppState, part: BodyPart): Patch {
   return { parts: Object.fromEntries(Object.entries(parts).filter(([name]) => name !== part)) };
 }
 
-/** Number of the chosen key; −1 without a track. */
+/** Index of the selected key; −1 without a track. */
 export function chosenKey({ track, key }: AppState): number {
   return Math.min(key, track.length - 1);
 }
 
-/** Chooses a key: the polygon shows its styles. */
+/** Selects a key: the polygon shows its styles. */
 export function chooseKey({ track }: AppState, key: number): Patch {
   const styles = track[key]?.styles;
   return styles ? { key, styles, part: "" } : {};
 }
 
-/** The styles of the track at a frame, interpolated as in the engine; the state's styles where there is no track. */
+/** The styles of the track at a frame, interpolated as in the engine; the state's styles without a track. */
 export function stylesAt({ track, styles }: AppState, frame: number): Selection {
   const after = track.findIndex((key) => key.frame > frame);
   const to = track[after < 0 ? track.length - 1 : after];
@@ -72,8 +72,8 @@ export function stylesAt({ track, styles }: AppState, frame: number): Selection 
 }
 
 /**
- * Adds a key at a frame and chooses it: with `styles`, or those that the track has reached there. An existing key at that frame
- * is chosen.
+ * Adds a key at a frame and selects it: with `styles`, or those that the track has there. An existing key at that frame
+ * is selected.
  */
 export function addKey(state: AppState, frame: number, styles: Selection = stylesAt(state, frame)): Patch {
   const at = Math.max(0, Math.round(frame));
@@ -81,7 +81,7 @@ export function addKey(state: AppState, frame: number, styles: Selection = style
   return present >= 0 ? chooseKey(state, present) : keyMade(state, styles, at);
 }
 
-/** A new key, which is chosen. */
+/** A new key, which is selected. */
 function keyMade(state: AppState, styles: Selection, frame: number): Patch {
   if (state.track.length >= MAX_TRACK_KEYS) return {};
   const added: TrackKey = { frame: Math.max(0, Math.round(frame)), styles };
@@ -89,14 +89,14 @@ function keyMade(state: AppState, styles: Selection, frame: number): Patch {
   return { styles, track, key: track.indexOf(added), part: "" };
 }
 
-/** Removes a key and chooses the one before it. */
+/** Removes a key and selects the previous one. */
 export function removeKey(state: AppState, key: number): Patch {
   const track = state.track.filter((_, i) => i !== key);
   const next = Math.max(0, key - 1);
   return { track, key: next, styles: track[next]?.styles ?? state.styles };
 }
 
-/** Moves a key to a frame, at most next to its neighbours. */
+/** Moves a key to a frame, but not past its neighbours. */
 export function moveKey({ track }: AppState, key: number, frame: number): Patch {
   const min = (track[key - 1]?.frame ?? -1) + 1;
   const max = (track[key + 1]?.frame ?? Number.MAX_SAFE_INTEGER) - 1;
@@ -105,8 +105,8 @@ export function moveKey({ track }: AppState, key: number, frame: number): Patch 
 }
 
 /**
- * What changes where a database has only the styles `known`: others are dropped, and `first` is selected where nothing
- * is left. `undefined` where nothing changes.
+ * The changes for a database that has only the styles `known`: others are dropped, and `first` is selected if none is
+ * left. `undefined` if nothing changes.
  */
 export function withKnownStyles(state: AppState, known: readonly string[], first: Selection): Patch | undefined {
   const isKnown = (s: { name: string }) => known.includes(s.name);
@@ -126,7 +126,10 @@ export function withKnownStyles(state: AppState, known: readonly string[], first
   };
 }
 
-/** What changes where a database has styles of the one before under other names, which `renamed` tells by the former ones. */
+/**
+ * The changes for a database that has styles of the previous one under other names; `renamed` maps former names to new
+ * ones.
+ */
 export function withRenamedStyles(state: AppState, renamed: ReadonlyMap<string, string>): Patch {
   if (renamed.size === 0) return {};
   const rename = (styles: Selection): Selection => styles.map((s) => ({ ...s, name: renamed.get(s.name) ?? s.name }));
@@ -137,7 +140,7 @@ export function withRenamedStyles(state: AppState, renamed: ReadonlyMap<string, 
   };
 }
 
-/** What changes where a database has no class of the labels that the input was given; `undefined` where it has one. */
+/** The changes for a database without a class of the input's labels; `undefined` if it has one. */
 export function withKnownLabels({ action, inputStyle }: AppState, classes: DatabaseInfo["classes"]): Patch | undefined {
   const known = classes.some((c) => (!action || action === c.action) && (!inputStyle || inputStyle === c.style));
   return known ? undefined : { action: "", inputStyle: "" };
@@ -159,7 +162,10 @@ export function otherSide(state: AppState): Patch {
   return { ...Object.fromEntries(SETTING.map((name) => [name, next[name]])), side, other };
 }
 
-/** Three random styles with random weights; `random` gives numbers from 0 to 1. The neutral style is as likely as others. */
+/**
+ * Three random styles with random weights; `random` returns numbers from 0 to 1. The neutral style is as likely as the
+ * others.
+ */
 export function randomStyles(styles: readonly string[], random: () => number = Math.random): Selection {
   const left = [...styles];
   const chosen: Selection[number][] = [];

@@ -7,32 +7,32 @@ import type { Selection } from "../../ui/polygon/selection";
 /** Some steps in one mixture of styles, or in one for each foot. */
 export interface WalkBlock {
   styles: Selection;
-  /** Styles of the right foot's steps, where {@link styles} are those of the left foot. */
+  /** Styles of the right foot's steps, if they differ from {@link styles}, which are then those of the left foot. */
   right?: Selection | undefined;
   /** Factor of the styles' weights: 0 is the average of all styles, above 1 exaggerates, below 0 is the opposite. */
   intensity: number;
-  /** Steps that are all in this mixture, at least 1. */
+  /** Number of steps with this mixture, at least 1. */
   steps: number;
-  /** Steps in between that lead into it. */
+  /** Number of transition steps before it. */
   transition: number;
 }
 
 export interface WalkState {
   /** Blocks of the plan; empty until a model is open. */
   walk: readonly WalkBlock[];
-  /** Number of the chosen block, and whether its whole polygon is mixed. */
+  /** Index of the selected block, and whether its whole polygon is mixed. */
   walkBlock: number;
   walkWhole: boolean;
-  /** How long steps last: as in the model, drawn about that, or all the same, and then how many a minute. */
+  /** Step durations: as in the model, sampled from it, or fixed, and then the steps per minute. */
   walkTempo: WalkTempo;
   walkCadence: number;
-  /** Length of steps, % of the style's. */
+  /** Step length, % of the style's. */
   walkStride: number;
-  /** Degrees to the left that a step turns. */
+  /** Turn of a step to the left, degrees. */
   walkTurn: number;
   /** Whether the walk is shown as a strip of its steps. */
   walkStrip: boolean;
-  /** What is plotted of the chosen block. */
+  /** The plotted quantity of the selected block. */
   walkPlot: string;
 }
 
@@ -51,12 +51,12 @@ export const WALK_RANGES = {
   turn: { min: -10, max: 10, digits: 0 },
 } as const satisfies Record<string, Range>;
 
-/** What stands before the styles of a block's right foot. */
+/** Prefix of the styles of a block's right foot. */
 const RIGHT = "r";
 
 /**
- * Intensity, steps and steps in between stand before a block's styles; those of the right foot follow where they differ:
- * `1_4_2~proud:1`.
+ * Encodes a walk: intensity, steps and transition steps before a block's styles; the styles of the right foot follow if
+ * they differ: `1_4_2~proud:1`.
  */
 function encodeWalk(blocks: readonly WalkBlock[]): string {
   const numbers = ({ intensity, steps, transition }: WalkBlock) =>

@@ -4,7 +4,7 @@ import { projectWords } from "../project/strings.en";
 import { driveWords } from "../views/play/drive/strings.en";
 import { strings } from "./strings";
 
-/** Every sentence of a table whose parts are all 1; those that take something else are passed over. */
+/** Every sentence of a table with all arguments 1; functions with other arguments are skipped. */
 function sentences(table: unknown, path: string): [string, string][] {
   if (typeof table === "function") {
     try {
@@ -20,7 +20,7 @@ function sentences(table: unknown, path: string): [string, string][] {
 const COUNTED =
   "styles|clips|frames|files|motions|steps|keys|joints|components|people|performers|remarks|folders|guesses";
 
-/** What is never one: lengths of motions, limits, and what is said of several only. */
+/** Quantities that are never 1: lengths of motions, limits, and texts about several items only. */
 const NEVER_ONE = [
   "compare.captions.knn",
   "data.build.ready",

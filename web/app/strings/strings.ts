@@ -1,6 +1,6 @@
 /**
- * Everything that the page says, in one table. English is complete; another language is a second table of the type
- * {@link Strings}, in modules like those of `en/`, and a choice here.
+ * All texts of the page in one table. English is complete; another language is a second table of the type {@link
+ * Strings}, in modules like those of `en/`, and a selection here.
  */
 
 import { embed } from "../embed/strings.en";
@@ -15,15 +15,15 @@ import { walk } from "../views/walk/strings.en";
 
 const en = { embed, page, play, compare, data, walk, keyStyle, crowd, synthesis };
 
-/** A text where English has one, and a sentence of the same parts where it has a function. */
+/** A text where English has one, and a function with the same arguments where it has a function. */
 type Said<T> = T extends string
   ? string
   : T extends (...parts: infer P) => string
     ? (...parts: P) => string
     : { readonly [K in keyof T]: Said<T[K]> };
 
-/** What a language has to say. */
+/** The table of a language. */
 export type Strings = Said<typeof en>;
 
-/** The present language. */
+/** The current language. */
 export const strings: Strings = en;

@@ -1,18 +1,18 @@
-/** What screen readers say without the focus going anywhere. */
+/** Announcements by screen readers that do not move the focus. */
 import { html } from "../../ui/dom";
 
 let region: HTMLElement | undefined;
 
-/** Puts the page's one live region in place: it must be there before something is announced. */
+/** Adds the page's single live region: it must exist before something is announced. */
 export function prepareAnnouncements(): void {
   if (region?.isConnected) return;
   region = html("div", { class: "visually-hidden", role: "status" });
   document.body.append(region);
 }
 
-/** Has a sentence said once what is being said has ended. */
+/** Announces a sentence after the current announcement. */
 export function announce(sentence: string): void {
   prepareAnnouncements();
-  // The same sentence again is a change too.
+  // The same sentence again counts as a change, too.
   region!.replaceChildren(html("span", {}, sentence));
 }

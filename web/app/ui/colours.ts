@@ -1,4 +1,4 @@
-/** The colour tokens of `tokens.css` as a canvas needs them: resolved for the theme that is shown. */
+/** The colour tokens of `tokens.css` for a canvas: resolved for the current theme. */
 
 const TOKENS = [
   "ink",

@@ -1,4 +1,4 @@
-/** Modal questions: a dialog with a heading, what is asked, and buttons. */
+/** Modal dialogs with a heading, a question, and buttons. */
 import "./dialog.css";
 import { html } from "../../ui/dom";
 
@@ -7,7 +7,7 @@ let dialogs = 0;
 /**
  * Shows a modal dialog until it is closed.
  * @param fill makes its content below the heading; `choose` closes it with an answer, `cancel` without
- * @returns the answer, or undefined where there was none
+ * @returns the answer, or `undefined` if there was none
  */
 export function askInDialog<T>(
   kind: string,

@@ -1,11 +1,11 @@
-/** Files and folders that were dropped or chosen, each with its path. */
+/** Dropped or selected files and folders, each with its path. */
 import type { DroppedFile } from "../../client/build/protocol";
 
-/** Folders within folders at most, and files at most. */
+/** Deepest nesting of folders, and maximum number of files. */
 const MAX_DEPTH = 16;
 const MAX_FILES = 200_000;
 
-/** The files of a drop, those in folders too. It must be called in the event itself; a folder takes its time. */
+/** The files of a drop, including those in folders. It must be called in the event itself; folders are read asynchronously. */
 export function filesOfDrop(transfer: DataTransfer): Promise<DroppedFile[]> {
   const entries = [...transfer.items].map((item) => {
     const entry = item.kind === "file" ? item.webkitGetAsEntry() : null;
@@ -38,7 +38,7 @@ async function walk(entry: FileSystemEntry, folder: string, depth: number, found
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   for (;;) {
-    // A reader gives a hundred at a time.
+    // A reader returns a hundred entries at a time.
     const entries = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (entries.length === 0) return;
     for (const inner of entries) await walk(inner, `${path}/`, depth + 1, found);

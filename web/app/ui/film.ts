@@ -1,4 +1,4 @@
-/** Pictures that are drawn for a file, off the clock. */
+/** Pictures drawn for a file, independently of the clock. */
 
 /** Size of a picture, pixels. */
 export interface PictureSize {
@@ -7,9 +7,9 @@ export interface PictureSize {
 }
 
 /**
- * Runs a task while pictures are drawn for it alone, each at its own time, seconds from the start, and at a size, or as they are
- * on screen.
- * @throws what `signal` was aborted with
+ * Runs a task that controls all drawing: each picture has its own time, seconds from the start, and a size, by default
+ * the displayed one.
+ * @throws the reason with which `signal` was aborted
  */
 export type Film = <T>(
   task: (pictureAt: (secs: number) => Promise<HTMLCanvasElement>) => Promise<T>,

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 
-/** An element, as far as the progress line asks it. */
+/** A fake element with the properties that the progress line uses. */
 class FakeElement {
   readonly attributes: Record<string, string> = {};
   readonly style: Record<string, string> = {};
@@ -40,7 +40,7 @@ class FakeElement {
   addEventListener(): void {}
 }
 
-/** What live regions said. */
+/** Announcements of live regions. */
 let log: string[];
 const statuses = (element: FakeElement): string[] =>
   element.attributes.role === "status" ? [element.textContent] : [];

@@ -1,6 +1,6 @@
 /**
- * Progress of something long: a 2 px line at the top of the panel it belongs to, with words and Cancel. Screen readers hear
- * when it begins and when it is over; how far it is they ask the progress bar.
+ * Progress of a long task: a 2 px line at the top of its panel, with text and Cancel. Screen readers announce the begin
+ * and the end; the progress itself is available from the progress bar.
  */
 import type { CallOptions } from "../../client/protocol";
 import { button } from "../../ui/controls/buttons";
@@ -8,7 +8,7 @@ import { html, setAttributes, setText } from "../../ui/dom";
 import { strings } from "../strings/strings";
 import { announce, prepareAnnouncements } from "./announce";
 
-/** What is done sooner than this shows no progress. */
+/** Tasks shorter than this show no progress. */
 const DELAY_MS = 300;
 
 export class ProgressLine {
@@ -23,17 +23,17 @@ export class ProgressLine {
     prepareAnnouncements();
   }
 
-  /** Whether something runs. */
+  /** Whether a task is running. */
   get busy(): boolean {
     return this.#controller !== undefined;
   }
 
-  /** Cancels what runs. */
+  /** Cancels the running task. */
   cancel(): void {
     this.#controller?.abort();
   }
 
-  /** Runs a task that reports its progress here; what ran before is cancelled. */
+  /** Runs a task that reports its progress here; a running one is cancelled. */
   async run<T>(label: string, task: (options: CallOptions) => Promise<T>): Promise<T> {
     this.cancel();
     const controller = new AbortController();

@@ -1,4 +1,4 @@
-/** The table of roles: which joint of a skeleton is which part of the body, to be corrected by hand. */
+/** The joint mapping dialog: the joint of each body part, to be corrected by hand. */
 
 import type { JointNames } from "../../client/protocol";
 import { ROLES } from "../../humanoid";
@@ -9,25 +9,25 @@ import { askInDialog, dialogActions } from "./dialog";
 import { spoken } from "./words";
 
 const words = strings.page.roles;
-/** What a role's list says where no joint has the role. */
+/** Value of a role's list without a joint. */
 const NO_JOINT = -1;
 
-/** A skeleton whose roles are asked for. */
+/** A skeleton whose roles the user sets. */
 export interface RoleQuestion {
   /** Names of its joints. */
   joints: readonly string[];
-  /** Joint of each role as it is; −1 where there is none. */
+  /** Current joint of each role; −1 for none. */
   roles: ArrayLike<number>;
   /** A sentence on what was matched, or what is missing. */
   note: string;
 }
 
-/** Joints by role, from the number of the joint of each. */
+/** Joints by role, from the index of the joint of each. */
 export function jointNames(chosen: Int32Array, joints: readonly string[]): JointNames {
   return Object.fromEntries(ROLES.map((role, i) => [role, joints[chosen[i] ?? -1] ?? null]));
 }
 
-/** Asks for the roles of a skeleton: the joint of each, −1 where there is none; undefined where nothing was to be changed. */
+/** Asks for the roles of a skeleton: the joint of each, −1 for none; `undefined` if the user cancels. */
 export function askForRoles({ joints, roles, note }: RoleQuestion): Promise<Int32Array | undefined> {
   const selects = ROLES.map((role, i) => {
     const select = html("select", { "aria-label": spoken(role) }, html("option", { value: NO_JOINT }, words.none));

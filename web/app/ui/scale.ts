@@ -2,7 +2,7 @@
 
 import { formatNumber } from "../../ui/dom";
 
-/** Maps the values `min`–`max` to the pixels `from`–`to`, which may run either way. */
+/** Maps the values `min`–`max` to the pixels `from`–`to`, in either direction. */
 export interface Scale {
   min: number;
   max: number;
@@ -10,22 +10,22 @@ export interface Scale {
   to: number;
 }
 
-/** Pixel of a value. A scale without extent puts every value at `from`. */
+/** Pixel of a value. A scale without extent maps every value to `from`. */
 export function pixelOf({ min, max, from, to }: Scale, value: number): number {
   return max === min ? from : from + ((value - min) / (max - min)) * (to - from);
 }
 
-/** Value at a pixel; beyond the ends of the scale too. */
+/** Value at a pixel; also beyond the ends of the scale. */
 export function valueAt({ min, max, from, to }: Scale, pixel: number): number {
   return to === from ? min : min + ((pixel - from) / (to - from)) * (max - min);
 }
 
-/** Value at a pixel, or the end of the scale that is nearest to it. */
+/** Value at a pixel, clamped to the scale. */
 export function clampedValueAt(scale: Scale, pixel: number): number {
   return Math.min(scale.max, Math.max(scale.min, valueAt(scale, pixel)));
 }
 
-/** The range of the finite ones of some values with a share of it added on either side; never empty. */
+/** The range of the finite values, extended by a share of it on either side; never empty. */
 export function extentOf(values: Iterable<number>, margin: number): { min: number; max: number } {
   let [min, max] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const value of values) {
@@ -38,7 +38,7 @@ export function extentOf(values: Iterable<number>, margin: number): { min: numbe
   return { min: min - more, max: max + more };
 }
 
-/** Round values in ascending order, and the decimals that they need. */
+/** Round values in ascending order, and their number of decimals. */
 export interface Ticks {
   values: number[];
   digits: number;
@@ -54,7 +54,7 @@ export function ticks(scale: Pick<Scale, "min" | "max">, count: number): Ticks {
 export interface RulerMark {
   value: number;
   pixel: number;
-  /** Only long marks have one. */
+  /** Only long marks have a label. */
   label: string | undefined;
 }
 

@@ -1,9 +1,9 @@
-/** Long work in several tasks, between which the browser does what else there is to do. */
+/** Splits long work into tasks, between which the browser can do other work. */
 
-/** What runs in one task, milliseconds; a step may take longer. */
+/** Duration of one task, milliseconds; a step may take longer. */
 const SLICE_MS = 8;
 
-/** Lets the browser do what else there is to do: start workers, paint, take input. */
+/** Yields to the browser: to start workers, paint, and handle input. */
 export function otherTasks(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }

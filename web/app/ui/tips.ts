@@ -1,6 +1,6 @@
 /**
- * Tooltips for keyboard and touch: the `title` of a control is shown while it has the focus by Tab, and after a long press. For a
- * mouse the browser shows it.
+ * Tooltips for keyboard and touch: the `title` of a control is shown while it is focused by Tab, and after a long
+ * press. For a mouse the browser shows it.
  */
 import { html, setText } from "../../ui/dom";
 
@@ -22,7 +22,7 @@ export function showTips(signal: AbortSignal): void {
   let byKeys = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let pressed: { x: number; y: number; at: number } | undefined;
-  /** Whether the present press is a long press, which only shows the tooltip. */
+  /** Whether the current press is a long press, which only shows the tooltip. */
   let asked = false;
 
   /** The control whose tooltip is shown. */
@@ -108,7 +108,7 @@ export function showTips(signal: AbortSignal): void {
   });
 }
 
-/** The element with a title at an event, in shadow roots too; none if its text is the title. */
+/** The element with a title at an event, also in shadow roots; none if its text is the title. */
 function titledAt(event: Event): HTMLElement | undefined {
   for (const node of event.composedPath())
     if (node instanceof HTMLElement && node.title !== "")

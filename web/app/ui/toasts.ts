@@ -1,6 +1,6 @@
 /**
- * What the page says over the stage: errors and offers stay until dismissed. Notes go by themselves, but not while they are pointed
- * at or have the focus.
+ * Messages over the stage: errors and offers stay until dismissed. Notes disappear by themselves, but not while they
+ * are hovered or focused.
  */
 
 import { isUnloaded } from "../../client/protocol";
@@ -14,26 +14,26 @@ const NOTE_MS = 6000;
 /** Maximum number of toasts at a time; the oldest is removed first. */
 const MOST = 3;
 
-/** What a person can do about a message, with one press. */
+/** A button of a message. */
 export interface ToastAction {
   label: string;
   act: () => void;
 }
 
-/** Loads the page anew; its address has the state. */
+/** Reloads the page; its address has the state. */
 export const RELOAD: ToastAction = { label: strings.page.reload, act: () => location.reload() };
 
 export class Toasts {
   readonly element = html("div", { class: "toasts" });
-  /** Live regions must be in the page before their text comes, or screen readers miss it. */
+  /** Live regions must be in the page before their text is set, or screen readers miss it. */
   readonly #alerts = html("div", { role: "alert" });
   readonly #notes = html("div", { role: "status" });
   readonly #lasting = new WeakSet<Element>();
   readonly #view: () => Element | undefined;
-  /** What had the focus before a toast got it. */
+  /** The element that was focused before a toast got the focus. */
   #focusedBefore: EventTarget | null = null;
 
-  /** @param view the view that is shown: it takes the focus of a toast that goes, where nothing had it before */
+  /** @param view returns the current view, which receives the focus of a removed toast if nothing had it before */
   constructor(view: () => Element | undefined) {
     this.#view = view;
     this.element.append(this.#alerts, this.#notes);
@@ -43,10 +43,10 @@ export class Toasts {
   }
 
   /**
-   * Something failed: a sentence that says what, and what to do.
-   * @param lasts whether {@link clearErrors} leaves it, as nothing that works makes it untrue
-   * @param action may become known, or turn out not to exist, while the sentence is already shown
-   * @returns takes it away
+   * Reports a failure: a sentence about what failed, and what to do.
+   * @param lasts whether {@link clearErrors} keeps it, because later successes do not make it obsolete
+   * @param action may be resolved, also to none, while the sentence is already shown
+   * @returns a function that removes it
    */
   error(
     text: string,
@@ -63,7 +63,7 @@ export class Toasts {
     return () => this.#take(toast);
   }
 
-  /** Something was thrown. Where a part of Strut could not be loaded, the page can be loaded again. */
+  /** Reports a thrown value. If a part of Strut could not be loaded, it offers to reload the page. */
   failure(error: unknown): void {
     this.error(errorText(error), isUnloaded(error) ? { action: RELOAD } : {});
   }
@@ -75,8 +75,8 @@ export class Toasts {
   }
 
   /**
-   * Shows a message with a button that does something about it.
-   * @returns takes it away
+   * Shows a message with a button.
+   * @returns a function that removes it
    */
   offer(text: string, label: string, act: () => void): () => void {
     if (says(this.#notes, text)) return () => {};
@@ -85,7 +85,7 @@ export class Toasts {
     return () => this.#take(toast);
   }
 
-  /** Takes errors away, after what they were about has worked. */
+  /** Removes errors after the failed operation has succeeded. */
   clearErrors(): void {
     for (const toast of [...this.#alerts.children]) if (!this.#lasting.has(toast)) this.#take(toast);
   }
@@ -99,7 +99,7 @@ export class Toasts {
     return toast;
   }
 
-  /** Puts a button before the one that dismisses. */
+  /** Adds a button before the dismiss button. */
   #addAction(toast: HTMLElement, { label, act }: ToastAction): void {
     const done = () => {
       this.#take(toast);
@@ -108,7 +108,7 @@ export class Toasts {
     toast.lastElementChild?.before(button(label, done, { label: true, class: "outlined" }));
   }
 
-  /** Takes a toast away; its focus goes back to where it came from, or else to the view. */
+  /** Removes a toast; its focus returns to the previous element, or else to the view. */
   #take(toast: Element): void {
     const hadFocus = toast.contains(document.activeElement);
     toast.remove();
@@ -120,7 +120,7 @@ export class Toasts {
   }
 }
 
-/** Calls back when a note has been neither pointed at nor focused for a while. */
+/** Calls back when a note has been neither hovered nor focused for a while. */
 function afterRest(note: HTMLElement, call: () => void): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const holds = { pointer: false, focus: false };

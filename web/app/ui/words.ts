@@ -1,4 +1,4 @@
-/** Sentences and names that the page makes from state: titles, captions, file names. Pure. */
+/** Sentences and names derived from the state: titles, captions, file names. Pure functions. */
 
 import { DRIVE, type InputLibrary, isLive } from "../../player/input_library";
 import type { Selection } from "../../ui/polygon/selection";
@@ -15,18 +15,18 @@ export function numberWord(n: number): string {
   return strings.page.numbers[n] ?? String(n);
 }
 
-/** A name of the engine as words: hyphens are spaces. */
+/** An engine name as words: hyphens become spaces. */
 export const spoken = (name: string): string => name.replace(/[-_]+/g, " ");
 
-/** The name of an input as people read it: a dropped file keeps its own. */
+/** The display name of an input: a dropped file keeps its own. */
 export function inputTitle(library: Pick<InputLibrary, "isDropped">, name: string): string {
   return library.isDropped(name) || isLive(name) ? name : spoken(name);
 }
 
-/** Text as it begins a sentence. */
+/** Text with a capital first letter. */
 export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** The title of the stage: what the character does, where that is known, and how, “Walk, mostly proud”. */
+/** The title of the stage: the action, if it is known, and the style, “Walk, mostly proud”. */
 export function stageTitle(
   action: string | undefined,
   selection: Selection,
@@ -37,7 +37,7 @@ export function stageTitle(
   return action === undefined ? capitalised(how) : strings.page.manner.title(capitalised(spoken(action)), how);
 }
 
-/** How something is done, “mostly proud”. */
+/** The style in words, “mostly proud”. */
 export function manner(selection: Selection, intensity: number, neutral: string): string {
   const sorted = [...selection].sort((a, b) => b.weight - a.weight);
   const [first, second] = sorted;
@@ -54,7 +54,7 @@ export function manner(selection: Selection, intensity: number, neutral: string)
   return strings.page.manner.mix(numberWord(sorted.filter((s) => s.weight >= 0.05).length));
 }
 
-/** The line under the title; `database` is the name of the open one, empty where it is the built-in one. */
+/** The line under the title; `database` is the name of the open one, empty for the built-in one. */
 export function stageCaption(
   input: string,
   { styles, parts, keys }: { styles: number; parts: number; keys: number },
@@ -85,14 +85,14 @@ export function exportName(input: string, selection: Selection, ending = "bvh"):
   return `${plain(input) || "motion"}-${plain(heaviest.name) || "styled"}.${ending}`;
 }
 
-/** What went wrong as one text: the sentence and, where there is one, what to do. */
+/** An error as one text: the sentence and the hint, if there is one. */
 export function errorText(error: unknown): string {
   const { message, hint } = error as { message?: unknown; hint?: unknown };
   const parts = [message, hint].filter((part): part is string => typeof part === "string" && part !== "");
   return parts.length > 0 ? parts.join(" ") : strings.page.engine.silentFailure;
 }
 
-/** The rejection of something that was cancelled. */
+/** The rejection of a cancelled operation. */
 export function cancelled(): DOMException {
   return new DOMException(strings.page.engine.cancelled, "AbortError");
 }

@@ -1,4 +1,4 @@
-/** Who draws an atlas, with the real engine. */
+/** Drawing of an atlas on the GPU or the CPU, with the real engine. */
 import { afterEach, beforeEach, describe, expect, it } from "vitest";
 import { InlineWorker } from "../../../tests/inline_worker";
 import { StrutError } from "../../engine/errors";
@@ -25,7 +25,7 @@ beforeEach(async () => {
 });
 afterEach(() => engine.dispose());
 
-/** The picture as it is at last, and the columns in the order in which they came. */
+/** The finished picture, and the columns in the order in which they arrived. */
 async function drawn(drawing: AtlasDrawing, of = view) {
   const picture = new Float32Array(COLUMNS * of.height).fill(Number.NaN);
   const order: number[] = [];
@@ -38,7 +38,7 @@ async function drawn(drawing: AtlasDrawing, of = view) {
   return { ...(await drawing.draw(of, take, never)), picture, order };
 }
 
-/** A graphics processor that stops after so many columns; what it draws is 1 everywhere. */
+/** A fake GPU that is lost after `columns` columns; it draws 1 everywhere. */
 const stoppingAfter = (columns: number) =>
   ({
     setLines: async () => {},

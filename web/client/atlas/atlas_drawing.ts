@@ -1,43 +1,43 @@
-/** Draws an atlas: by the graphics processor where there is one and it works, else by the processor. */
+/** Draws an atlas: on the GPU if there is one and it works, otherwise on the CPU. */
 import { isCancellation, type StrutError } from "../../engine/errors";
 import { Graphics, type GraphicsFound } from "./graphics";
 import type { AtlasPart, AtlasView, OpenedAtlas, PackedWindows } from "./opened_atlas";
 
-/** Columns of one call, which the engine answers between two frames. */
+/** Columns per call, which the engine answers between two frames. */
 const CALL_COLUMNS = 8;
-/** The order in which the processor draws of every eight columns one. */
+/** The order in which the CPU draws one of every eight columns. */
 const PASSES = [0, 4, 2, 6, 1, 3, 5, 7];
-/** Two losses of the graphics processor within so long leave the drawing to the processor, milliseconds. */
+/** Two losses of the GPU within this time make the CPU draw from then on, milliseconds. */
 const SOON_MS = 60_000;
 
 /** Some columns of a picture. */
 export interface Columns {
-  /** Number of each column. */
+  /** Index of each column. */
   columns: Uint32Array;
-  /** Columns that each of them stands for until they come themselves. */
+  /** Number of columns that each of them fills until the others arrive. */
   width: number;
-  /** Least D of each line, m², a column after the other; infinite where there is no window. */
+  /** Smallest D of each line, m², column after column; infinite for lines without a window. */
   distances: Float32Array;
 }
 
-/** Who drew a picture. */
+/** What drew a picture. */
 export interface Drawn {
-  /** The graphics processor's name, empty where the browser does not tell; `undefined`: the processor drew. */
+  /** Name of the GPU, empty if the browser does not report it; `undefined` if the CPU drew. */
   by: string | undefined;
-  /** Time that it took, milliseconds. */
+  /** Duration of the drawing, milliseconds. */
   ms: number;
-  /** Why the processor drew: there is no graphics processor, it stopped, or the database is too large for it. */
+  /** Why the CPU drew: there is no GPU, it was lost, or the database is too large for it. */
   without?: "absent" | "lost" | "refused";
 }
 
-/** Losses of the graphics processor during a visit. */
+/** Losses of the GPU during a visit. */
 export class Losses {
   private last = Number.NEGATIVE_INFINITY;
   private gaveUp = false;
 
   constructor(private readonly now: () => number = () => performance.now()) {}
 
-  /** Whether there were two so soon after each other that it is not asked again. */
+  /** Whether two losses were so close together that the GPU is not used again. */
   get isGivenUp(): boolean {
     return this.gaveUp;
   }
@@ -49,10 +49,10 @@ export class Losses {
   }
 }
 
-/** Of the page. */
+/** Losses of the page's visit. */
 const VISIT = new Losses();
 
-/** What tests replace. */
+/** Dependencies that tests replace. */
 export interface DrawingSurroundings {
   openGraphics?: typeof Graphics.open;
   losses?: Losses;
@@ -60,12 +60,12 @@ export interface DrawingSurroundings {
 
 /** Draws pictures of one atlas, one at a time. */
 export class AtlasDrawing {
-  /** Of one part of the body. */
+  /** The GPU's state for one part of the body. */
   private graphics: { part: AtlasPart; made: Graphics; columns: PackedWindows } | undefined;
   private readonly openGraphics: typeof Graphics.open;
   private readonly losses: Losses;
 
-  /** @param found the graphics processor, if there is one */
+  /** @param found the GPU, if there is one */
   constructor(
     private readonly atlas: OpenedAtlas,
     private readonly found: GraphicsFound | undefined,
@@ -75,11 +75,11 @@ export class AtlasDrawing {
     this.losses = losses;
   }
 
-  /** @throws StrutError `cancelled`, or what is wrong with the view */
+  /** @throws StrutError `cancelled`, or an error if the view is invalid */
   async draw(view: AtlasView, onColumns: (columns: Columns) => void, signal: AbortSignal): Promise<Drawn> {
     const began = performance.now();
     let without: Drawn["without"] = this.found ? "lost" : "absent";
-    // A graphics processor that stopped is asked once for another device.
+    // After a loss of the GPU, another device is requested once.
     for (let attempt = 0; this.found && attempt < 2 && !this.losses.isGivenUp; attempt++) {
       try {
         return { by: this.found.name, ms: await this.drawByGraphics(view, onColumns, signal) };

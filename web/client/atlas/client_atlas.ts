@@ -1,12 +1,12 @@
-/** An atlas in the worker: every distance between a motion and a database as a picture. */
+/** An atlas in the worker: a picture of all distances between a motion and a database. */
 import type { Connection, Post } from "../connection";
 import { type ClientDatabase, ClientHandle, type ClientMotion } from "../handles";
 import type { CallOptions, OpenMemory } from "../protocol";
 import type { AtlasFacts, AtlasView, NearestInAtlas, OpenedAtlas, PackedWindows } from "./opened_atlas";
 
-/** What a column takes, bytes: a window, as it is compared. */
+/** Bytes per column: a window, in the form in which it is compared. */
 const COLUMN_BYTES = 4200;
-/** The same of each row of the database, on average. */
+/** Bytes per row of the database, on average. */
 const ROW_BYTES = 8;
 
 export class ClientAtlas extends ClientHandle implements OpenedAtlas {
@@ -24,7 +24,7 @@ export class ClientAtlas extends ClientHandle implements OpenedAtlas {
     ({ frames: this.frames, firsts: this.firsts } = facts);
   }
 
-  /** @param columns at most so many */
+  /** @param columns maximum number of columns */
   static async open(
     connection: Connection,
     database: ClientDatabase,

@@ -1,26 +1,29 @@
-/** The graphics processor that draws atlases, in a worker of its own; nothing of it is loaded where there is none. */
+/** The GPU that draws atlases, in a worker of its own. Nothing is loaded if there is no GPU. */
 import type { PackedWindows } from "../../engine/atlas";
 import { type ClientPort, RpcClient, remote } from "../rpc";
 import type { GraphicsCalls } from "./graphics_protocol";
 
-/** How many arguments each call has. */
+/** Number of arguments of each call. */
 const ARITY = { open: 1, setLines: 2, draw: 1 } as const satisfies Record<keyof GraphicsCalls, number>;
-/** Columns of the first slice, and the most and the least: each slice is one submission, between which the browser draws. */
+/**
+ * Columns of the first slice, and the minimum and maximum number of columns of a slice. Each slice is one submission; the
+ * browser draws between them.
+ */
 const SLICE = { first: 64, least: 32, most: 1024 };
-/** How long a slice may take, milliseconds. */
+/** Target duration of a slice, milliseconds. */
 const SLICE_MS = 30;
 /** Numbers of a column's rows, and words of its window. */
 const [ROWS, WINDOW] = [300, 12];
 
-/** A graphics processor that is worth asking. */
+/** A GPU that can be used. */
 export interface GraphicsFound {
-  /** Its name, as far as the browser tells. */
+  /** Its name, if the browser reports it. */
   name: string;
 }
 
 /**
- * The graphics processor of the visitor; `undefined` where there is none, or a program plays its part.
- * @param software whether a program is taken, too, as in tests
+ * The visitor's GPU; `undefined` if there is none or it is emulated in software.
+ * @param software whether software emulation is accepted, as in tests
  */
 export async function findGraphics(software: boolean): Promise<GraphicsFound | undefined> {
   const gpu: GPU | undefined = navigator.gpu;
@@ -34,7 +37,7 @@ function spawnWorker(): ClientPort {
   return new Worker(new URL("./graphics_worker.ts", import.meta.url), { type: "module", name: "strut graphics" });
 }
 
-/** Draws the windows of one database by one part of the body. */
+/** Draws the windows of one database for one part of the body. */
 export class Graphics {
   private readonly rpc: RpcClient;
   private readonly calls: GraphicsCalls;
@@ -58,14 +61,14 @@ export class Graphics {
     }
   }
 
-  /** Takes the line of each window, below `height`. @throws StrutError `gpu-lost` */
+  /** Sets the line of each window, below `height`. @throws StrutError `gpu-lost` */
   setLines(lines: Uint32Array, height: number): Promise<void> {
     return this.calls.setLines(lines, height);
   }
 
   /**
    * Draws all columns in slices.
-   * @param onColumns gets the number of the first of some columns, and their D
+   * @param onColumns receives the index of the first of some columns, and their D
    * @throws StrutError `gpu-lost`, or `cancelled`
    */
   async draw(

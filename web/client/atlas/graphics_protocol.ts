@@ -1,12 +1,12 @@
-/** What the page and the graphics processor's worker say to each other. */
+/** Messages between the page and the GPU's worker. */
 import type { PackedWindows } from "../../engine/atlas";
 
-/** The worker's calls, which it answers one after the other; `open` is the first. */
+/** The worker's calls, which it answers one after another; `open` is the first. */
 export interface GraphicsCalls {
-  /** Opens the fastest graphics processor with a database's windows; gives its name, empty where the browser does not tell. */
+  /** Opens the fastest GPU with a database's windows. Returns its name, empty if the browser does not report it. */
   open(packed: PackedWindows): Promise<string>;
-  /** Line of each window, below `height`; the largest number for none. */
+  /** Sets the line of each window, below `height`; the largest number for windows without a line. */
   setLines(lines: Uint32Array, height: number): Promise<void>;
-  /** Bits of the least D of each line, a column after the other. */
+  /** Bits of the smallest D of each line, column after column. */
   draw(columns: PackedWindows): Promise<Uint32Array>;
 }

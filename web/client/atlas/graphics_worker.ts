@@ -1,11 +1,11 @@
-/** The entry of the worker of the graphics processor. */
+/** The entry of the GPU's worker. */
 import { StrutError } from "../../engine/errors";
 import { Painter } from "../../engine/gpu/painter";
 import { answerCalls, type Methods, type ServerPort } from "../rpc";
 import type { GraphicsCalls } from "./graphics_protocol";
 
 let opened: Painter | undefined;
-/** The call under way: one that its caller has left may still be. */
+/** The call in progress; it may still run after its caller cancelled it. */
 let last: Promise<unknown> = Promise.resolve();
 
 function inTurn<T>(answer: () => T | Promise<T>): Promise<T> {

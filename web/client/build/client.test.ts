@@ -178,7 +178,7 @@ describe("a build", () => {
   });
   const openTwelve = () => client.open(TWELVE.map(({ path, style }) => file(path, walks[style as "neutral" | "old"])));
 
-  /** Builds the twelve until a label says that a stage has come so far, and cancels. */
+  /** Builds the twelve until a progress label matches, then cancels. */
   async function cancelAt(place: RegExp): Promise<void> {
     const controller = new AbortController();
     const cancelled = client.build(TWELVE, "neutral", {
@@ -203,7 +203,7 @@ describe("a build", () => {
     expect(built.clips).toBe(12);
     expect(labels[0]).toMatch(/^Reading 12 clips, ([3-9]|1\d) done\.$/);
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
-    // A module's memory never shrinks: the worker goes when the build is done.
+    // A module's memory never shrinks, so the worker is terminated when the build is done.
     expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
     expect(workers[0]!.received.map(({ method }) => method)).toEqual(["open", "build", "pause", "build"]);
 

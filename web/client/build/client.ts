@@ -1,4 +1,4 @@
-/** The page's side: {@link BuildClient} over a worker that lives as long as its work. */
+/** The page's side: a {@link BuildClient} over a worker that ends with its work. */
 import { cancelled, disposed, fault, StrutError } from "../../engine/errors";
 import type { CallOptions } from "../../engine/types";
 import { sendPlain } from "../plain";
@@ -18,7 +18,7 @@ import type {
   TrainedWalk,
 } from "./protocol";
 
-/** As much of a `Worker` as the client needs. */
+/** The part of a `Worker` that the client needs. */
 export interface BuildWorkerPort {
   postMessage(message: BuildRequest): void;
   terminate(): void;
@@ -26,7 +26,7 @@ export interface BuildWorkerPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** A building worker handles a cancellation between two steps, which take less than this. */
+/** A worker that builds handles a cancellation between two steps, which take less than this. */
 const PATIENCE_MS = 10_000;
 
 /** @param spawn starts a worker; the default is `build_worker.ts` in a module worker */
@@ -49,9 +49,9 @@ class WorkerBuildClient implements BuildClient {
   private worker: BuildWorkerPort | undefined;
   private readonly pending = new Map<number, Pending>();
   private lastId = 0;
-  /** What a new worker needs in order to have the same clips. These are references: the browser holds the files. */
+  /** The files that a new worker needs to have the same clips. These are references: the browser holds the data. */
   private files: DroppedFile[] = [];
-  /** Settles when it is clear whether the worker goes on after a build was cancelled. */
+  /** Settles when it is known whether the worker survives the cancellation of a build. */
   private pausing: Promise<void> = Promise.resolve();
 
   constructor(private readonly spawn: () => BuildWorkerPort) {}
@@ -86,7 +86,7 @@ class WorkerBuildClient implements BuildClient {
       return await this.call({ method: "build", files, neutral }, others);
     } finally {
       signal?.removeEventListener("abort", pause);
-      // A module's memory never shrinks: the build's goes with its worker.
+      // A module's memory never shrinks; the build's memory is freed with its worker.
       if (!signal?.aborted) this.stop(cancelled());
     }
   }
@@ -157,7 +157,7 @@ class WorkerBuildClient implements BuildClient {
   ): Promise<BuildResults[C["method"]]> {
     const { signal } = options;
     if (signal?.aborted) return Promise.reject(cancelled());
-    // A worker that is new has to be shown the files first; it answers in order.
+    // A new worker must receive the files first; it answers in order.
     if (!this.worker && call.method !== "open")
       this.post({ method: "open", files: this.files }, {}, undefined).catch(() => {});
     const cancel = () => this.stop(cancelled());
@@ -215,7 +215,7 @@ class WorkerBuildClient implements BuildClient {
     }
   }
 
-  /** Ends the worker; all that it had not answered is rejected. */
+  /** Terminates the worker and rejects all unanswered calls. */
   private stop(error: StrutError): void {
     this.worker?.terminate();
     this.worker = undefined;
@@ -224,7 +224,7 @@ class WorkerBuildClient implements BuildClient {
   }
 }
 
-/** The error of a worker that never said anything. @param why empty where the browser does not say it */
+/** The error of a worker that never sent a message. @param why the reason, empty if the browser does not report it */
 function unloadable(why: string): StrutError {
   return new StrutError({
     code: "load",

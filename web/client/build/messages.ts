@@ -1,4 +1,4 @@
-/** The wire format between the build worker and its client; the page sees only `protocol.ts`. */
+/** The wire format between the build worker and its client. The page uses only `protocol.ts`. */
 import type { ErrorParts } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
 import type {
@@ -15,20 +15,20 @@ import type {
   TrainedWalk,
 } from "./protocol";
 
-/** What is asked, with its arguments; the client numbers its calls. */
+/** A call with its arguments; the client numbers its calls. */
 export type BuildCall =
   | { method: "open"; files: DroppedFile[] }
   | { method: "label"; pattern: string | undefined; table: File | undefined }
   | { method: "readAll" }
   | { method: "preview"; index: number; roles: Roles | undefined }
   | { method: "build"; files: ChosenFile[]; neutral: string | undefined }
-  /** Stops the build under way where it can go on later. */
+  /** Pauses the current build so that it can continue later. */
   | { method: "pause" }
   | { method: "addStyle"; database: Blob | undefined; clip: File; style: string; action: string | undefined }
   | { method: "trainWalk"; database: Blob | undefined }
   | { method: "trainKeyStyle"; database: Blob | undefined; files: DroppedFile[]; order: KeyStyleOrder };
 
-/** What each call is answered with. */
+/** Result of each call. */
 export interface BuildResults {
   open: Found;
   label: Labelled[];

@@ -1,4 +1,4 @@
-/** What the page and the build worker say to each other. */
+/** Interface between the page and the build worker. */
 import type {
   BuildFile,
   BuiltDatabase,
@@ -17,75 +17,75 @@ export type { KeyStyleClip, KeyStyleOrder, TrainedKeyStyle } from "../../engine/
 export type { TrainedWalk } from "../../engine/build/walk_training";
 export { StrutError } from "../../engine/errors";
 
-/** A file that was dropped, with the path that it has in its folder. */
+/** A dropped file, with its path in the dropped folder. */
 export interface DroppedFile {
   path: string;
   file: File;
 }
 
-/** A BVH file among what was dropped, in an archive or not. */
+/** A BVH file among the dropped files, in an archive or not. */
 export interface FoundClip {
   path: string;
-  /** Title of the licence beside it, empty if there is none. */
+  /** Title of the licence next to it, empty if there is none. */
   licence: string;
 }
 
-/** What there is among the files that were dropped. */
+/** Contents of the dropped files. */
 export interface Found {
   /** Sorted by path. */
   clips: FoundClip[];
-  /** The pattern that their names seem to follow. */
+  /** The pattern that the file names seem to follow. */
   pattern: string | undefined;
   /** Sentences about what was left out. */
   notes: string[];
 }
 
-/** What is known of a clip once it was read: its index among the clips found, and its skeleton among those met. */
+/** Properties of a clip after it was read: its index among the clips found, and its skeleton among the known ones. */
 export type ReadClip =
   | { index: number; fault: string }
   | { index: number; frames: number; rateHz: number; skeleton: number };
 
-/** A skeleton that clips have. */
+/** A skeleton that is shared by clips. */
 export interface Skeleton extends Pick<ClipInfo, "joints" | "parents" | "roles" | "confidence" | "fault" | "note"> {}
 
 /** What {@link BuildClient.readAll} reports while it runs. */
 export interface ReadEvent {
   clips: ReadClip[];
-  /** Skeletons met for the first time, with the numbers that follow those known. */
+  /** Skeletons met for the first time; their indices follow those of the known ones. */
   skeletons: Skeleton[];
 }
 
-/** A file of a build, with the roles of its skeleton where a person chose them. */
+/** A file to build from, with the roles of its skeleton if the user chose them. */
 export interface ChosenFile extends BuildFile {
   index: number;
   roles: Roles | undefined;
 }
 
 /**
- * Database building as the page sees it. One set of files is open at a time. Rejections are `StrutError`s whose messages
- * are sentences for people. Cancelling ends the worker, whatever it is doing, and another takes its place; only a build
- * is left where it is until other files are opened, and the same build goes on from there.
+ * Database building as the page sees it. One set of files is open at a time. Rejections are `StrutError`s whose
+ * messages are sentences for the user. Cancelling a call ends the worker, whatever it is doing, and a new one replaces
+ * it. Only a build is paused instead: until other files are opened, the same build continues from there.
  */
 export interface BuildClient {
-  /** Lists the clips among these files, which take the place of those before; nothing is unpacked yet. */
+  /** Lists the clips among these files, which replace the previous ones. Nothing is unpacked yet. */
   open(files: DroppedFile[], options?: CallOptions): Promise<Found>;
-  /** Labels of every clip, in their order, from a table or else a pattern. */
+  /** Labels of every clip, in order, from the table or, without one, from the pattern. */
   label(pattern: string | undefined, table: File | undefined): Promise<Labelled[]>;
-  /** Reads every clip once, to know its length, rate and skeleton. */
+  /** Reads every clip once to find its length, frame rate and skeleton. */
   readAll(onRead: (event: ReadEvent) => void, options?: CallOptions): Promise<void>;
   preview(index: number, roles: Roles | undefined): Promise<Preview>;
-  /** Builds a database; without `neutral` that style is found by its name. */
+  /** Builds a database. Without `neutral`, the neutral style is found by its name. */
   build(files: ChosenFile[], neutral: string | undefined, options?: CallOptions): Promise<BuiltDatabase>;
-  /** A database, or the built-in one, with a clip as one more style; without `action` the one that it fits best is taken. */
+  /** Adds a clip as a new style to a database, or to the built-in one. Without `action`, the action that fits best is used. */
   addStyle(
     database: Blob | undefined,
     clip: File,
     style: string,
     options?: CallOptions & { action?: string | undefined },
   ): Promise<BuiltDatabase>;
-  /** A walk model of a database, or of the built-in one. */
+  /** Trains a walk model on a database, or on the built-in one. */
   trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk>;
-  /** A key-style model of clips of the files, or where there are none of a database, or of the built-in one. */
+  /** Trains a key-style model on clips of the files; without files on a database, or on the built-in one. */
   trainKeyStyle(
     database: Blob | undefined,
     files: readonly DroppedFile[],

@@ -13,7 +13,7 @@ beforeEach(() => {
   trained = [];
 });
 
-/** The model of the database of one byte, from the module with a hash. */
+/** The model for a database of one byte, from the module with a hash in its name. */
 function model(database: number, module = "https://strut.example/assets/build-0123abcd.wasm"): Promise<TrainedWalk> {
   const train = async () => {
     trained.push(database);

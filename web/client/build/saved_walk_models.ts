@@ -1,4 +1,4 @@
-/** Walk models that were trained on this device: a database that has not changed has the same model. */
+/** Walk models that were trained on this device. An unchanged database has the same model. */
 import type { Asset } from "../../engine/assets";
 import { IndexedDbStore } from "../indexed_db_store";
 import type { TrainedWalk } from "./protocol";
@@ -9,7 +9,7 @@ export const MAX_MODELS = 8;
 /** Names of built files end with a hash of their content. */
 const HASHED = /-([\w-]{8})\.wasm$/;
 
-/** A model as it is kept. */
+/** A stored model. */
 interface SavedModel {
   trained: TrainedWalk;
   /** Time of its last use, milliseconds since 1970. */
@@ -17,10 +17,10 @@ interface SavedModel {
 }
 
 /**
- * The model of a database, trained only if this device has not done so before by the same module. Where the browser keeps
- * nothing, as in a private window, it is trained every time.
- * @param module where the module lies that trains; of its bytes alone no version is known, and every model is trained
- * @param now the present time, milliseconds since 1970
+ * The model of a database. It is trained only if the same module has not trained it on this device before. If the
+ * browser stores nothing, as in a private window, it is trained every time.
+ * @param module location of the training module; if given as bytes, its version is unknown and every model is trained
+ * @param now the current time, milliseconds since 1970
  */
 export async function trainedOnce(
   module: Asset,
@@ -42,7 +42,7 @@ export async function trainedOnce(
   return trained;
 }
 
-/** Keeps a model, and forgets those of other modules and those beyond {@link MAX_MODELS}. */
+/** Stores a model, and removes those of other modules and those beyond {@link MAX_MODELS}. */
 async function keep(version: string, key: string, model: SavedModel): Promise<void> {
   const keys = await models.transact("readonly", (store) => store.getAllKeys());
   const values = await models.transact("readonly", (store) => store.getAll() as IDBRequest<SavedModel[]>);

@@ -1,4 +1,4 @@
-/** The build worker's side of the wire: the files that are open, and what is made of them. */
+/** The build worker's side of the protocol: the open files, and the results made from them. */
 import { type Build, DatabaseBuilder, type OnBuildProgress } from "../../engine/build/builder";
 import { KeyStyleClips, type KeyStyleOrder, type TrainedKeyStyle } from "../../engine/build/key_style_training";
 import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
@@ -22,7 +22,7 @@ import type {
 import { trainedOnce } from "./saved_walk_models";
 import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
 
-/** As much of a worker's global scope as the server needs. */
+/** The part of a worker's global scope that the server needs. */
 export interface BuildPort {
   postMessage(message: BuildReply, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<BuildRequest>) => void) | null;
@@ -30,16 +30,16 @@ export interface BuildPort {
 
 /** Maximum number of bytes of a table of labels. */
 const MAX_TABLE_BYTES = 64 << 20;
-/** Time between two reports of clips that were read. */
+/** Time between two reports of clips that were read, milliseconds. */
 const EVENT_MS = 300;
-/** Shares of a build's time: reading, preparing, registering; the index has the rest. */
+/** Shares of a build's time: reading, preparing, registering; the rest is indexing. */
 const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
 
-/** Share of a walk model's training that reading is, and of a key-style model's. */
+/** Share of reading in the training time of a walk model, and of a key-style model. */
 const TRAIN_READING = 0.15;
 const KEY_STYLE_READING = 0.3;
 
-/** What a long task needs of its caller. */
+/** The caller of a long task. */
 interface Caller {
   report(progress: Progress): void;
   tell(event: ReadEvent): void;
@@ -63,21 +63,21 @@ export function serveBuilds(port: BuildPort): void {
   };
 }
 
-/** A build that was not finished. */
+/** An unfinished build. */
 interface BegunBuild {
-  /** What is to be built. */
+  /** Identity of the build's request. */
   readonly key: string;
   readonly build: Build;
-  /** Files that were read, and those among them that could not be. */
+  /** Number of files that were read, and those that could not be read. */
   read: number;
   readonly unread: RefusedFile[];
-  /** The database, where only its answer was not wanted any more. */
+  /** The database, if only its answer was cancelled. */
   built: BuiltDatabase | undefined;
 }
 
 class BuildServer {
   private clips: Source[] = [];
-  /** Every other call is about the files that were opened before it. */
+  /** Every other call concerns the files that were opened before it. */
   private opening: Promise<Found> | undefined;
   private begun: BegunBuild | undefined;
   private pauseAsked = false;
@@ -197,7 +197,7 @@ class BuildServer {
     }
   }
 
-  /** The clips of files, archives too; what cannot be read is refused. */
+  /** The clips of files and archives. Files that cannot be read are refused. */
   private async readKeyStyle(files: DroppedFile[], caller: Caller): Promise<KeyStyleClips> {
     const { clips } = await findSources(files);
     const read: { name: string; bytes: Uint8Array }[] = [];
@@ -229,7 +229,7 @@ class BuildServer {
     }
     const { begun } = this;
     const { build, unread } = begun;
-    // What fails cannot go on: only a pause keeps it.
+    // A failed build cannot continue; only a pause keeps it.
     this.begun = undefined;
     this.pauseAsked = false;
     while (begun.read < build.order.length) {
@@ -255,8 +255,8 @@ class BuildServer {
   }
 
   /**
-   * Hears what has been asked meanwhile.
-   * @throws StrutError `cancelled` where the build is to be left as it is
+   * Handles the calls that arrived meanwhile.
+   * @throws StrutError `cancelled` if the build is to be paused
    */
   private async mayPause(begun: BegunBuild): Promise<void> {
     await otherMessages();
@@ -271,7 +271,7 @@ class BuildServer {
   }
 }
 
-/** A database's file, or the built-in one's. */
+/** The bytes of a database, or of the built-in one. */
 async function bytesOf(database: Blob | undefined): Promise<Uint8Array> {
   return database ? new Uint8Array(await database.arrayBuffer()) : loadBuiltIn();
 }
@@ -283,7 +283,7 @@ async function titlesOf(builder: DatabaseBuilder, licences: readonly Source[]): 
     for (const { path, read } of licences) {
       const folder = folderOf(path);
       if (path !== folder + name || titles.has(folder)) continue;
-      // A licence that cannot be read is none.
+      // A licence that cannot be read counts as missing.
       const text = await read().catch(() => new Uint8Array());
       const title = builder.licenceTitle(text);
       if (title) titles.set(folder, title);
@@ -291,7 +291,7 @@ async function titlesOf(builder: DatabaseBuilder, licences: readonly Source[]): 
   return titles;
 }
 
-/** What is to be known of a clip; a skeleton that `known` lacks is added to it and to `skeletons`. */
+/** The properties of a clip. A skeleton that `known` lacks is added to it and to `skeletons`. */
 async function readClip(
   builder: DatabaseBuilder,
   clip: Source,

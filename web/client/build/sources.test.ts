@@ -3,7 +3,7 @@ import { zipOf } from "../../../tests/zip";
 import { findSources } from "./sources";
 
 const MB = 1 << 20;
-/** A licence of a megabyte, which packs to a few kilobytes. */
+/** A licence of one megabyte, which is packed into a few kilobytes. */
 const licence = (folder: string) => ({ name: `${folder}/LICENSE`, content: "x".repeat(MB) });
 const archive = (files: Parameters<typeof zipOf>[0]) => [{ path: "a.zip", file: new File([zipOf(files)], "a.zip") }];
 

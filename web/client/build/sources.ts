@@ -1,31 +1,31 @@
-/** Finds the clips among dropped files and archives; their bytes are read when they are needed. */
+/** Finds the clips among dropped files and archives. Their bytes are read on demand. */
 import type { DroppedFile } from "./protocol";
 import { Archive, readDirectory, readEntry, type ZipEntry, ZipError } from "./zip";
 
-/** Maximum number of bytes of one clip, as `strut_formats::bvh` has it. */
+/** Maximum number of bytes of one clip, as in `strut_formats::bvh`. */
 const MAX_CLIP_BYTES = 256 << 20;
-/** Maximum number of bytes that one archive unpacks to: its clips and licences together. */
+/** Maximum number of unpacked bytes of one archive: its clips and licences together. */
 const MAX_ARCHIVE_BYTES = 4 * 2 ** 30;
-/** Maximum number of clips, as `strut_formats::strutdb` has it. */
+/** Maximum number of clips, as in `strut_formats::strutdb`. */
 const MAX_CLIPS = 100_000;
 
 /** A clip that can be read. */
 export interface Source {
   path: string;
-  /** @throws Error with a sentence */
+  /** @throws Error with a sentence as its message */
   read(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
 /** The clips and licences among files. */
 export interface Sources {
-  /** Sorted by path, each once. */
+  /** Sorted by path, without duplicates. */
   clips: Source[];
-  /** Files that hold the licence of the clips beside them. */
+  /** Files with the licence of the clips next to them. */
   licences: Source[];
   notes: string[];
 }
 
-/** Names of licence files, the first that is there counts, and maximum bytes of one; as `strut_formats::corpus` has them. */
+/** Names of licence files, of which the first existing one counts, and their maximum size; as in `strut_formats::corpus`. */
 export const LICENCE_NAMES = ["LICENSE", "LICENSE.txt", "LICENSE.md", "LICENCE"];
 const MAX_LICENCE_BYTES = 1 << 20;
 
@@ -33,8 +33,8 @@ const isLicence = (path: string): boolean => LICENCE_NAMES.includes(path.slice(p
 const isBvh = (path: string): boolean => /\.bvh$/i.test(path);
 
 /**
- * All BVH files among the files, those in archives too.
- * @param archiveBytes maximum number of bytes that one archive may unpack to
+ * All BVH files among the files, including those in archives.
+ * @param archiveBytes maximum number of unpacked bytes of one archive
  */
 export async function findSources(
   files: readonly DroppedFile[],
@@ -90,7 +90,7 @@ async function addArchive(
       outside += 1;
       continue;
     }
-    // macOS puts a second, unreadable file beside each.
+    // macOS adds a second, unreadable file for each file.
     if (parts.some((part) => part.startsWith(".") || part === "__MACOSX")) continue;
     found.set(full, { path: full, read: () => read(entry, MAX_CLIP_BYTES) });
   }
@@ -100,7 +100,7 @@ async function addArchive(
     );
 }
 
-/** Reads entries of an archive until `budget` bytes are unpacked; an entry counts once, however often it is read. */
+/** Reads entries of an archive until `budget` bytes are unpacked. An entry counts once, however often it is read. */
 function budgetedReader(archive: Archive, budget: number) {
   const counted = new Set<ZipEntry>();
   let unpacked = 0;

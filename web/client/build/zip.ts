@@ -1,20 +1,20 @@
 /**
- * Reads zip archives file by file: the directory at the end first, then each entry on its own, so that an archive of any
- * size takes the memory of one file. Limits hold for the bytes that an entry really unpacks to, whatever size the archive
- * states.
+ * Reads zip archives file by file: the directory at the end first, then each entry on its own, so that an archive of
+ * any size takes the memory of one file. Limits apply to the actual number of unpacked bytes, not to the size stated in
+ * the archive.
  */
 import { crc32 } from "./crc32";
 
 /** Maximum number of bytes of an archive's directory, and maximum number of entries. */
 const MAX_DIRECTORY_BYTES = 64 << 20;
 export const MAX_ENTRIES = 200_000;
-/** An empty deflate stream has at most so many bytes. */
+/** Maximum number of bytes of an empty deflate stream. */
 const EMPTY_BYTES = 2;
-/** An entry is refused when it unpacks to more than `BOMB_BYTES` and to more than `BOMB_RATIO` times its packed size. */
+/** An entry is refused if it unpacks to more than `BOMB_BYTES` and to more than `BOMB_RATIO` times its packed size. */
 const BOMB_BYTES = 16 << 20;
 const BOMB_RATIO = 200;
 
-/** Bytes that are read from the file at once. */
+/** Bytes per read of the file. */
 const WINDOW_BYTES = 1 << 20;
 
 const END = 0x06054b50;
@@ -27,20 +27,20 @@ const DEFLATED = 8;
 
 /** A file in an archive. */
 export interface ZipEntry {
-  /** Path with `/`, as the archive states it: it may lead out of the archive, so it is shown but never opened. */
+  /** Path with `/`, as stated in the archive. It may lead out of the archive, so it is shown but never opened. */
   name: string;
   packedBytes: number;
-  /** Unpacked size as the archive states it. */
+  /** Unpacked size as stated in the archive. */
   bytes: number;
   /** CRC-32 of the unpacked bytes. */
   crc: number;
   method: number;
   encrypted: boolean;
-  /** Where its local header begins. */
+  /** Offset of its local header. */
   offset: number;
 }
 
-/** What is wrong with an archive or a file in it, as a sentence. */
+/** The error of an invalid archive or entry; its message is a sentence. */
 export class ZipError extends Error {}
 
 /** The files in an archive; folders are left out. */
@@ -77,7 +77,7 @@ export async function readDirectory(archive: Archive): Promise<ZipEntry[]> {
 
 /**
  * The bytes of an entry, at most `max` of them.
- * @throws ZipError if it has more, is damaged or packed in another way
+ * @throws ZipError if it has more, is damaged, or uses another compression method
  */
 export async function readEntry(archive: Archive, entry: ZipEntry, max: number): Promise<Uint8Array<ArrayBuffer>> {
   if (entry.encrypted)
@@ -98,19 +98,19 @@ export async function readEntry(archive: Archive, entry: ZipEntry, max: number):
   return checked(await gather(stream, Math.min(entry.bytes, limit), limit, sentence), entry);
 }
 
-/** The bytes of an entry, if they have the checksum that the directory states. */
+/** The bytes of an entry, after checking them against the checksum in the directory. */
 function checked(bytes: Uint8Array<ArrayBuffer>, { crc }: ZipEntry): Uint8Array<ArrayBuffer> {
   if (crc32(bytes) !== crc) throw new ZipError("It is damaged: its checksum does not match its content.");
   return bytes;
 }
 
-/** An archive that is read in windows, so that thousands of small entries do not cost thousands of reads. */
+/** An archive that is read in windows, so that thousands of small entries do not need thousands of reads. */
 export class Archive {
   private window: { start: number; bytes: Uint8Array<ArrayBuffer> } = { start: 0, bytes: new Uint8Array() };
 
   constructor(readonly file: Blob) {}
 
-  /** These bytes, as far as the archive has them. */
+  /** The bytes of a range, cut to the end of the archive. */
   async bytes(from: number, to: number): Promise<Uint8Array<ArrayBuffer>> {
     const within = () => this.window.start <= from && to <= this.window.start + this.window.bytes.length;
     if (!within()) {
@@ -120,7 +120,7 @@ export class Archive {
     return this.window.bytes.subarray(from - this.window.start, to - this.window.start);
   }
 
-  /** These bytes, all of which must be there. */
+  /** The bytes of a range, all of which must exist. */
   async stream(from: number, to: number): Promise<ReadableStream<Uint8Array<ArrayBuffer>>> {
     if (to > this.file.size) throw damaged();
     if (to - from > WINDOW_BYTES) return this.file.slice(from, to).stream();
@@ -134,7 +134,7 @@ export class Archive {
   }
 }
 
-/** All of a stream, if that is at most `limit` bytes; `expected` is a guess. */
+/** All bytes of a stream, if they are at most `limit`; `expected` is a guess of their number. */
 async function gather(
   stream: ReadableStream<Uint8Array>,
   expected: number,
@@ -163,7 +163,7 @@ async function gather(
   }
 }
 
-/** Finds the directory through the record at the end of the archive, which a comment may follow. */
+/** Finds the directory through the record at the end of the archive, which may be followed by a comment. */
 async function findDirectory(archive: Archive): Promise<{ offset: number; size: number; count: number }> {
   const tailAt = Math.max(0, archive.file.size - (22 + 0xffff));
   const tail = viewOf(await archive.bytes(tailAt, archive.file.size));
@@ -188,7 +188,7 @@ async function findDirectory(archive: Archive): Promise<{ offset: number; size: 
   };
 }
 
-/** Size, packed size and offset of a directory entry, from its extra field where they need 64 bits. */
+/** Size, packed size and offset of a directory entry, from its extra field if they need 64 bits. */
 function widened(view: DataView, at: number, extraAt: number, extraLength: number): [number, number, number] {
   const values = [view.getUint32(at + 24, true), view.getUint32(at + 20, true), view.getUint32(at + 42, true)];
   for (let field = extraAt; field + 4 <= extraAt + extraLength; ) {
@@ -206,7 +206,7 @@ function widened(view: DataView, at: number, extraAt: number, extraLength: numbe
   return values as [number, number, number];
 }
 
-/** Names are read as UTF-8, flagged or not; those that are no UTF-8 as Windows-1252. */
+/** Names are read as UTF-8, flagged or not; names that are not valid UTF-8 are read as Windows-1252. */
 function nameOf(bytes: Uint8Array): string {
   try {
     return new TextDecoder("utf-8", { fatal: true }).decode(bytes).replaceAll("\\", "/");

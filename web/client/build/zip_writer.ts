@@ -1,19 +1,19 @@
 /**
- * Writes zip archives file by file, each packed when it is added: what is there already can be saved at any time. The archive
- * has no dates, so that the same files give the same bytes.
+ * Writes zip archives file by file, each packed when it is added, so that the current contents can be saved at any
+ * time. The archive has no dates, so that the same files give the same bytes.
  */
 import { crc32 } from "./crc32";
 import { ZipError } from "./zip";
 
-/** Without fields of 64 bits, which not every program reads: maximum number of bytes and of entries. */
+/** Limits without 64-bit fields, which not every program reads: maximum number of bytes and maximum number of entries. */
 const MAX_BYTES = 0xffff_fffe;
 const MAX_ENTRIES = 0xfffe;
 
 /** Names are UTF-8. */
 const FLAGS = 0x800;
-/** Version 2.0 of the format has deflation. */
+/** Version 2.0 of the format supports deflate. */
 const VERSION = 20;
-/** 1 January 1980, the first day that the format knows. */
+/** 1 January 1980, the first date of the format. */
 const DATE = 0x21;
 const STORED = 0;
 const DEFLATED = 8;
@@ -39,16 +39,16 @@ export class ZipWriter {
     return this.#names.size;
   }
 
-  /** Bytes of the archive as it is now, without its end. */
+  /** Bytes of the current archive, without its end record. */
   get bytes(): number {
     return this.#bytes + this.#directoryBytes;
   }
 
   /**
    * Adds a file.
-   * @param name path with `/`, which no other entry may have
-   * @param packed whether it is worth deflating
-   * @throws ZipError if there is no room for it, and nothing has changed then
+   * @param name path with `/`; it must be unique
+   * @param packed whether to try deflating it
+   * @throws ZipError if there is no room for it; nothing has changed then
    */
   async add(name: string, bytes: Uint8Array<ArrayBuffer>, packed = true): Promise<void> {
     const deflated = packed ? await deflate(bytes) : undefined;
@@ -62,8 +62,8 @@ export class ZipWriter {
   }
 
   /**
-   * The archive with what was added until now; more may be added afterwards.
-   * @param last a file that is in this archive alone
+   * The archive of all files added so far; more may be added afterwards.
+   * @param last a file that is only in this archive
    * @throws ZipError if there is no room for the last file
    */
   archive(type = "application/zip", last?: { name: string; bytes: Uint8Array<ArrayBuffer> }): Blob {
@@ -83,7 +83,7 @@ export class ZipWriter {
     return new Blob([...this.#parts, ...parts, ...this.#directory, ...directory, end], { type });
   }
 
-  /** An entry after all others, and its place in the directory. @throws ZipError */
+  /** An entry after all others, and its directory record. @throws ZipError */
   #entryOf(name: string, bytes: Uint8Array<ArrayBuffer>, content: Blob, method: number): Record<Parts, Part[]> {
     if (this.#names.has(name)) throw new ZipError(`The archive would have two files “${name}”.`);
     const encoded = new TextEncoder().encode(name);

@@ -1,11 +1,11 @@
-/** The Compare view's own engine, beside the one that plays: training a method does not hold that up. */
+/** The Compare view's own engine, separate from the one that plays, so that training a method does not block playback. */
 import { createStrutClient } from "../client";
 import type { StrutClient } from "../protocol";
 
-/** A method is trained in one piece, which may take longer than anything that the engine does otherwise. */
+/** A method is trained in one call, which may take longer than all other calls of the engine. */
 const SILENCE_MS = 300_000;
 
-/** Starts a worker whose engine has every method, kd-trees, and the counterparts of the built-in inputs. */
+/** Starts a worker whose engine has all methods, kd-trees, and the counterparts of the built-in inputs. */
 export function createCompareClient(): Promise<StrutClient> {
   const spawn = () =>
     new Worker(new URL("./compare_worker.ts", import.meta.url), { type: "module", name: "strut compare" });

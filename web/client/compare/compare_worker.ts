@@ -1,4 +1,4 @@
-/** The entry of the Compare view's worker: the engine's server over a package that can do more. */
+/** The entry of the Compare view's worker: the engine's server over a package with more functions. */
 import { counterpartOf, SearchComparison, serveComparePackage } from "../../engine/compare/wasm";
 import { compareSearch } from "../server/searches";
 import { type ServerPort, serve } from "../server/serve";

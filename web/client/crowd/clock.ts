@@ -1,12 +1,12 @@
-/** The time that a crowd is shown by; tests have one of their own. */
+/** Clock of a crowd's display; tests use their own. */
 export interface Clock {
   /** Milliseconds. */
   now(): number;
-  /** Calls back after so many milliseconds. @returns what ends it */
+  /** Calls back after `ms` milliseconds. @returns a function that cancels it */
   after(ms: number, call: () => void): () => void;
 }
 
-/** The page's time, in which nothing is due while the page is hidden. */
+/** The page's clock. Callbacks do not run while the page is hidden. */
 export const PAGE_CLOCK: Clock = {
   now: () => performance.now(),
   after(ms, call) {

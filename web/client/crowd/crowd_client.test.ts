@@ -1,4 +1,4 @@
-/** The protocol of a crowd without a thread, by a clock that the tests set. */
+/** The protocol of a crowd without a thread, with a clock that the tests control. */
 import { expect, test } from "vitest";
 import { joinedWorker } from "../../../tests/joined_worker";
 import { StrutError } from "../../engine/errors";
@@ -7,7 +7,7 @@ import type { Clock } from "./clock";
 import { createCrowd } from "./crowd_client";
 import type { CrowdCalls, CrowdTick } from "./protocol";
 
-/** Time that passes when the test says so. */
+/** A clock that the test advances. */
 class TestClock implements Clock {
   time = 0;
   private waits: { due: number; call: () => void }[] = [];
@@ -38,10 +38,10 @@ class TestClock implements Clock {
   }
 }
 
-/** After all promises that are on their way. */
+/** Resolves after all pending promises. */
 const settled = () => new Promise<void>((resolve) => setImmediate(resolve));
 
-/** A worker whose ticks carry their number. */
+/** A worker whose ticks contain their index. */
 function worker() {
   const buffers = new Set<ArrayBuffer>();
   const heard: string[] = [];

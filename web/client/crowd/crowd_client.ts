@@ -1,6 +1,6 @@
 /**
- * A crowd in a worker of its own, one tick ahead of the picture. Three buffers travel to and fro: two that are shown, as pictures
- * between two ticks need both, and the next.
+ * A crowd in a worker of its own, one tick ahead of the display. Three buffers are exchanged: the two that are
+ * displayed, as images between two ticks need both, and the next.
  */
 
 import type { FieldVertex, People, Place } from "../../engine/crowd/limits";
@@ -12,18 +12,18 @@ import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
 export type { CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
-/** How many arguments each call has. */
+/** Number of arguments of each call. */
 const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBones: 1, exportBvh: 2 } as const;
 
-/** What of a crowd follows from who is there. */
+/** Settings of a crowd that depend on its agents. */
 export interface CrowdChoices {
-  /** Styles by place, of those that there are; in place of the start's field. */
+  /** Computes the styles by place from the available styles; overrides the start's field. */
   fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
-  /** Bones that joints are to lie on, by their own, 21 × xyz in metres; these if missing. */
+  /** Computes the bones on which the joints are placed from the crowd's own, 21 × xyz in metres; by default the crowd's own. */
   bonesOf?: (proportions: Float32Array) => Float32Array;
 }
 
-/** What tests replace. */
+/** Dependencies that tests replace. */
 export interface CrowdSurroundings {
   spawn?: () => ClientPort;
   clock?: Clock;
@@ -34,8 +34,8 @@ function spawnWorker(): ClientPort {
 }
 
 /**
- * Opens a crowd, which walks or performs from then on; the caller disposes of it.
- * @throws StrutError with what is wrong with the people or the start, or `cancelled`
+ * Opens a crowd, which runs from then on. The caller disposes of it.
+ * @throws StrutError if the agents or the start are invalid, or `cancelled`
  */
 export async function createCrowd(
   people: People,
@@ -44,7 +44,7 @@ export async function createCrowd(
 ): Promise<Crowd> {
   const rpc = new RpcClient(spawn, "crowd");
   try {
-    // Those who come when there is a field begin in its styles.
+    // Agents added after the field is set start in its styles.
     const first = fieldOf ? { ...start, count: Math.min(1, start.count) } : start;
     const facts = (await rpc.call("open", [people, first], signal)) as CrowdFacts;
     if (fieldOf) {
@@ -59,26 +59,26 @@ export async function createCrowd(
   }
 }
 
-/** A crowd that walks or performs until it is disposed of. */
+/** A crowd that runs until it is disposed of. */
 export class Crowd implements CrowdFacts {
   readonly styles: readonly string[];
   readonly proportions: Float32Array;
   readonly rateHz: number;
-  /** Everybody, {@link rateHz} times a second. The arrays are the caller's until the tick after the next. */
+  /** Receives all agents, {@link rateHz} times a second. The arrays belong to the caller until the tick after the next. */
   onTick: ((tick: CrowdTick) => void) | undefined;
-  /** The worker is too slow, and has fewer people now. */
+  /** The worker is too slow; the number of agents was halved. */
   onHalved: ((count: number) => void) | undefined;
-  /** The crowd has stopped for good. */
+  /** The crowd has stopped permanently. */
   onError: ((error: StrutError) => void) | undefined;
 
-  /** How fast time goes on; 1 is that of the world. */
+  /** Speed of time; 1 is real time. */
   speed = 1;
 
   private readonly calls: CrowdCalls;
   /** The last tick and the one before. */
   private shown: CrowdTick[] = [];
   private next: CrowdTick | undefined;
-  /** Until the next tick is there. */
+  /** Settles when the next tick has arrived. */
   private asking: Promise<void> = Promise.resolve();
   private isPlaying = true;
   private isOver = false;
@@ -97,12 +97,12 @@ export class Crowd implements CrowdFacts {
     this.ask();
   }
 
-  /** People of the last tick. */
+  /** Number of agents in the last tick. */
   get count(): number {
     return this.shown[0]?.count ?? this.asked;
   }
 
-  /** Whether time goes on. */
+  /** Whether the crowd is playing. */
   get playing(): boolean {
     return this.isPlaying;
   }
@@ -121,31 +121,38 @@ export class Crowd implements CrowdFacts {
     return 1000 / (this.rateHz * this.speed);
   }
 
-  /** Shows the next tick while time does not go on. */
+  /** Shows the next tick while paused. */
   async step(): Promise<void> {
     await this.asking;
     if (!this.isPlaying) this.show();
   }
 
-  /** More people or fewer, from the tick after the next on. @throws StrutError if there are too few or too many */
+  /** Changes the number of agents, from the tick after the next on. @throws StrutError if there are too few or too many */
   setCount(count: number): Promise<void> {
     return this.calls.setCount(count);
   }
 
-  /** Styles by place, from everybody's next step on, or from now on for performers. @throws StrutError if a vertex is none; nothing changes then */
+  /**
+   * Sets the styles by place, from each agent's next step on, or from now on for agents that perform a motion.
+   * @throws StrutError if a vertex is invalid; nothing changes then
+   */
   setField(vertices: readonly FieldVertex[]): Promise<void> {
     return this.calls.setField(vertices);
   }
 
   /**
-   * A way that everybody follows: round if its ends meet, else there and back; none sets them free.
-   * @throws StrutError if it is none; nothing changes then
+   * Sets a route that all agents follow: a loop if its ends meet, otherwise back and forth. An empty one removes the
+   * route.
+   * @throws StrutError if it is invalid; nothing changes then
    */
   setRoute(points: readonly Place[]): Promise<void> {
     return this.calls.setRoute(points);
   }
 
-  /** A BVH file of the next seconds of somebody, as if nobody else were there. @throws StrutError if there is nobody of this number */
+  /**
+   * A BVH file of an agent's next seconds, without interaction with other agents.
+   * @throws StrutError if the index is out of range
+   */
   exportBvh(person: number, secs: number): Promise<string> {
     return this.calls.exportBvh(person, secs);
   }
@@ -155,7 +162,7 @@ export class Crowd implements CrowdFacts {
     this.rpc.dispose();
   }
 
-  /** Has the worker write the next tick, into a buffer that nobody needs any more. */
+  /** Makes the worker write the next tick into a buffer that is no longer used. */
   private ask(spare?: ArrayBuffer): void {
     const answer = this.rpc.call("tick", [spare], undefined, spare ? [spare] : []) as Promise<CrowdTick>;
     this.asking = answer.then(
@@ -167,7 +174,7 @@ export class Crowd implements CrowdFacts {
     );
   }
 
-  /** Shows the next tick when it is due: at once if it is late. */
+  /** Shows the next tick when it is due, or at once if it is late. */
   private schedule(): void {
     if (!this.next || this.wait || !this.isPlaying || this.isOver) return;
     this.wait = this.clock.after(Math.max(0, this.due - this.clock.now()), () => {
@@ -183,7 +190,7 @@ export class Crowd implements CrowdFacts {
     this.shown = [tick, ...this.shown.slice(0, 1)];
     this.next = undefined;
     const [period, now] = [this.periodMs, this.clock.now()];
-    // What is late by more than a tick is not made up for.
+    // A delay of more than one tick is not caught up.
     this.due = (now - this.due > period ? now : this.due) + period;
     this.ask(spare?.joints.buffer as ArrayBuffer | undefined);
     this.onTick?.(tick);

@@ -1,4 +1,4 @@
-/** The crowd of the real package on this thread, by a clock that the tests set. */
+/** The crowd of the real package on this thread, with a clock that the tests control. */
 import { expect, test } from "vitest";
 import { InlineWorker } from "../../../tests/inline_worker";
 import { DEFAULT_OPTIONS } from "../../engine/types";
@@ -8,7 +8,7 @@ import { createCrowdTable } from "./crowd_table";
 
 const WALKERS = { kind: "walkers" } as const;
 
-/** A crowd whose ticks take so many milliseconds, one after the other and the last for ever. */
+/** A crowd whose ticks take these milliseconds, one after another; the last value repeats. */
 async function crowdOf(count: number, tickMs: number[] = [1]) {
   let [time, calls] = [0, 0];
   // Every tick reads the clock twice.
@@ -121,11 +121,11 @@ test("people perform what the engine recorded of a motion, in the styles of thei
   const facts = await table.open({ kind: "performers", recorded }, { count: 10, field });
   expect([facts.rateHz, facts.styles]).toEqual([30, recorded.styles]);
   const places: number[][] = [];
-  // Beyond the end of what was recorded, which begins anew.
+  // Beyond the end of the recording, which loops.
   for (let i = 0; i < 180; i++) {
     const { joints, weights } = await table.tick(undefined);
     places.push([joints[0]!, joints[1]!, joints[2]!]);
-    // Everybody begins in the neutral style and takes on that of the place within a second.
+    // All agents begin in the neutral style and take on the style of the place within a second.
     if (i >= facts.rateHz) expect(weights[facts.styles.indexOf("old")]).toBeGreaterThan(100);
   }
   const steps = places

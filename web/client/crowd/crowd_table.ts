@@ -1,10 +1,10 @@
-/** The worker's side: one crowd. */
+/** The worker's side: a single crowd. */
 import { Crowd } from "../../engine/crowd/crowd";
 import { StrutError } from "../../engine/errors";
 import { CROWD_WALKER_FLOATS } from "../../humanoid";
 import type { CrowdCalls } from "./protocol";
 
-/** Ticks that take longer, milliseconds: as many as these in a row halve the count. */
+/** Ticks longer than this are slow, milliseconds. Several slow ticks in a row halve the count. */
 const SLOW_MS = 25;
 const SLOW_TICKS = 3;
 

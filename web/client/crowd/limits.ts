@@ -1,4 +1,4 @@
-/** What a crowd can be. */
+/** Limits of a crowd's parameters. */
 export {
   type FieldVertex,
   MAX_CROWD,

@@ -1,49 +1,49 @@
-/** What the page and the crowd's worker say to each other. */
+/** Messages between the page and the crowd's worker. */
 import type { FieldVertex, People, Place } from "../../engine/crowd/limits";
 
-/** What a crowd is opened with. */
+/** Initial settings of a crowd. */
 export interface CrowdStart {
-  /** 1 to 1,000. */
+  /** Number of agents, 1 to 1,000. */
   count: number;
-  /** Of all that is drawn by lot, a whole number from 0; 1 if missing. */
+  /** Seed of all random choices, a whole number from 0; 1 if missing. */
   seed?: number;
   field?: readonly FieldVertex[];
   route?: readonly Place[];
 }
 
-/** What does not change. */
+/** Properties of a crowd that do not change. */
 export interface CrowdFacts {
   styles: readonly string[];
   /** Offset of each joint from its parent in the T-pose, 21 × xyz, metres. */
   proportions: Float32Array;
-  /** Ticks a second. */
+  /** Ticks per second. */
   rateHz: number;
 }
 
-/** Everybody after a tick. Its arrays share a buffer, which goes back for another tick. */
+/** All agents after a tick. Its arrays share a buffer, which is returned for another tick. */
 export interface CrowdTick {
   count: number;
-  /** Of the ground, metres. */
+  /** Radius of the ground, metres. */
   radius: number;
-  /** 21 × (x y z 0, rotation x y z w) a person, in the world. */
+  /** 21 × (x y z 0, rotation x y z w) per agent, in the world. */
   joints: Float32Array;
-  /** A byte a person and style: its weight, of 255. */
+  /** One byte per agent and style: its weight, 0 to 255. */
   weights: Uint8Array;
-  /** Time of the worker that it took. */
+  /** Computation time in the worker, milliseconds. */
   tickMs: number;
-  /** Whether ticks are too slow: from the next one on there are half as many people. */
+  /** Whether ticks are too slow: from the next one on the number of agents is halved. */
   halves: boolean;
 }
 
 /** The worker's calls; `open` is the first. */
 export interface CrowdCalls {
   open(people: People, start: CrowdStart): Promise<CrowdFacts>;
-  /** Goes on by a tick; a buffer that is large enough is used again. */
+  /** Advances by a tick. A buffer that is large enough is reused. */
   tick(buffer: ArrayBuffer | undefined): Promise<CrowdTick>;
   setCount(count: number): Promise<void>;
   setField(vertices: readonly FieldVertex[]): Promise<void>;
   setRoute(points: readonly Place[]): Promise<void>;
-  /** Bones that the joints lie on in place of the model's own. */
+  /** Sets the bones on which the joints are placed, instead of the model's own. */
   setBones(offsets: Float32Array): Promise<void>;
   exportBvh(person: number, secs: number): Promise<string>;
 }

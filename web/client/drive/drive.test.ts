@@ -41,7 +41,7 @@ async function opened(root = ORIGIN) {
   return { client, database, info };
 }
 
-/** Drives for a time. */
+/** Drives for a duration. */
 async function driven(client: StrutClient, secs: number, control: DriveControl): Promise<DriveFrame[]> {
   const frames: DriveFrame[] = [];
   for (let i = 0; i < secs * 60; i++) frames.push(await client.drive(DT, control));
@@ -69,7 +69,7 @@ describe("a driven character", () => {
     const stop = await driven(client, 2.5, STILL);
     expect(stop.at(-1)!.speed).toBeLessThan(0.2);
     expect([...walk, ...run, ...stop].every(isFinitePose)).toBe(true);
-    // What is shown lies between the last two frames: it is late by one at most.
+    // The displayed frame lies between the last two frames, so it is at most one frame late.
     expect(walk.at(-1)!.inputFrame).toBeGreaterThan(160);
   });
 
@@ -228,9 +228,10 @@ describe("what was driven", () => {
       exact: { poses, proportions, rateHz },
     });
     expect([input.frames, input.rateHz]).toEqual([count, rateHz]);
-    // To rounding: rotations are brought back to length 1.
+    // Up to rounding: rotations are normalised again.
     expect(Math.max(...input.poses.map((value, i) => Math.abs(value - poses[i]!)))).toBeLessThan(5e-7);
-    // What was shown was between two of them, but for the feet that were planted then, and the hips that gave way.
+    // The displayed pose was between two of them, except for the feet that were planted then, and the hips that were
+    // adjusted.
     const shown = frames.at(100)!;
     const whole = Math.floor(shown.inputFrame);
     for (let axis = 3; axis < 7; axis++) {

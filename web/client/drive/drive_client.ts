@@ -5,10 +5,10 @@ import type { Id } from "../messages";
 import type { CallOptions, OpenMemory, StylizeOptions } from "../protocol";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./protocol";
 
-/** What it takes besides its stream: the clips on both sides, and a minute of what was driven; bytes. */
+/** Memory in addition to its stream: the clips on both sides, and a minute of driven frames; bytes. */
 const DRIVE_BYTES = 20e6;
 
-/** A driven character. After a fault it stands where it was last, and what it had driven is forgotten. */
+/** A driven character. After a fault it is at its last position, and its driven frames are lost. */
 export class ClientDrive extends ClientHandle {
   private constructor(
     connection: Connection,
@@ -21,7 +21,10 @@ export class ClientDrive extends ClientHandle {
     super(connection, id, [database], "drive");
   }
 
-  /** @throws StrutError if the driver, or built-in clips for a database with too little neutral walking, cannot be loaded */
+  /**
+   * @throws StrutError if the driver, or the built-in clips for a database with too little neutral walking, cannot be
+   * loaded
+   */
   static async open(
     connection: Connection,
     database: ClientDatabase,

@@ -1,78 +1,80 @@
-/** What a page says to a driven character, and what comes back. */
+/** Messages between the page and a driven character. */
 import type { MoveName } from "../../engine/drive/driver";
 import type { StyleKey } from "../../engine/types";
 import type { LiveFrame } from "../live_frame";
 
-/** A move that a character may be asked for. */
+/** A move that can be requested of a character. */
 export type Move = MoveName;
 
-/** What is asked of the character. */
+/** Steering input of the character. */
 export interface DriveControl {
-  /** Over the ground in the world, of length 0 (stand) to 1. */
+  /** Direction over the ground in the world, length 0 (stand) to 1. */
   readonly move: readonly [x: number, z: number];
-  /** 0 stands, 1 walks, 2 runs, with all that is between. */
+  /** 0 stand, 1 walk, 2 run, and all values between. */
   readonly gait: number;
-  /** Heading to face, radians about +Y from +Z to +X; the direction of {@link move} where it is missing. */
+  /** Heading to face, radians about +Y from +Z to +X; if missing, the direction of {@link move}. */
   readonly face?: number;
-  /** A line to follow from its beginning to its end instead, x and z of its points in metres; an empty one ends it. */
+  /** A path to follow from its beginning to its end instead, x and z of its points in metres; an empty one ends it. */
   readonly path?: Float32Array;
-  /** A move to begin. */
+  /** A move to start. */
   readonly action?: Move;
 }
 
-/** What stands still. */
+/** Steering input for standing still. */
 export const STILL: DriveControl = { move: [0, 0], gait: 1 };
 
 /** A place on the ground and a heading about +Y. */
 export type Root = readonly [x: number, z: number, heading: number];
 
-/** What is driven with. */
+/** Facts of the clips used for driving. */
 export interface DriveInfo {
   /** Speeds of walking and running, m/s. */
   speeds: readonly [walk: number, run: number];
-  /** Moves that the database has. */
+  /** Moves that the database contains. */
   moves: readonly Move[];
-  /** Clips and frames to choose from, mirror images included. */
+  /** Numbers of clips and frames to choose from, mirror images included. */
   clips: number;
   frames: number;
-  /** A sentence where built-in clips walk, as the database has too little walking; empty otherwise. */
+  /** A sentence if built-in clips are used for walking, because the database has too little; empty otherwise. */
   note: string;
 }
 
-/** What is on screen of a driven character; its `inputPose` is the neutral one
- * with its feet planted, and `inputFrame` counts the frames driven. */
+/**
+ * The displayed frame of a driven character. Its `inputPose` is the neutral one with its feet planted, and `inputFrame`
+ * counts the driven frames.
+ */
 export interface DriveFrame extends LiveFrame {
-  /** Where the root of the neutral character is. */
+  /** Position and heading of the neutral character's root. */
   root: Root;
-  /** Where it is asked to be after 1/3, 2/3 and 1 s: x, z and heading each. */
+  /** Root that the steering asks for after 1/3, 2/3 and 1 s: x, z and heading each. */
   asked: Float32Array;
-  /** Where the clip that plays would take it, the same. */
+  /** Root to which the playing clip would lead, in the same layout. */
   ahead: Float32Array;
-  /** Over the ground, m/s. */
+  /** Speed over the ground, m/s. */
   speed: number;
-  /** Name of the clip that plays, and its row. */
+  /** Name of the playing clip, and its row. */
   clip: string;
   row: number;
-  /** Changes to another row than the next one, in the last second. */
+  /** Number of jumps to a row other than the next one, in the last second. */
   transitions: number;
-  /** How far along its path the character is, metres; `undefined` where it follows none. */
+  /** Distance covered along its path, metres; `undefined` without a path. */
   progress: number | undefined;
-  /** The move that it makes. */
+  /** The move in progress. */
   move: Move | undefined;
 }
 
-/** What was driven, the last five minutes of it at most. */
+/** The recording of what was driven, at most the last five minutes. */
 export interface Driven {
   /** The neutral motion as the text of a BVH file; empty if nothing was driven. */
   bvh: string;
   frames: number;
-  /** The same as poses: a file does not hold the height of the hips. */
+  /** The same motion as poses: a file does not contain the height of the hips. */
   poses: Float32Array;
-  /** The styles that it was shown in. */
+  /** The styles in which it was displayed. */
   track: readonly StyleKey[];
 }
 
-/** Whether a control has numbers only. */
+/** Whether all numbers of a control are valid. */
 export function isControl({ move, gait, face }: DriveControl): boolean {
   return [...move, gait, face ?? 0].every(Number.isFinite);
 }

@@ -1,6 +1,6 @@
 /**
- * Key-styling of the lessons: a model of the built-in walks, learned with the first call, and its learning once more, update
- * by update.
+ * Key-styling of the lessons: a model of the built-in walks, trained at the first call, and a second training run,
+ * update by update.
  */
 import { KeyStyleClips } from "../../engine/build/key_style_training";
 import { loadBuiltIn } from "../../engine/built_in";
@@ -14,12 +14,12 @@ const AXES = ["foot_separation", "foot_height_difference"];
 /** Variables of the model. */
 const VARIABLES = AXES.length;
 
-/** Drags: how many, between how many recorded frames each, and frames from one of these to the next. */
+/** Drags: their number, the number of recorded frames that each connects, and frames between two of these. */
 const DRAGS = { count: 10, legs: 5, frames: 45, seed: 1 };
-/** The cycle begins so many frames after its clip, and is as long as walks are. */
+/** The cycle begins this many frames after its clip, and is as long as a walk cycle. */
 const CYCLE = { skip: 10, shortest: 24, longest: 49, compared: 25 };
 
-/** The functions behind the calls of key-styling. */
+/** The functions behind the key-styling calls. */
 export function createKeyStyles(): Pick<
   LearnEngine,
   "styleSamples" | "somn" | "somnPoses" | "somnErrors" | "dragged" | "stylePose" | "keyed"
@@ -58,7 +58,7 @@ export function createKeyStyles(): Pick<
   };
 }
 
-/** The learned model, and learning that can be watched. */
+/** The trained model, and training runs that can be inspected. */
 class Opened {
   readonly samples: StyleSamples;
   readonly #runs = new Map<boolean, Somn<KeyStyleModel>>();
@@ -90,7 +90,7 @@ class Opened {
     }
   }
 
-  /** Goes on from where learning is, or begins again where that is later. */
+  /** Continues the training run, or restarts it if it is past `updates`. */
   #runTo(updates: number, asPrinted: boolean): Somn<KeyStyleModel> {
     const known = this.#runs.get(asPrinted);
     if (known && known.state.updates > updates) known.dispose();
@@ -111,7 +111,7 @@ async function open(): Promise<Opened> {
   }
 }
 
-/** The error after every pass. */
+/** The error after each pass. */
 function errorsOf(model: KeyStyleModel): Float32Array {
   const run = model.learn();
   try {
@@ -131,7 +131,7 @@ function errorsOf(model: KeyStyleModel): Float32Array {
 const valuesAt = ({ values }: Pick<StyleSamples, "values">, frame: number) =>
   Array.from(values.subarray(VARIABLES * frame, VARIABLES * (frame + 1)));
 
-/** Drags between recorded frames, always the same: the variables of each frame. */
+/** Fixed drags between recorded frames: the variables of each frame. */
 function drags(samples: StyleSamples): number[][][] {
   const frames = samples.values.length / VARIABLES;
   let seed = DRAGS.seed;
@@ -151,7 +151,7 @@ function drags(samples: StyleSamples): number[][][] {
   });
 }
 
-/** Greatest turn of a joint from frame to frame on the drags, degrees. */
+/** Largest rotation of a joint from frame to frame on the drags, degrees. */
 function greatestChange(
   model: KeyStyleModel,
   samples: StyleSamples,
@@ -186,7 +186,7 @@ function turns(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
 
 const meanOf = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
-/** A cycle of the first clip that has two: the length at which its variables come back best. */
+/** A cycle of the first clip that has two: the length at which its variables repeat best. */
 function cycleOf(model: KeyStyleModel): StyleSamples["cycle"] {
   const clip = model.clips.find(({ frames }) => frames > CYCLE.skip + 2 * CYCLE.longest) ?? model.clips[0]!;
   const first = clip.first + CYCLE.skip;
@@ -204,7 +204,7 @@ function cycleOf(model: KeyStyleModel): StyleSamples["cycle"] {
   return { first, frames };
 }
 
-/** The cycle from keys, which come back in the cycles before and after it. */
+/** The cycle interpolated from keys, which repeat in the cycles before and after it. */
 function keyedCycle(model: KeyStyleModel, { cycle, rateHz, values }: StyleSamples, frames: readonly number[]): Keyed {
   const styling = model.styling();
   try {

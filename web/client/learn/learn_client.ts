@@ -4,7 +4,7 @@ import { type ClientPort, RpcClient, remote } from "../rpc";
 import workerAddress from "./learn_worker?worker&url";
 import type { LearnEngine } from "./protocol";
 
-/** How many arguments each call has before its options. */
+/** Number of arguments of each call before its options. */
 const ARITY = {
   inputs: 0,
   styles: 0,
@@ -34,23 +34,23 @@ const ARITY = {
   register: 4,
 } as const satisfies Record<keyof LearnEngine, number>;
 
-/** An engine, and its end. */
+/** An engine with its disposal. */
 export type LearnClient = LearnEngine & { dispose(): void };
 
 function spawnWorker(): ClientPort {
   const address = new URL(workerAddress, import.meta.url);
   const options = { type: "module", name: "strut learn" } as const;
   if (address.origin === self.origin) return new Worker(address, options);
-  // A page may start workers of its own origin alone; one of these may import ours.
+  // A page may start workers of its own origin only; such a worker may import Strut's script.
   const text = `import ${JSON.stringify(address.href)};`;
   script ??= URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   return new Worker(script, options);
 }
 
-/** The address of that script, for every start of the engine. */
+/** URL of that script, used for every start of the engine. */
 let script: string | undefined;
 
-/** Makes an engine. @param spawn starts the worker */
+/** Creates an engine. @param spawn starts the worker */
 export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {
   const client = new RpcClient(spawn, "engine of the lessons");
   return { ...remote<LearnEngine>(client, ARITY), dispose: () => client.dispose() };

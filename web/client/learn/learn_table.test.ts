@@ -1,4 +1,4 @@
-/** The lessons' engine on this thread, against computations of its numbers from their definitions. */
+/** The lessons' engine on this thread, compared with computations of its numbers from their definitions. */
 import { beforeAll, expect, test } from "vitest";
 import { serveLearnPackage } from "../../engine/learn/wasm";
 import { JOINT, POSE_FLOATS } from "../../humanoid";
@@ -63,7 +63,7 @@ test("weights follow from distances", async () => {
     frame: 60,
   });
   const least = Math.min(...meanSquares);
-  // δ, wider where the input is unknown: docs/methods/mar.md §7.
+  // δ, wider if the input is unknown: docs/methods/mar.md §7.
   const width = 0.35 * (3 - 2 / (1 + (least / 0.0025) ** 4));
   const raw = [...meanSquares].map((square) => Math.exp(-(square - least) / (width * least)));
   const kept = raw.map((weight) => (weight < 2e-5 ? 0 : weight));

@@ -1,4 +1,4 @@
-/** What the lessons' engine does, call by call. */
+/** The calls of the lessons' engine. */
 import { loadBuiltIn } from "../../engine/built_in";
 import { Engine } from "../../engine/engine";
 import { StrutError } from "../../engine/errors";
@@ -11,7 +11,7 @@ import { createWalks } from "./walks";
 
 const NO_CHANGE = { turns: [], heading: 0, x: 0, z: 0, reversed: false };
 
-/** The class that is asked for. @throws StrutError `bad-input` where no class has neighbours */
+/** The requested class. @throws StrutError `bad-input` if no class has neighbours */
 function classOf(lens: Lens, order: WindowsOrder): number {
   const found = order.class ?? lens.heaviestClass();
   if (found === undefined) throw new StrutError({ code: "bad-input", message: "No class is near.", hint: "" });

@@ -1,4 +1,4 @@
-/** What the lessons' worker has open: databases, inputs and lenses, each once, and the longest unused closed first. */
+/** Open objects of the lessons' worker: databases, inputs and lenses, each once. The least recently used is closed first. */
 import type { PackedMotions } from "../../engine/built_in";
 import type { Database } from "../../engine/database";
 import type { Engine } from "../../engine/engine";
@@ -10,10 +10,10 @@ import { builtInWithout, inputOfTake, turnedInput } from "../../engine/learn/was
 import { DEFAULT_OPTIONS } from "../../engine/types";
 import type { LearnInput, Look } from "./protocol";
 
-/** A page shows few figures at once; a database without some takes is 20 MB. */
+/** A page shows few figures at once; a database without some takes has 20 MB. */
 const MOST = { databases: 2, inputs: 8, lenses: 6, warps: 1 };
 
-/** Things by their keys; the longest unused is closed where there are too many. */
+/** A cache of objects by their keys. The least recently used is disposed of if there are too many. */
 class Kept<T extends { dispose(): void }> {
   readonly #things = new Map<string, T>();
 
@@ -21,7 +21,7 @@ class Kept<T extends { dispose(): void }> {
 
   get(key: string, open: () => T): T {
     const thing = this.#things.get(key) ?? open();
-    // A map keeps the order of entry.
+    // A map keeps the insertion order.
     this.#things.delete(key);
     this.#things.set(key, thing);
     const oldest = this.#things.entries().next().value;
@@ -33,7 +33,7 @@ class Kept<T extends { dispose(): void }> {
   }
 }
 
-/** A lens, and what it looks at. */
+/** A lens, and the frame that it inspects. */
 class Looking {
   #options = "";
   #styles = "";
@@ -64,7 +64,7 @@ class Looking {
 const { k, lambda, rho, kappa, delta, coherence } = DEFAULT_OPTIONS;
 const LENS_OPTIONS: LensOptions = { k, lambda, rho, kappa, delta, coherence };
 
-/** One weight a style. @throws StrutError `bad-input` for a style that the database lacks */
+/** One weight per style. @throws StrutError `bad-input` for a style that the database lacks */
 function weightsOf(names: readonly string[], styles: Look["styles"]): Float32Array {
   const unknown = Object.keys(styles).find((style) => !names.includes(style));
   if (unknown !== undefined)
@@ -72,7 +72,7 @@ function weightsOf(names: readonly string[], styles: Look["styles"]): Float32Arr
   return Float32Array.from(names, (name) => styles[name] ?? 0);
 }
 
-/** All that the worker has open. */
+/** All open objects of the worker. */
 export class Opened {
   readonly #heldOut = new Kept<Database>(MOST.databases);
   readonly #inputs = new Kept<Input>(MOST.inputs);
@@ -93,7 +93,7 @@ export class Opened {
     return this.#heldOut.get(JSON.stringify(without), () => builtInWithout(without));
   }
 
-  /** @throws StrutError `bad-input` where there is none of the name */
+  /** @throws StrutError `bad-input` if there is no input of this name */
   input(of: LearnInput): Input {
     return this.#inputs.get(keyOf(of), () => {
       const { name, turns = [], heading = 0 } = of;
@@ -107,7 +107,7 @@ export class Opened {
     });
   }
 
-  /** A lens that looks at what is wanted; it is the caller's until the next call. */
+  /** A lens at the requested frame; the caller may use it until the next call. */
   look(look: Look): Lens {
     const { styles } = this.database.info;
     const open = () => {
@@ -117,13 +117,13 @@ export class Opened {
     return this.#lenses.get(keyOf(look.input), open).look(look);
   }
 
-  /** The clips of an action. @throws StrutError `bad-input` where there is none of the name */
+  /** The clips of an action. @throws StrutError `bad-input` if there is no action of this name */
   warps(action: string): Warps {
     return this.#warps.get(action, () => new Warps(this.database, this.database.info.actions.indexOf(action)));
   }
 }
 
-/** A database that was made anew brings inputs and lenses of its own. */
+/** A regenerated database has inputs and lenses of its own. */
 function keyOf({ name, turns = [], heading = 0, without = [] }: LearnInput): string {
   return JSON.stringify([name, turns, heading, without]);
 }

@@ -1,6 +1,6 @@
 /**
- * What the lessons ask of the engine. Calls name all that they need, so that figures do not disturb each other: the worker
- * keeps what it opened, and opens the same thing once.
+ * The lessons' calls to the engine. Calls name everything they need, so that figures do not disturb each other. The
+ * worker keeps the objects that it opened, and opens the same object once.
  */
 
 import type { SomnState } from "../../engine/key_style/somn";
@@ -43,15 +43,15 @@ export type {
   WindowLength,
 };
 
-/** A motion that is styled. */
+/** A motion to style. */
 export interface LearnInput {
   /** Name of a built-in input, or of a walk or run of the database such as "walk-pace". */
   name: string;
-  /** Joints that are turned in every frame. */
+  /** Joints that are rotated in every frame. */
   turns?: readonly Turn[];
-  /** Turn of the whole about the vertical through the first frame's hips, radians. */
+  /** Rotation of the whole body about the vertical through the first frame's hips, radians. */
   heading?: number;
-  /** Takes that are left out of the database, in any style. */
+  /** Takes that are left out of the database, in all styles. */
   without?: readonly string[];
 }
 
@@ -70,42 +70,42 @@ export interface LearnMotion {
   means: Float32Array;
 }
 
-/** A frame of an input that takes on a style. */
+/** A frame of an input while it is styled. */
 export interface Look {
   input: LearnInput;
   styles: StyleWeights;
-  /** The nearest frame that has two before it is looked at. */
+  /** Frame to inspect; the nearest one with two frames before it is used. */
   frame: number;
   /** Defaults are the engine's. */
   options?: Partial<LensOptions>;
 }
 
-/** Windows of a class that are asked for. */
+/** A request for windows of a class. */
 export interface WindowsOrder {
-  /** Number of the class; the heaviest where it is left out. */
+  /** Index of the class; by default the heaviest. */
   class?: number;
-  /** Frames of a window; the engine's own has five. */
+  /** Frames of a window; the engine uses five. */
   length?: WindowLength;
   /** How the query differs from the input. */
   query?: QueryChange;
 }
 
-/** A frame as the engine styles it. */
+/** A frame as styled by the engine. */
 export interface StyledLook {
   /** The styled pose. */
   pose: Float32Array;
-  /** Seconds that it lasts. */
+  /** Its duration, seconds. */
   secs: number;
-  /** The class with the largest weight; `undefined` where none has neighbours. */
+  /** The class with the largest weight; `undefined` if no class has neighbours. */
   heaviestClass: number | undefined;
 }
 
 /** A class's windows and their distances from the query. */
 export interface Profile {
   class: number;
-  /** The row that the first number is of. */
+  /** The row of the first number. */
   firstRow: number;
-  /** √D in metres of the window that ends at each row; NaN where none ends. */
+  /** √D in metres of the window that ends at each row; NaN where no window ends. */
   distances: Float32Array;
   /** The query's pose. */
   query: Float32Array;
@@ -113,18 +113,18 @@ export interface Profile {
 
 /** A clip of the database that a lesson may compare. */
 export interface LearnClip {
-  /** Its number in the database. */
+  /** Its index in the database. */
   clip: number;
   name: string;
-  /** The row of its first frame, and how many it has. */
+  /** The row of its first frame, and its number of frames. */
   first: number;
   frames: number;
   cycles: Stretch[];
-  /** Planted feet, left and right interleaved. */
+  /** Foot contacts, left and right interleaved. */
   contacts: Uint8Array;
 }
 
-/** A degree of freedom of a synthesised walk: a joint's number, and an axis of its own frame, 0 to 2. */
+/** A degree of freedom of a synthesised walk: a joint's index, and an axis of its own frame, 0 to 2. */
 export interface WalkDof {
   joint: number;
   axis: number;
@@ -139,7 +139,7 @@ export interface Walked {
   proportions: Float32Array;
 }
 
-/** What the lesson about key-styling is learned from: walks of the built-in database. */
+/** Training data of the key-styling lesson: walks of the built-in database. */
 export interface StyleSamples {
   /** Two style variables of every training frame, frame after frame, and their units. */
   values: Float32Array;
@@ -152,35 +152,35 @@ export interface StyleSamples {
 
 /** A self-organising mixture network after some updates. */
 export interface SomnSnapshot extends SomnState {
-  /** Updates in a pass, and in all passes. */
+  /** Number of updates in a pass, and in all passes. */
   frames: number;
   total: number;
 }
 
-/** The pose of the last update's sample, and what the network predicts for its variables now. */
+/** The pose of the last update's sample, and the network's current prediction from its variables. */
 export interface SamplePoses {
   sample: Float32Array;
-  /** By the component that is likeliest for the variables; no finite numbers once learning has diverged. */
+  /** Prediction of the component that is likeliest for the variables; not finite once learning has diverged. */
   predicted: Float32Array;
-  /** Mean angle of the joints between the two, degrees. */
+  /** Mean angle between the joints of the two, degrees. */
   apart: number;
 }
 
-/** How poses follow the style variables; see `PoseMode`. */
+/** How components are blended into poses; see `PoseMode`. */
 export interface PoseSharing {
   temperature: number;
   blur: number;
 }
 
-/** How well a character can be dragged. */
+/** How smoothly a character can be dragged. */
 export interface Dragged {
-  /** Greatest turn of a joint from frame to frame on ten fixed drags, degrees. */
+  /** Largest rotation of a joint from frame to frame on ten fixed drags, degrees. */
   change: number;
-  /** Mean angle between joints of the training poses and those that their variables give, degrees. */
+  /** Mean angle between the joints of the training poses and of those predicted from their variables, degrees. */
   error: number;
 }
 
-/** A cycle that is interpolated from keys. */
+/** A cycle interpolated from keys. */
 export interface Keyed {
   /** Mean angle of the joints from the recorded cycle at each frame, degrees. */
   errors: Float32Array;
@@ -188,13 +188,13 @@ export interface Keyed {
   values: Float32Array;
 }
 
-/** How a call is made. */
+/** Options of a call. */
 export interface LearnCall {
-  /** Ends the wait for the answer: the promise rejects with `cancelled`. */
+  /** Cancels the wait for the answer: the promise rejects with `cancelled`. */
   signal?: AbortSignal;
 }
 
-/** The lessons' engine. A call is a method here and an entry of the same name in the table of `learn_table.ts`. */
+/** The lessons' engine. Each call is a method here and an entry of the same name in the table of `learn_table.ts`. */
 export interface LearnEngine {
   /** Names of the built-in inputs, the default first. */
   inputs(call?: LearnCall): Promise<string[]>;
@@ -202,50 +202,50 @@ export interface LearnEngine {
   styles(call?: LearnCall): Promise<string[]>;
   /** The built-in database. */
   database(call?: LearnCall): Promise<DatabaseInfo>;
-  /** An input. @throws StrutError `bad-input` where there is none of the name */
+  /** An input. @throws StrutError `bad-input` if there is no input of this name */
   motion(input: LearnInput, call?: LearnCall): Promise<LearnMotion>;
-  /** An input as a style performs it, frame for frame with the input; `undefined` where there is none. */
+  /** An input as performed in a style, frame by frame with the input; `undefined` if there is none. */
   counterpart(input: string, style: string, call?: LearnCall): Promise<Performed | undefined>;
-  /** A whole input in other options. */
+  /** A whole input with other options. */
   stylize(input: LearnInput, options: StylizeOptions, call?: LearnCall): Promise<Analysis>;
-  /** The frame as the engine styles it. */
+  /** The frame as styled by the engine. */
   styled(look: Look, call?: LearnCall): Promise<StyledLook>;
   /** λ and D of every class (Eq. 3–5). */
   classes(look: Look, call?: LearnCall): Promise<ClassDistances>;
-  /** The `k` windows of a class that are nearest to the query. */
+  /** The `k` windows of a class nearest to the query. */
   neighbours(look: Look, k: number, order: WindowsOrder, call?: LearnCall): Promise<NearestWindows>;
-  /** How far all windows of a class are from the query. */
+  /** Distances of all windows of a class from the query. */
   profile(look: Look, order: WindowsOrder, call?: LearnCall): Promise<Profile>;
-  /** The poses of rows of the database above the origin, heading along +Z. */
+  /** The poses of rows of the database, moved above the origin and turned to face +Z. */
   rowPoses(rows: readonly number[], call?: LearnCall): Promise<Float32Array>;
-  /** The line of one degree of freedom (Eq. 2). */
+  /** The fitted line of one degree of freedom (Eq. 2). */
   fit(look: Look, settings: FitSettings, call?: LearnCall): Promise<Fit>;
-  /** For each λ the error of a free-running prediction of the input, in the unit of the degree of freedom. */
+  /** For each λ, the error of a free-running prediction of the input, in the unit of the degree of freedom. */
   sweep(
     look: Look,
     settings: Omit<FitSettings, "lambda">,
     lambdas: readonly number[],
     call?: LearnCall,
   ): Promise<Float32Array>;
-  /** How long the neighbours say that the frame lasts in a style with a weight. */
+  /** Predicted duration of the frame, by the neighbours in a style that has a weight. */
   timing(look: Look, style: string, call?: LearnCall): Promise<Timing>;
-  /** Who says that the feet stand. */
+  /** Votes for the foot contacts. */
   contacts(look: Look, call?: LearnCall): Promise<Contacts>;
   /** The clips of an action with their gait cycles. */
   clips(action: string, call?: LearnCall): Promise<LearnClip[]>;
-  /** The likeliest trajectory of a degree of freedom over a left and a right step of the built-in walk model. */
+  /** The likeliest trajectory of a degree of freedom over a left and a right step, by the built-in walk model. */
   walkPath(styles: StyleWeights, dof: WalkDof, options: PathOptions, call?: LearnCall): Promise<JointPath>;
   /** The first frames of a walk that the built-in walk model synthesises. */
   walk(styles: StyleWeights, frames: number, call?: LearnCall): Promise<Walked>;
-  /** What key styles are learned from. */
+  /** The training data of the key styles. */
   styleSamples(call?: LearnCall): Promise<StyleSamples>;
-  /** The network after so many updates, with the signs as they are or as the paper prints them. */
+  /** The network after `updates` updates, with the correct signs or those printed in the paper. */
   somn(updates: number, asPrinted: boolean, call?: LearnCall): Promise<SomnSnapshot>;
   /** The last sample of {@link somn} and its prediction; `undefined` before the first update. */
   somnPoses(updates: number, asPrinted: boolean, call?: LearnCall): Promise<SamplePoses | undefined>;
-  /** {@link Dragged.error} of the models that learning makes after each pass, hard shares. */
+  /** {@link Dragged.error} of the models after each pass of the training, with hard sharing. */
   somnErrors(call?: LearnCall): Promise<Float32Array>;
-  /** How well the learned model can be dragged. */
+  /** How smoothly the trained model can be dragged. */
   dragged(sharing: PoseSharing, call?: LearnCall): Promise<Dragged>;
   /** The pose of two style variables, and the weight of each component in it. */
   stylePose(
@@ -253,8 +253,8 @@ export interface LearnEngine {
     sharing: PoseSharing,
     call?: LearnCall,
   ): Promise<{ pose: Float32Array; weights: Float32Array }>;
-  /** The cycle from keys at some of its frames, in order, each with its recorded variables. */
+  /** The cycle interpolated from keys at some of its frames, in order, each with its recorded variables. */
   keyed(frames: readonly number[], call?: LearnCall): Promise<Keyed>;
-  /** Two stretches of an action's clips, compared as registration compares them. */
+  /** Two ranges of an action's clips, compared as in registration. */
   register(action: string, a: Stretch, b: Stretch, by: WarpMethod, call?: LearnCall): Promise<Compared>;
 }

@@ -1,11 +1,11 @@
-/** Synthesised walks of the lessons, by the built-in walk model, which is loaded with the first call. */
+/** Synthesised walks of the lessons, by the built-in walk model, which is loaded at the first call. */
 import { StrutError } from "../../engine/errors";
 import type { StyleWeights } from "../../engine/types";
 import { WalkModel, type Weights } from "../../engine/walk/walker";
 import { POSE_FLOATS } from "../../humanoid";
 import type { LearnEngine } from "./protocol";
 
-/** The functions behind the calls of walks. */
+/** The functions behind the walk calls. */
 export function createWalks(): Pick<LearnEngine, "walkPath" | "walk"> {
   let opening: Promise<WalkModel> | undefined;
   const opened = () => {
@@ -28,7 +28,7 @@ export function createWalks(): Pick<LearnEngine, "walkPath" | "walk"> {
         walker.reset();
         const poses = new Float32Array(frames * POSE_FLOATS);
         for (let i = 0; i < frames; i++) poses.set((i === 0 ? walker.frame : walker.next()).pose, i * POSE_FLOATS);
-        // What is answered is given away; the model keeps its own.
+        // The answer's arrays are transferred; the model keeps its own.
         return { poses, rateHz: model.rateHz, proportions: Float32Array.from(model.proportions) };
       } finally {
         walker.dispose();
@@ -37,7 +37,7 @@ export function createWalks(): Pick<LearnEngine, "walkPath" | "walk"> {
   };
 }
 
-/** One weight a style of the model for the steps of either side. @throws StrutError `bad-input` for an unknown style */
+/** One weight per style of the model for the steps of each side. @throws StrutError `bad-input` for an unknown style */
 function weightsOf({ styles }: WalkModel, wanted: StyleWeights): Weights {
   const unknown = Object.keys(wanted).find((style) => !styles.includes(style));
   if (unknown !== undefined)

@@ -1,4 +1,4 @@
-/** Live poses with the real engine and stream on this thread, and a clock that the tests move. */
+/** Live poses with the real engine and stream on this thread, and a clock that the tests advance. */
 import { afterEach, describe, expect, test } from "vitest";
 import { InlineWorker } from "../../../tests/inline_worker";
 import { POSE_FLOATS } from "../../humanoid";
@@ -17,7 +17,7 @@ afterEach(() => {
   [live, engine] = [undefined, undefined];
 });
 
-/** A performer who sends the built-in walk, and what is seen of it. */
+/** A performer that sends the built-in walk, and the frames displayed. */
 async function performer(options: Partial<StylizeOptions> = {}) {
   const workers: InlineWorker[] = [];
   engine = new EngineClient({
@@ -46,7 +46,7 @@ async function performer(options: Partial<StylizeOptions> = {}) {
     wait: (secs: number) => {
       nowSecs += secs;
     },
-    /** Sends frames of the walk and goes on after each; `moved` is how far away from where it is. */
+    /** Sends frames of the walk and advances after each; `moved` is the offset from its original position. */
     async perform(first: number, count: number, moved = 0) {
       for (let i = first; i < first + count; i++) {
         const pose = poseAt(i);
@@ -60,10 +60,10 @@ async function performer(options: Partial<StylizeOptions> = {}) {
 }
 
 const distance = (a: Float32Array, b: Float32Array) => Math.hypot(a[0]! - b[0]!, a[2]! - b[2]!);
-/** The farthest that the figure goes in a frame, metres. */
+/** The largest distance that the figure moves in a frame, metres. */
 const farthest = (seen: readonly StreamFrame[]) =>
   Math.max(...seen.slice(1).map(({ pose }, i) => distance(pose, seen[i]!.pose)));
-/** How much rotations differ, in the sum. */
+/** Sum of the differences of rotations. */
 const difference = (a: Float32Array, b: Float32Array) =>
   a.slice(3).reduce((sum, value, i) => sum + Math.abs(value - b[3 + i]!), 0);
 
@@ -77,7 +77,7 @@ describe("a performer", () => {
     expect(last.pose.every(Number.isFinite)).toBe(true);
     expect(difference(last.pose, last.inputPose)).toBeGreaterThan(1);
     expect(distance(last.pose, last.inputPose)).toBeLessThan(1);
-    // What is shown is what was sent a delay before.
+    // The displayed pose was sent one delay earlier.
     expect(distance(last.inputPose, poseAt(118))).toBeLessThan(0.05);
     expect(last.reads[0]!.action).toBe("walk");
     expect(seen.some(({ planted }) => planted[0]) && seen.some(({ planted }) => planted[1])).toBe(true);
@@ -117,7 +117,7 @@ describe("a performer", () => {
     const { seen, perform, wait, stream, poseAt } = await performer();
     await perform(0, 60);
     const [before, unbroken] = [seen.length, farthest(seen)];
-    // Frames came meanwhile, but nobody asked for them.
+    // Frames arrived meanwhile, but none were requested.
     for (let i = 60; i < 200; i++) {
       stream.push(100 + i / RATE_HZ, poseAt(i));
       wait(1 / RATE_HZ);

@@ -1,6 +1,6 @@
 /**
- * A performer who is styled as poses arrive: what is received waits on the calling thread until it is its time, is styled by the
- * engine in the worker, and comes back as what is shown.
+ * A performer styled as poses arrive: received poses wait on the calling thread until their time, are styled by the
+ * engine in the worker, and return as displayed frames.
  */
 import { isFault } from "../../engine/errors";
 import { type Play, PoseStream } from "../../engine/live/pose_stream";
@@ -12,23 +12,23 @@ import type { StylizeOptions } from "../protocol";
 import { heaviest } from "../readings";
 import type { LiveSetup, LiveStats, PerformerStream, StreamFrame } from "./protocol";
 
-/** Frames that are made up for at once; where more time has passed, as in a page out of sight, the rest is left out. */
+/** Maximum number of frames that are caught up at once. If more time has passed, as in a hidden page, the rest is skipped. */
 const MAX_FRAMES_AT_ONCE = 15;
-/** Frames of which the latency is remembered. */
+/** Number of frames whose latency is kept. */
 const REMEMBERED = 256;
 
-/** What the engine is asked of live poses: output lasts as long as input, and there is no time line. */
+/** Options for live poses: output lasts as long as input, and there is no timeline. */
 const LIVE_OPTIONS = { timing: false, track: [] } as const;
 
 export class LiveStream implements PerformerStream {
-  /** Is told every frame that is shown. */
+  /** Receives every displayed frame. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
   readonly #rateHz: number;
   /** Time of the last frame, seconds. */
   #clockSecs: number | undefined;
   #play: Play = "nothing";
   #frames = 0;
-  /** Whether the next frame is not continuous with the last, whatever the stream says. */
+  /** Whether the next frame is not continuous with the last, regardless of the stream's report. */
   #seam = false;
   #advancing: Promise<StreamFrame | undefined> | undefined;
   readonly #latencies: number[] = [];
@@ -45,7 +45,7 @@ export class LiveStream implements PerformerStream {
 
   /**
    * @param nowSecs the clock of arrivals
-   * @throws StrutError where something cannot be loaded, or an option is wrong
+   * @throws StrutError if something cannot be loaded, or an option is invalid
    */
   static async open(
     engine: EngineClient,
@@ -65,14 +65,14 @@ export class LiveStream implements PerformerStream {
     }
   }
 
-  /** Tells what the numbers of the next frames are. @throws StrutError where it is no skeleton; the one before stays */
+  /** Sets the skeleton of the next frames. @throws StrutError if it is invalid; the previous one stays in use */
   set skeleton(skeleton: StreamSkeleton) {
     this.stream.skeleton = skeleton;
   }
 
   /**
-   * Takes a frame that arrives now; whether it is used.
-   * @throws StrutError if the first frame of a BVH file shows that it is no body's
+   * Accepts a frame that arrives now. Returns whether it is used.
+   * @throws StrutError if the first frame of a BVH file shows that its skeleton is not a body
    */
   push(sentSecs: number, numbers: Float32Array): boolean {
     return this.stream.push(sentSecs, this.nowSecs(), numbers);
@@ -88,9 +88,10 @@ export class LiveStream implements PerformerStream {
   }
 
   /**
-   * Goes on to the present: styles the frames that are due, and gives the last of them; `undefined` where there is none, because
-   * nothing has come, the performer is lost, or it is not time yet. One call at a time works; those meanwhile get its answer.
-   * @throws StrutError as from the engine; the next call goes on
+   * Advances to the current time: styles the frames that are due and returns the last of them. Returns `undefined` if
+   * there is none, because nothing has arrived, the performer is lost, or it is too early. One call works at a time;
+   * calls meanwhile get its answer.
+   * @throws StrutError as from the engine; the next call continues
    */
   advance(): Promise<StreamFrame | undefined> {
     this.#advancing ??= this.#advance(this.nowSecs()).finally(() => {
@@ -125,7 +126,7 @@ export class LiveStream implements PerformerStream {
     return shown;
   }
 
-  /** The performer's frames up to a time, in batches that are continuous. */
+  /** The performer's frames up to a time, in continuous batches. */
   #due(nowSecs: number): Batch[] {
     const step = 1 / this.#rateHz;
     let last = this.#clockSecs ?? nowSecs - step;
@@ -133,7 +134,7 @@ export class LiveStream implements PerformerStream {
       last = nowSecs - step;
       this.#seam = true;
     }
-    // To the nearest frame: a screen that is about as fast as the database then shows one frame at a time.
+    // Rounded to the nearest frame: a screen with nearly the database's frame rate then shows one frame at a time.
     const count = Math.round((nowSecs - last) / step);
     this.#clockSecs = last + count * step;
     const batches: Batch[] = [];
@@ -169,7 +170,7 @@ export class LiveStream implements PerformerStream {
       }
       return shown!;
     } catch (thrown) {
-      // Another engine knows nothing of the frames before.
+      // Another engine does not know the frames before.
       this.#seam ||= begins || isFault(thrown);
       throw thrown;
     }
@@ -181,13 +182,13 @@ export class LiveStream implements PerformerStream {
   }
 }
 
-/** The performer's frames that follow one another; whether the first is not continuous with those before. */
+/** Consecutive frames of the performer; `begins` tells whether the first is not continuous with those before. */
 interface Batch {
   begins: boolean;
   frames: { performer: Float32Array; dueSecs: number }[];
 }
 
-/** The number below which a share of the numbers lies; 0 of none. */
+/** A quantile of numbers; 0 of an empty list. */
 function quantile(numbers: readonly number[], share: number): number {
   const sorted = [...numbers].sort((a, b) => a - b);
   return sorted[Math.ceil(share * (sorted.length - 1))] ?? 0;

@@ -1,9 +1,9 @@
-/** What a page says to a performer's stream, and what comes back. */
+/** Messages between a page and a performer's stream. */
 import type { BufferStats, Play } from "../../engine/live/pose_stream";
 import type { StreamSkeleton } from "../../engine/live/skeleton";
 import type { DatabaseInfo, Reading, StylizeOptions } from "../../engine/types";
 
-/** A frame as it is shown. */
+/** A displayed frame. */
 export interface StreamFrame {
   /** The styled pose. */
   pose: Float32Array;
@@ -11,50 +11,53 @@ export interface StreamFrame {
   inputPose: Float32Array;
   /** Feet that are held in place. */
   planted: [left: boolean, right: boolean];
-  /** The heaviest classes that the engine recognises, heaviest first, at most three. */
+  /** The classes that the engine recognises with the largest weights, largest first, at most three. */
   reads: Reading[];
-  /** Number of the frame, from 0. */
+  /** Index of the frame, from 0. */
   frame: number;
 }
 
-/** How a stream goes. */
+/** Statistics of a stream. */
 export interface LiveStats extends BufferStats {
-  /** What is shown now. */
+  /** Kind of the frame displayed now. */
   play: Play;
-  /** Frames that were shown. */
+  /** Number of displayed frames. */
   frames: number;
-  /** From when a frame could have been shown at the earliest until it was styled, seconds: median and 95th percentile. */
+  /**
+   * Time from when a frame could have been displayed at the earliest until it was styled, seconds: median and 95th
+   * percentile.
+   */
   latencySecs: readonly [median: number, p95: number];
-  /** Of which styling took so long with its way to the worker and back, seconds, in the median. */
+  /** Median styling time including the round trip to the worker, seconds. */
   stylingSecs: number;
 }
 
-/** How a stream is made. */
+/** Settings of a stream. */
 export interface LiveSetup {
-  /** How long frames wait, seconds; `undefined`: as long as their jitter asks. */
+  /** Buffering delay of frames, seconds; `undefined` adapts it to their jitter. */
   delaySecs: number | undefined;
-  /** Whether the figure is drawn to the performer's place, or goes where its steps lead. */
+  /** Whether the figure is pulled to the performer's position, or goes where its steps lead. */
   follows: boolean;
   options: Partial<StylizeOptions>;
 }
 
-/** A performer who is styled as poses arrive. */
+/** A performer styled as poses arrive. */
 export interface PerformerStream {
-  /** Is told every frame that is shown. */
+  /** Receives every displayed frame. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
   readonly database: { readonly info: DatabaseInfo };
   readonly stats: LiveStats;
-  /** Tells what the numbers of the next frames are. @throws StrutError where it is no skeleton; the one before stays */
+  /** Sets the skeleton of the next frames. @throws StrutError if it is invalid; the previous one stays in use */
   set skeleton(skeleton: StreamSkeleton);
   /**
-   * Takes a frame that arrives now; whether it is used.
-   * @throws StrutError if the first frame of a BVH file shows that it is no body's
+   * Accepts a frame that arrives now. Returns whether it is used.
+   * @throws StrutError if the first frame of a BVH file shows that its skeleton is not a body
    */
   push(sentSecs: number, numbers: Float32Array): boolean;
   /**
-   * Goes on to the present: styles the frames that are due, and gives the last of them; `undefined` where there is none, because
-   * nothing has come, the performer is lost, or it is not time yet.
-   * @throws StrutError as from the engine; the next call goes on
+   * Advances to the current time: styles the frames that are due and returns the last of them. Returns `undefined` if
+   * there is none, because nothing has arrived, the performer is lost, or it is too early.
+   * @throws StrutError as from the engine; the next call continues
    */
   advance(): Promise<StreamFrame | undefined>;
 }

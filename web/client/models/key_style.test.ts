@@ -1,4 +1,4 @@
-/** Key-style models from the page's own training, and poses by them: real packages on this thread. */
+/** Key-style models trained as on the page, and their poses: real packages on this thread. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
@@ -34,7 +34,7 @@ function largestTurn(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return max;
 }
 
-/** A place on a turn about the mean, as a hand draws it: clockwise, foot separation first. */
+/** A point on a circle about the mean, as drawn by hand: clockwise, foot separation first. */
 const onTurn = (share: number, radius = 1.35): number[] => {
   const angle = 2 * Math.PI * share;
   return [

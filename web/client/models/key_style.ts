@@ -1,5 +1,5 @@
 /**
- * Key-style models: trained in the build worker, opened on the calling thread, where a pose takes microseconds and follows
+ * Key-style models: trained in the build worker, opened on the calling thread. A pose takes microseconds and follows
  * the pointer within the same display frame.
  */
 import { KeyStyleModel } from "../../engine/key_style/model";
@@ -23,16 +23,16 @@ export {
 } from "../../engine/key_style/model";
 export type { Somn, SomnOptions, SomnState } from "../../engine/key_style/somn";
 
-/** Motions that a model is trained on: BVH files or archives of them, a `.strutdb` file, or the built-in database. */
+/** Motions to train a model on: BVH files or archives of them, a `.strutdb` file, or the built-in database. */
 export type TrainingMotions = { files: readonly DroppedFile[] } | { database: Blob | undefined };
 
-/** A `.strutkeys` file, or motions and how a model is trained on them. */
+/** A `.strutkeys` file, or motions and the settings of the training. */
 export type KeyStyleModelSource = { file: Uint8Array } | { motions: TrainingMotions; order: KeyStyleOrder };
 
 /**
  * Opens a key-style model, which the caller disposes of.
  * @param spawn starts the build worker; tests replace it
- * @throws StrutError with what is wrong with the source, or `cancelled`
+ * @throws StrutError if the source is invalid, or `cancelled`
  */
 export async function openKeyStyle(
   source: KeyStyleModelSource,

@@ -1,4 +1,4 @@
-/** Walk models from the page's own training, and walks by them: real packages on this thread. */
+/** Walk models trained as on the page, and their walks: real packages on this thread. */
 
 import { beforeAll, describe, expect, it } from "vitest";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
@@ -17,12 +17,12 @@ beforeAll(async () => {
   model = await openWalk({ file: trained.file });
 });
 
-/** A style for the steps of both feet, or another for those of the right one. */
+/** One style for the steps of both feet, or another one for those of the right foot. */
 const alone = (style: string, weight = 1, right = style): Weights => {
   const of = (wanted: string) => Float32Array.from(model.styles, (name) => (name === wanted ? weight : 0));
   return [of(style), of(right)];
 };
-/** Poses of so many frames. */
+/** Poses of `frames` frames. */
 function walk(frames: number, weights: Weights, turn = 0): { way: number; aside: number; steps: number } {
   const walker = model.walker();
   walker.plan(weights, []);
@@ -101,7 +101,7 @@ describe("walking", () => {
     walker.tempo = { kind: "fixed", cadence: 100 };
     walker.reset();
     for (let i = 0; i < 25; i++) walker.next();
-    // 18 frames a step; a beat now, which is in the middle of one.
+    // 18 frames per step; the beat is now, in the middle of a step.
     walker.beatNow(100);
     const strikes: number[] = [];
     for (let frame = 1, { step } = walker.frame; frame < 250; frame++) {
@@ -111,7 +111,7 @@ describe("walking", () => {
     const off = strikes.map((frame) => ((frame + 9) % 18) - 9);
     expect(off.length).toBeGreaterThan(12);
     expect(Math.max(...off.slice(6).map(Math.abs)), off.join(" ")).toBeLessThanOrEqual(1);
-    // Another frame's settings leave the beat alone.
+    // Setting the tempo again in another frame does not change the beat.
     walker.tempo = { kind: "fixed", cadence: 100 };
     walker.next();
     expect(walker.frame.durations.reduce((sum, secs) => sum + secs)).toBeCloseTo(18, 0);

@@ -1,5 +1,5 @@
 /**
- * Walk models: trained in the build worker, opened on the calling thread, where a frame takes microseconds and a control acts
+ * Walk models: trained in the build worker, opened on the calling thread. A frame takes microseconds and a control acts
  * on the next frame.
  */
 import { WalkModel } from "../../engine/walk/walker";
@@ -22,13 +22,13 @@ export {
   type Weights,
 } from "../../engine/walk/walker";
 
-/** A `.strutwalk` file, or a database that a model is trained on: a `.strutdb` file, or the built-in one. */
+/** A `.strutwalk` file, or a database to train a model on: a `.strutdb` file, or the built-in one. */
 export type WalkModelSource = { file: Uint8Array } | { database: Blob | undefined };
 
 /**
  * Opens a walk model, which the caller disposes of.
  * @param spawn starts the build worker; tests replace it
- * @throws StrutError with what is wrong with the source, or `cancelled`
+ * @throws StrutError if the source is invalid, or `cancelled`
  */
 export async function openWalk(
   source: WalkModelSource,

@@ -1,4 +1,4 @@
-/** Calls about atlases: every distance between a motion and a database. */
+/** Calls about atlases: all distances between a motion and a database. */
 import { Atlas, type AtlasFacts, type AtlasView, type NearestInAtlas, type PackedWindows } from "../../engine/atlas";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
@@ -6,7 +6,7 @@ import { CarriedMotion, carriedMotion } from "./motions";
 import type { Key, OpenThing } from "./registry";
 import type { Caller } from "./time_slices";
 
-/** An atlas that is open. */
+/** An open atlas. */
 class OpenAtlas implements OpenThing {
   static readonly noun = "atlas";
   readonly uses: readonly Key[];
@@ -40,7 +40,7 @@ async function openAtlas(
 
 const atlasOf = ({ open }: Host, id: number) => open.get(OpenAtlas, id).atlas;
 
-/** What the page's own package can do besides. */
+/** Handlers that only the page's own package has. */
 export const ATLAS_HANDLERS = {
   openAtlas,
   drawAtlas: (host: Host, _: Caller, id: number, view: AtlasView, columns: Uint32Array) => ({

@@ -1,15 +1,15 @@
-/** The built-in motions as the server's calls need them. */
+/** The built-in motions for the server's calls. */
 import { type BuiltInSet, loadBuiltIn, type PackedMotions } from "../../engine/built_in";
 import type { Caller } from "./time_slices";
 
-/** Share of opening that is reported for the download. */
+/** Share of the download in the progress of opening. */
 const DOWNLOAD_SHARE = 0.8;
 
-/** The sets of built-in motions, each loaded once. A load that failed is tried again when the set is needed. */
+/** The sets of built-in motions, each loaded once. After a failed load, another attempt is made when the set is needed. */
 export class BuiltInMotions {
   readonly #sets = new Map<BuiltInSet, LoadingSet>();
 
-  /** Begins to load a set that will be needed. */
+  /** Starts to load a set that will be needed. */
   preload(set: BuiltInSet): void {
     void this.#setOf(set)
       .start()

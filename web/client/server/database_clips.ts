@@ -1,4 +1,4 @@
-/** Calls about the clips that a database is made of. */
+/** Calls about the clips of a database. */
 import { bvhOfPoses } from "../../engine/drive/driver";
 import { guarded } from "../../engine/wasm";
 import type { DatabaseClip } from "../protocol";
@@ -6,13 +6,13 @@ import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import type { Caller } from "./time_slices";
 
-/** Names of the clips in the neutral style, by their numbers. */
+/** Indices and names of the clips in the neutral style. */
 export function neutralClips({ open }: Host, _: Caller, id: number): { clip: number; name: string }[] {
   const { raw } = open.get(OpenDatabase, id).database;
   return guarded(() => [...raw.neutralClips()].map((clip) => ({ clip, name: raw.clipName(clip) })));
 }
 
-/** A clip as the file that it would be on the database's body. */
+/** A clip as a file on the database's body. */
 export function clipOfDatabase({ open }: Host, _: Caller, id: number, clip: number): DatabaseClip {
   const { database } = open.get(OpenDatabase, id);
   const poses = guarded(() => database.raw.clipPoses(clip));

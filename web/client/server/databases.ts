@@ -39,13 +39,13 @@ export async function openDatabase(
   return { ...database.info, proportions: database.info.proportions.slice() };
 }
 
-/** What workers of browsers have. */
+/** Available in workers of browsers. */
 declare const FileReaderSync: (new () => { readAsArrayBuffer(blob: Blob): ArrayBuffer }) | undefined;
 
-/** Files from this size on are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
+/** Files of at least this size are read in slices, which takes longer, so that they need not be in memory as a whole; bytes. */
 const SLICED_BYTES = 256e6;
 
-/** The bytes of a file, or a way to read them, which fails where the file is gone. */
+/** The bytes of a file, or a reader of its slices, which fails if the file is gone. */
 async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
   const read = (begin: number, end: number) => {
     try {
@@ -56,7 +56,7 @@ async function bytesOf(file: Blob): Promise<ArrayBuffer | SlicedFile> {
   };
   const sliced = { size: file.size, read };
   const isSmall = file.size < SLICED_BYTES || typeof FileReaderSync !== "function";
-  // A file for which there is no room may still be read in slices.
+  // A file that does not fit into memory may still be read in slices.
   return isSmall ? file.arrayBuffer().catch(() => sliced) : sliced;
 }
 

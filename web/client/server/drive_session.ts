@@ -1,4 +1,4 @@
-/** Driving: neutral frames that a driver makes as they are needed, each styled at once. */
+/** Driving: a driver makes neutral frames on demand, each styled at once. */
 import type { Driver, DriverFrame } from "../../engine/drive/driver";
 import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
@@ -12,12 +12,12 @@ import { type Interpolate, type Moment, OutputClock } from "./output_clock";
 import { Recording } from "./recording";
 import { lastMoment, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
-/** Longest line to follow: its points are thinned by the engine. */
+/** Longest path, in floats; the engine thins its points. */
 const MAX_PATH_FLOATS = 200_000;
-/** Most frames that are kept as an input: five minutes at 60 Hz. */
+/** Maximum duration of the frames that are kept as an input: five minutes at 60 Hz. */
 const MAX_KEPT_SECS = 300;
 
-/** A styled frame with what was driven for it. */
+/** A styled frame with its driving state. */
 interface DrivenMoment extends Moment {
   neutral: Float32Array;
   root: Root;
@@ -29,7 +29,7 @@ interface DrivenMoment extends Moment {
   move: Move | undefined;
 }
 
-/** As much of the engine's driver as a session needs. */
+/** The part of the engine's driver that a session needs. */
 export type NeutralDriver = Pick<Driver, "next" | "reset" | "clips" | "progress"> & { path: Float32Array };
 
 export class DriveSession {
@@ -37,23 +37,23 @@ export class DriveSession {
   private readonly clock: OutputClock<DrivenMoment>;
   private readonly cost: FrameCost;
   private control = STILL;
-  /** A move that was asked for since the last frame. */
+  /** A move requested since the last frame. */
   private action: Move | undefined;
-  /** Frames that were driven. */
+  /** Number of driven frames. */
   private frames = 0;
-  /** Those in which another row than the next one was taken, of the last second. */
+  /** Frames of the last second in which the driver jumped to a row other than the next one. */
   private switches: number[] = [];
-  /** Added to the horizontal root of what is styled: so that restyling leaves the character where it stands. */
+  /** Offset added to the horizontal root of the styled pose, so that restyling leaves the character at its position. */
   private place: [x: number, z: number] = [0, 0];
   private recording: Recording;
   private stale = false;
   private reads: Reading[] = [];
 
   /**
-   * @param names of the styles
+   * @param names names of the styles
    * @param inputStyle the style in which the driver moves, if the database has it; else empty
    * @param interpolate pose between two poses
-   * @param root where it begins
+   * @param root initial root
    * @param nowMs a clock for the cost of a frame
    */
   constructor(
@@ -76,7 +76,7 @@ export class DriveSession {
     this.reset(root);
   }
 
-  /** Takes effect with the next frame; a change of the styles fades in. What is refused changes nothing. */
+  /** Takes effect with the next frame; a change of the styles fades in. Refused options change nothing. */
   configure(options: StylizeOptions): void {
     const driven = this.ofDriven(options);
     const targets = this.styles.targetsOf(driven);
@@ -85,7 +85,7 @@ export class DriveSession {
     this.stale = true;
   }
 
-  /** Begins anew at a place, in the present styles; what was driven before is forgotten. */
+  /** Restarts at a position, in the current styles. The recording is discarded. */
   reset(root: Root): void {
     this.driver.reset(...root);
     this.stylizer.reset();
@@ -96,7 +96,7 @@ export class DriveSession {
     this.clock.begin({ ...this.advanced(undefined), timeSecs: 0 });
   }
 
-  /** Goes on by a time as it is asked to; with no time the present instant is shown in the present style. */
+  /** Advances by a duration as steered; a duration of 0 shows the current instant in the current style. */
   drive(dtSecs: number, control: DriveControl): DriveFrame {
     this.take(control);
     if (dtSecs > 0) {
@@ -111,18 +111,18 @@ export class DriveSession {
     return this.shown();
   }
 
-  /** The neutral frames, and the styles that they were shown in. */
+  /** The neutral frames, and the styles in which they were displayed. */
   driven(): Pick<Recording, "frames"> & { poses: Float32Array; track: ReturnType<Recording["track"]> } {
     const frames = Math.min(this.recording.frames, MAX_KEPT_SECS * this.rateHz);
     return { frames, poses: this.recording.last(frames), track: this.recording.track(frames) };
   }
 
-  /** Options for what is driven: a track and labels are of another input. */
+  /** Options for the driven motion: a track and labels belong to another input. */
   private ofDriven(options: StylizeOptions): StylizeOptions {
     return { ...options, track: [], action: "", inputStyle: this.inputStyle };
   }
 
-  /** A control with what is no number counts as the last good one, and such a path as none. */
+  /** An invalid control is replaced by the last valid one, and an invalid path is ignored. */
   private take(control: DriveControl): void {
     const { path } = control;
     const isLine = path && path.length !== 2 && path.length <= MAX_PATH_FLOATS && path.every(Number.isFinite);
@@ -131,7 +131,7 @@ export class DriveSession {
     if (isControl(control)) this.control = control;
   }
 
-  /** Drives and styles one more frame; its time is how long it lasts. */
+  /** Drives and styles one more frame; its time is its duration. */
   private advanced(styledHips: readonly [x: number, z: number] | undefined): DrivenMoment {
     const { move, gait, face } = this.control;
     const driven = this.driver.next({ move, gait, face, action: this.action }, styledHips);
@@ -146,7 +146,7 @@ export class DriveSession {
     return moment;
   }
 
-  /** Makes the shown frame again with the present options: the engine is warmed up on the frames before it. */
+  /** Remakes the displayed frame with the current options. The engine is warmed up on the frames before it. */
   private restyle(): void {
     this.stale = false;
     const { pose } = this.clock;
@@ -198,7 +198,7 @@ export class DriveSession {
       looped: false,
       ended: false,
       root,
-      // What is shown is transferred.
+      // Displayed data is transferred.
       asked: asked.slice(),
       ahead: ahead.slice(),
       speed,

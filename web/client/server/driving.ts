@@ -1,4 +1,4 @@
-/** Calls about driving, loaded with the first one. */
+/** Calls about driving; their code is loaded with the first one. */
 
 import type { Database } from "../../engine/database";
 import { bvhOfPoses, Driver, inputOfPoses, loadTakes } from "../../engine/drive/driver";
@@ -48,7 +48,7 @@ export async function openDrive(
   try {
     const { styles, neutral, rateHz } = database.info;
     const interpolate = engine.interpolate.bind(engine);
-    // With a note, clips of another database walk.
+    // If there is a note, the walking clips are from another database.
     const inputStyle = driver.note === "" ? neutral : "";
     const session = new DriveSession(stylizer, driver, styles, rateHz, inputStyle, options, interpolate, root);
     open.add(id, new OpenDrive(databaseId, stylizer, driver, session));

@@ -1,4 +1,4 @@
-/** The calls about driving for a server that has them: their code is loaded with the first. */
+/** The driving calls for a server that has them. Their code is loaded with the first call. */
 import type { Arguments, Result } from "../messages";
 import type { Host } from "./host";
 import type { Caller } from "./time_slices";
@@ -6,7 +6,7 @@ import type { Caller } from "./time_slices";
 const NAMES = ["openDrive", "drive", "restyleDrive", "resetDrive", "driven", "takePoses"] as const;
 export type DrivingMethod = (typeof NAMES)[number];
 
-/** A handler each. */
+/** A handler for each call. */
 export type DrivingCalls = {
   [M in DrivingMethod]: (host: Host, caller: Caller, ...args: Arguments<M>) => Result<M> | Promise<Result<M>>;
 };

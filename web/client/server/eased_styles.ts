@@ -3,30 +3,30 @@ import { type WeightKey, weightsAt } from "../../engine/style_track";
 import type { Stylizer } from "../../engine/stylizer";
 import { BODY_PARTS, STYLE_HALF_LIFE_SECS, type StylizeOptions, WEIGHT_EPSILON } from "../protocol";
 
-/** As much of the engine's stylizer as this needs. */
+/** The part of the engine's stylizer that is needed here. */
 export type StyledStream = Pick<Stylizer, "setWeights" | "setPartWeights" | "weightsOf">;
 
-/** The weights of the whole body, or of a part of it; `target` is `undefined` where the part follows the whole. */
+/** The weights of the whole body, or of a part of it; `target` is `undefined` if the part follows the whole. */
 interface Weights {
   now: Float32Array;
   target: Float32Array | undefined;
-  /** Whether the engine has `now`; for a part that follows the whole, whether the engine still has its own weights. */
+  /** Whether the engine has `now`; for a part that follows the whole, whether the engine still has the part's own weights. */
   sent: boolean;
 }
 
-/** What styles are on the way to: of the whole body, of {@link BODY_PARTS} that have their own, and over time. */
+/** Target styles: of the whole body, of {@link BODY_PARTS} that have their own, and over time. */
 export interface Targets {
   readonly whole: Float32Array;
   readonly parts: readonly (Float32Array | undefined)[];
   readonly track: WeightKey[];
 }
 
-/** Nothing is allocated while weights are eased. */
+/** Eases the weights without allocations. */
 export class EasedStyles {
   /** Whole body, then each of {@link BODY_PARTS}. */
   readonly #weights: Weights[];
   #track: WeightKey[] = [];
-  /** Half-life of a change of style; 0 takes it up at once. */
+  /** Half-life of a change of style; 0 applies it at once. */
   halfLifeSecs = STYLE_HALF_LIFE_SECS;
 
   constructor(
@@ -39,7 +39,7 @@ export class EasedStyles {
     this.arrive(0);
   }
 
-  /** The targets that options ask for. What cannot be is refused, and nothing is changed. */
+  /** The targets that options ask for. Invalid options are refused, and nothing changes. */
   targetsOf({ styles, parts, track }: StylizeOptions): Targets {
     const { stream } = this;
     return {
@@ -55,13 +55,13 @@ export class EasedStyles {
     this.#weights[0]!.target = whole;
     for (const [i, weights] of parts.entries()) {
       const part = this.#weights[1 + i]!;
-      // A part that begins to have its own starts from what it has in common with the whole.
+      // A part with new weights of its own starts from the weights of the whole body.
       if (weights && !part.target) part.now.set(this.#weights[0]!.now);
       part.target = weights;
     }
   }
 
-  /** The present weights of the whole body; not to be kept. */
+  /** The current weights of the whole body; callers must not keep the array. */
   get whole(): Float32Array {
     return this.#weights[0]!.now;
   }
@@ -112,7 +112,7 @@ function isSettled({ now, target, sent }: Weights): boolean {
   return target ? sent && now.every((weight, i) => weight === target[i]) : !sent;
 }
 
-/** Moves weights towards their targets by a share of the way; whether any was not there yet. */
+/** Moves weights towards their targets by a share of the distance. Returns whether any had not reached its target. */
 function approach(now: Float32Array, target: Float32Array, share: number): boolean {
   let moved = false;
   for (let i = 0; i < now.length; i++) {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { FrameCost } from "./frame_cost";
 
-/** A frame that takes 0.13 ms, by a clock that tells steps of some length only. */
+/** A frame that takes 0.13 ms, by a clock with a resolution of `stepMs`. */
 function costBy(stepMs: number): number {
   let nowMs = 0;
   const cost = new FrameCost(() => Math.floor(nowMs / stepMs) * stepMs);

@@ -1,9 +1,9 @@
 /**
- * What a frame costs in the engine: the mean of the last ones. Clocks of some browsers tell whole milliseconds only, of which a
- * frame takes a part; their mean is right all the same, their median is 0.
+ * Cost of a frame in the engine: the mean of the last measurements. Some browsers' clocks have a resolution of whole
+ * milliseconds, which is longer than a frame; the mean is still correct, the median would be 0.
  */
 
-/** Measurements of which the mean is taken. */
+/** Number of measurements in the mean. */
 const MEASURED = 120;
 
 export class FrameCost {
@@ -12,7 +12,7 @@ export class FrameCost {
   /** @param nowMs a clock */
   constructor(private readonly nowMs: () => number = () => performance.now()) {}
 
-  /** Does the work of some frames. */
+  /** Measures work on some frames. */
   measure<T>(frames: number, work: () => T): T {
     const started = this.nowMs();
     const done = work();

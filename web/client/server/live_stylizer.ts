@@ -1,4 +1,4 @@
-/** Styling of poses as they arrive, in styles that may change between any two of them. */
+/** Styles poses as they arrive; the styles may change between any two of them. */
 import { StrutError } from "../../engine/errors";
 import type { Styled } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
@@ -11,7 +11,7 @@ export class LiveStylizer {
   /** Frames since the last reset. */
   #frames = 0;
 
-  /** @param halfLifeSecs half-life with which a change of style is taken up, 0 for at once */
+  /** @param halfLifeSecs half-life of a change of style, 0 for an immediate change */
   constructor(
     private readonly stylizer: OnlineStylizer,
     options: StylizeOptions,
@@ -23,7 +23,7 @@ export class LiveStylizer {
     this.#styles.halfLifeSecs = halfLifeSecs;
   }
 
-  /** Holds from the next frame on. What is refused changes nothing. */
+  /** Takes effect with the next frame. Refused options change nothing. */
   configure(options: StylizeOptions, halfLifeSecs: number): void {
     const targets = this.#styles.targetsOf(options);
     this.stylizer.configure(options);
@@ -62,7 +62,7 @@ export class LiveStylizer {
   }
 }
 
-/** Batches as one; the class weights are those of the last frame. */
+/** Joins batches; the class weights are those of the last frame. */
 function joined(parts: readonly Styled[]): Styled {
   const frames = parts.reduce((sum, { durations }) => sum + durations.length, 0);
   const poses = new Float32Array(frames * POSE_FLOATS);

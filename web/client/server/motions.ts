@@ -1,4 +1,4 @@
-/** Calls about motions, which are carried over to the humanoid of every database that they are used with. */
+/** Calls about motions, which are retargeted to the humanoid of every database with which they are used. */
 import type { ClipJob } from "../../engine/clip_job";
 import type { InputSource as EngineInputSource, Input } from "../../engine/input";
 import type { InputInfo, InputSource, MotionFacts, Performed, StyledClip, StylizeOptions } from "../protocol";
@@ -101,7 +101,7 @@ export async function carriedMotion(
 }
 
 /**
- * Styles a whole motion in time slices; the job belongs to the caller. `frameMs` is the mean cost of a frame.
+ * Styles a whole motion in time slices; the caller owns the job. `frameMs` is the mean cost of a frame.
  * @throws StrutError `cancelled`, also if the motion or the database is closed meanwhile
  */
 export async function styleClip(
@@ -131,14 +131,14 @@ async function readInput(host: Host, caller: Caller, source: InputSource, databa
   return host.engine.openInput(host.open.get(OpenDatabase, database).database, file);
 }
 
-/** A source with the bytes of its file, or with the set of built-in motions that it is in. */
+/** A source with the bytes of its file, or with its set of built-in motions. */
 async function fileOf({ builtIn }: Host, caller: Caller, source: InputSource): Promise<EngineInputSource> {
   if (source.kind === "built-in") return { ...source, motions: await builtIn.load(caller, source.set) };
   const { bytes } = source;
   return { ...source, bytes: "size" in bytes ? await bytes.arrayBuffer() : bytes };
 }
 
-/** What travels is transferred: the worker keeps its own arrays. */
+/** Sent arrays are transferred; the worker keeps its own. */
 function copyOf(info: InputInfo): InputInfo {
   return { ...info, poses: info.poses.slice(), contacts: info.contacts.slice() };
 }

@@ -1,6 +1,9 @@
-/** The clock of the output: styled frames last as long as the engine predicts, and what is shown lies between two of them. */
+/**
+ * The clock of the output. Styled frames last as long as the engine predicts, and the displayed pose lies between two
+ * of them.
+ */
 
-/** Longest step of the clock: after a sleep playback continues where it was. */
+/** Longest step of the clock: after a sleep, playback continues from its position. */
 export const MAX_STEP_SECS = 1;
 
 /** One styled frame on the clock. */
@@ -11,10 +14,10 @@ export interface Moment {
   planted: [boolean, boolean];
 }
 
-/** Gives the pose between two poses, `t` from 0 to 1. */
+/** Returns the pose between two poses, `t` from 0 to 1. */
 export type Interpolate = (a: Float32Array, b: Float32Array, t: number) => Float32Array;
 
-/** The last two moments, and the time between them. */
+/** The last two moments, and the clock between them. */
 export class OutputClock<M extends Moment = Moment> {
   /** Seconds of output since {@link begin}. */
   secs = 0;
@@ -22,28 +25,28 @@ export class OutputClock<M extends Moment = Moment> {
 
   constructor(private readonly interpolate: Interpolate) {}
 
-  /** Whether there is anything to show. */
+  /** Whether there is a moment to display. */
   get hasBegun(): boolean {
     return this.#moments !== undefined;
   }
 
-  /** Starts anew at a moment. */
+  /** Restarts at a moment. */
   begin(moment: M): void {
     this.secs = moment.timeSecs;
     this.#moments = [moment, moment];
   }
 
-  /** Takes the moment that comes after the last one. */
+  /** Adds the moment after the last one. */
   push(moment: M): void {
     this.#moments = [this.last, moment];
   }
 
-  /** Goes on by a time; a step that is too long is shortened. */
+  /** Advances by a duration; a duration that is too long is shortened. */
   advance(dtSecs: number): void {
     this.secs += Math.min(dtSecs, MAX_STEP_SECS);
   }
 
-  /** Whether what is to be shown is not there yet. */
+  /** Whether the moment to display does not exist yet. */
   get isAhead(): boolean {
     return this.secs >= this.last.timeSecs;
   }
@@ -56,14 +59,14 @@ export class OutputClock<M extends Moment = Moment> {
     return this.#moments![0];
   }
 
-  /** Gives both moments other poses: the last ones of some frames. */
+  /** Replaces the poses of both moments by the last ones of some frames. */
   repose(poses: Float32Array, floats: number): void {
     const [previous, last] = this.#moments!;
     if (previous !== last) previous.pose = poses.slice(-2 * floats, -floats);
     last.pose = poses.slice(-floats);
   }
 
-  /** Shows both moments, and the time, so much later. */
+  /** Delays both moments and the clock. */
   delay(secs: number): void {
     this.secs += secs;
     for (const moment of this.#shown) moment.timeSecs += secs;
@@ -93,12 +96,12 @@ export class OutputClock<M extends Moment = Moment> {
     return this.between(({ pose }) => pose);
   }
 
-  /** Something of the moments, between them. */
+  /** Interpolates a property of the moments. */
   between(of: (moment: M) => Float32Array): Float32Array {
     return this.interpolate(of(this.#previous), of(this.last), this.share);
   }
 
-  /** The moment that is nearer. */
+  /** The nearer moment. */
   get nearest(): M {
     return this.share < 0.5 ? this.#previous : this.last;
   }

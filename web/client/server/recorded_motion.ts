@@ -1,4 +1,4 @@
-/** The call that records a motion in every style of a database, for those who perform it. */
+/** The call that records a motion in every style of a database, for crowds that perform it. */
 import { StrutError } from "../../engine/errors";
 import { Recording, recordedPart } from "../../engine/recording";
 import type { FrameRange, RecordedMotion, StylizeOptions } from "../protocol";

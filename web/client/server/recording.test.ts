@@ -5,7 +5,7 @@ import { Recording } from "./recording";
 
 const pose = (number: number) => new Float32Array(POSE_FLOATS).fill(number);
 
-/** A recording of frames that carry their number, in a style whose weight is `of` it. */
+/** A recording of frames that contain their index, in a style whose weight is `of(frame)`. */
 function recorded(frames: number, of: (frame: number) => number): Recording {
   const recording = new Recording(["old"]);
   for (let frame = 0; frame < frames; frame++) recording.add(pose(frame), Float32Array.of(of(frame)));
@@ -35,14 +35,14 @@ describe("styles", () => {
   });
 
   test("are shown again as they were", () => {
-    // Nothing for two seconds, then in a half to all of it, and at once back.
+    // Zero for two seconds, then a ramp of half a second to 1, and a sudden return to 0.
     const weight = (frame: number) => (frame < 120 ? 0 : frame < 150 ? (frame - 120) / 30 : frame < 300 ? 1 : 0);
     const track = recorded(400, weight).track(400);
     const keys = track.map(({ frame, styles }) => ({ frame, weights: Float32Array.of(styles.old ?? 0) }));
     const out = new Float32Array(1);
     for (let frame = 0; frame < 400; frame++) {
       weightsAt(keys, frame, out);
-      // A leap takes as long as keys are apart.
+      // A sudden change takes as long as the distance of the keys.
       const isLeap = Math.abs(frame - 300) <= 6;
       expect(Math.abs(out[0]! - weight(frame)), `frame ${frame}`).toBeLessThan(isLeap ? 1.01 : 0.21);
       if (frame < 110 || (frame > 160 && frame < 290) || frame > 310)

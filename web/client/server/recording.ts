@@ -1,26 +1,26 @@
-/** What was driven: the neutral frames of the last minutes, and the styles that they were shown in. */
+/** A recording of what was driven: the neutral frames of the last minutes, and the styles in which they were displayed. */
 import type { StyleKey } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
 
-/** Frames are kept in blocks of so many, and so many blocks: five minutes at 60 Hz. */
+/** Frames per block, and maximum number of blocks: five minutes at 60 Hz. */
 const BLOCK = 1800;
 const BLOCKS = 10;
-/** A key is made where a weight moved by more than this, and at most every so many frames. */
+/** A key is made when a weight changed by more than this, and at most once in this many frames. */
 const MOVED = 0.02;
 const KEY_FRAMES = 6;
-/** Most keys that are given. */
+/** Maximum number of keys of a track. */
 const MAX_KEYS = 1000;
 
-/** Weights, one a style, at a frame. */
+/** Weights, one per style, at a frame. */
 interface Key {
   frame: number;
   weights: Float32Array;
 }
 
 export class Recording {
-  /** All that were ever added. */
+  /** Number of all frames ever added. */
   private count = 0;
-  /** Number of the first frame that is kept. */
+  /** Index of the first frame that is kept. */
   private first = 0;
   private blocks: Float32Array[] = [];
   private keys: Key[] = [];
@@ -34,12 +34,12 @@ export class Recording {
     return this.count - this.first;
   }
 
-  /** Adds a frame and the styles that it is shown in. */
+  /** Adds a frame and the styles in which it is displayed. */
   add(pose: Float32Array, weights: Float32Array): void {
     const at = (this.count - this.first) % BLOCK;
     if (at === 0) {
       this.blocks.push(new Float32Array(BLOCK * POSE_FLOATS));
-      // One more than is kept, as the newest is not full.
+      // One block more than the limit, as the newest is not full.
       if (this.blocks.length > BLOCKS + 1) {
         this.blocks.shift();
         this.first += BLOCK;
@@ -56,7 +56,7 @@ export class Recording {
     this.count += 1;
   }
 
-  /** The poses of the last frames, as many as there are. */
+  /** The poses of the last frames, as many as exist. */
   last(frames: number): Float32Array {
     const count = Math.min(frames, this.frames);
     const poses = new Float32Array(count * POSE_FLOATS);
@@ -68,7 +68,7 @@ export class Recording {
     return poses;
   }
 
-  /** The styles of the last frames over time, the first of which is frame 0. */
+  /** The styles of the last frames over time; the first of them is frame 0. */
   track(frames: number): StyleKey[] {
     const begin = this.count - Math.min(frames, this.frames);
     const before = this.keys.findLastIndex(({ frame }) => frame <= begin);
@@ -83,9 +83,9 @@ export class Recording {
     const rests = this.before !== undefined && !hasMoved(this.before, weights, 0);
     this.before ??= weights.slice();
     this.before.set(weights);
-    // What they come to is a key, however near the last one is.
+    // The final weights become a key, however near the last key is.
     if (last && (this.count - last.frame < KEY_FRAMES || !hasMoved(last.weights, weights, rests ? 0 : MOVED))) return;
-    // Between keys weights change in proportion: what they stayed at is a key, too.
+    // Between keys weights change linearly, so the value at which they stayed becomes a key, too.
     if (last && this.count - last.frame > KEY_FRAMES)
       this.keys.push({ frame: this.count - KEY_FRAMES, weights: last.weights });
     this.keys.push({ frame: this.count, weights: weights.slice() });

@@ -1,17 +1,17 @@
-/** What is open in the worker, by number. */
+/** The open objects of the worker, by key. */
 import { cancelled, StrutError } from "../../engine/errors";
 
-/** A number that the client chose, or the key of something that the server made by itself. */
+/** An id that the client chose, or the key of an object that the server made itself. */
 export type Key = number | string;
 
-/** Something open that is freed by `dispose()`. */
+/** An open object that is freed by `dispose()`. */
 export interface OpenThing {
-  /** Keys of what it was made of, without which it is of no use. */
+  /** Keys of the objects it was made from, without which it cannot be used. */
   readonly uses: readonly Key[];
   dispose(): void;
 }
 
-/** A class of open things, and what it is called in messages. */
+/** A class of open objects, and its name in messages. */
 interface Kind<T extends OpenThing> {
   readonly noun: string;
   new (...args: never[]): T;
@@ -21,8 +21,9 @@ export class Registry {
   readonly #things = new Map<Key, OpenThing>();
 
   /**
-   * Takes over something that was opened.
-   * @throws StrutError `cancelled` if what it uses was closed meanwhile, `bad-input` if its key is taken; it is then disposed of
+   * Takes ownership of an opened object.
+   * @throws StrutError `cancelled` if an object it uses was closed meanwhile, `bad-input` if its key is in use; the
+   * object is then disposed of
    */
   add<T extends OpenThing>(key: Key, thing: T): T {
     if (this.#things.has(key) || !thing.uses.every((used) => this.#things.has(used))) {
@@ -48,12 +49,12 @@ export class Registry {
     return thing instanceof kind ? thing : undefined;
   }
 
-  /** Whether something is still open. */
+  /** Whether an object is still open. */
   has(thing: OpenThing): boolean {
     return [...this.#things.values()].includes(thing);
   }
 
-  /** Closes something, after all that uses it. */
+  /** Closes an object, after all objects that use it. */
   close(key: Key): void {
     const thing = this.#things.get(key);
     if (!thing) return;

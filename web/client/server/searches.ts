@@ -7,7 +7,7 @@ import type { Host } from "./host";
 import { carriedMotion } from "./motions";
 import { type Caller, stage } from "./time_slices";
 
-/** Both searches of an input, in portions: as much of `SearchComparison` (`engine/compare/`) as is needed. */
+/** Both searches of an input, in portions: the part of `SearchComparison` (`engine/compare/`) that is needed. */
 export interface SearchJob {
   take(frames: number): number;
   searchExactly(): void;
@@ -17,10 +17,10 @@ export interface SearchJob {
   dispose(): void;
 }
 
-/** A search by kd-trees beside the exact one. */
+/** Creates the comparison of a search by kd-trees with the exact one. */
 export type Searches = (database: Database, input: Input, neighbours: number, candidates: number) => SearchJob;
 
-/** Frames that are searched at once. */
+/** Frames per portion. */
 const PORTION = 8;
 
 /**
@@ -48,7 +48,7 @@ export async function compareSearch(
   }
 }
 
-/** Recall and the mean cost of a frame: a median would be 0 where the clock tells whole milliseconds. */
+/** Recall and the mean cost of a frame; a median would be 0 if the clock has a resolution of whole milliseconds. */
 async function figuresOf(job: SearchJob, frames: number, caller: Caller): Promise<SearchFigures> {
   let [done, exactMs, treesMs] = [0, 0, 0];
   for (;;) {

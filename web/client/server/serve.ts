@@ -1,4 +1,4 @@
-/** The worker's side of the wire: one engine, and any number of databases, motions, sessions and stylizers by number. */
+/** The worker's side of the protocol: one engine, and any number of databases, motions, sessions and stylizers by id. */
 import { Engine } from "../../engine/engine";
 import { StrutError, toStrutError } from "../../engine/errors";
 import type { Arguments, Call, Method, Reply, Request, Result } from "../messages";
@@ -12,7 +12,7 @@ import * as sessions from "./sessions";
 import * as stylizers from "./stylizers";
 import type { Caller } from "./time_slices";
 
-/** As much of a worker's global scope as the server needs. */
+/** The part of a worker's global scope that the server needs. */
 export interface ServerPort {
   postMessage(message: Reply, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<Request>) => void) | null;
@@ -22,10 +22,10 @@ type Handlers = {
   [M in Method]: (host: Host, caller: Caller, ...args: Arguments<M>) => Result<M> | Promise<Result<M>>;
 };
 
-/** What only the package of the Compare view can do. */
+/** Calls that only the package of the Compare view has. */
 type Comparing = Pick<Handlers, "compareSearch">;
 
-/** What only the page's own package can do. */
+/** Calls that only the page's own package has. */
 type OfThePage = Pick<
   Handlers,
   | "openAtlas"
@@ -40,7 +40,7 @@ type OfThePage = Pick<
   | "clipOfDatabase"
 >;
 
-/** What all servers do. */
+/** Handlers that all servers have. */
 const HANDLERS: Omit<Handlers, keyof Comparing | keyof OfThePage | DrivingMethod> = {
   openDatabase: databases.openDatabase,
   builtInInputs: databases.builtInInputs,
@@ -68,7 +68,7 @@ const HANDLERS: Omit<Handlers, keyof Comparing | keyof OfThePage | DrivingMethod
   },
 };
 
-/** What a server does besides. */
+/** Additional handlers of a server. */
 export interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
   driving?: DrivingCalls;
@@ -80,7 +80,7 @@ export async function serve(
   port: ServerPort,
   { counterparts = () => undefined, compareSearch = () => undefined, driving, page }: ServerSetup = {},
 ): Promise<void> {
-  /** Calls under way, and which of them were cancelled. */
+  /** Pending calls, and which of them were cancelled. */
   const cancelled = new Map<number, boolean>();
   const builtIn = new BuiltInMotions();
   const open = new Registry();
@@ -130,7 +130,7 @@ function handle(
   return handler(host, caller, ...call.args);
 }
 
-/** The buffers of the typed arrays directly in an answer: handlers return arrays with no other owner. */
+/** The buffers of the typed arrays directly in an answer. Handlers return arrays without another owner. */
 function buffersOf(value: unknown): Transferable[] {
   if (typeof value !== "object" || value === null) return [];
   return Object.values(value).flatMap((field) => (ArrayBuffer.isView(field) ? [field.buffer as ArrayBuffer] : []));

@@ -9,20 +9,20 @@ import { LiveSession, type OnlineStylizer, WARM_UP_FRAMES } from "./session";
 
 const RATE_HZ = 60;
 const FRAMES = 120;
-/** The stand-in for the engine makes every frame last this long: slower than the input. */
+/** Frame duration of the fake engine: longer than in the input. */
 const FRAME_SECS = 0.02;
 const CLASSES = [
   { action: "walk", style: "neutral", frames: 100 },
   { action: "walk", style: "old", frames: 100 },
 ];
 
-/** An input whose root moves along x by 1 a frame. */
+/** An input whose root moves along x by 1 per frame. */
 const input = { frames: FRAMES, rateHz: RATE_HZ, poses: new Float32Array(FRAMES * POSE_FLOATS) };
 for (let i = 0; i < FRAMES; i++) input.poses[i * POSE_FLOATS] = i;
 
 /**
- * Stands in for the engine: the styled root starts where the input does and travels twice as far, its height is the
- * weight of the second style.
+ * A fake engine. The styled root starts at the input's and moves twice as far; its height is the weight of the second
+ * style.
  */
 class FakeStylizer implements OnlineStylizer {
   classes = CLASSES;
@@ -39,7 +39,7 @@ class FakeStylizer implements OnlineStylizer {
     this.told++;
     this.weights = weights.slice();
   }
-  /** Times that weights were set. */
+  /** Number of times that weights were set. */
   told = 0;
   parts = new Map<BodyPart, Float32Array>();
   setPartWeights(part: BodyPart, weights: Float32Array | undefined) {
@@ -208,7 +208,7 @@ describe("a change of style", () => {
     const { session } = open();
     session.step(10 * FRAME_SECS);
     session.configure(old(1));
-    // 6 input frames are 100 ms, one half-life; the shown pose is the later one of its two frames.
+    // 6 input frames are 100 ms, one half-life; the displayed pose is the later of its two frames.
     const heights = Array.from({ length: 60 }, () => session.step(FRAME_SECS).pose[1]!);
     expect(heights[0]).toBeGreaterThan(0);
     expect(heights[5]).toBeGreaterThan(0.4);
@@ -302,7 +302,7 @@ describe("a style track", () => {
       return stylizer.weights[1]!;
     };
     expect(height(39)).toBe(0);
-    // The engine is a frame ahead of what is shown.
+    // The engine is a frame ahead of the display.
     expect(height(11)).toBeCloseTo(11 / 20, 5);
     expect(height(20)).toBe(1);
   });

@@ -1,4 +1,4 @@
-/** Live playback: an output clock that styles input frames as they are needed. */
+/** Live playback: an output clock that styles input frames on demand. */
 
 import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
@@ -9,27 +9,27 @@ import { EasedStyles, type StyledStream } from "./eased_styles";
 import { FrameCost } from "./frame_cost";
 import { type Interpolate, type Moment, OutputClock } from "./output_clock";
 
-/** As much of the engine's stylizer as a session needs. */
+/** The part of the engine's stylizer that a session needs. */
 export type OnlineStylizer = Pick<Stylizer, "classes" | "configure" | "reset" | "push"> & StyledStream;
 
-/** Frames styled before the one that a seek shows: about a second, after which the start has no effect. */
+/** Frames styled before the one that a seek displays: about a second, after which the start has no effect. */
 export const WARM_UP_FRAMES = 60;
 
 /**
  * One input playing in one database. The input's frame i becomes the styled frame i, which lasts as long as the engine
- * predicts; what is shown lies between two of them.
+ * predicts. The displayed pose lies between two styled frames.
  */
 export class LiveSession {
   /** Whether the clip loops. */
   loop = true;
-  /** The input frames that are played; all of them if there is none. */
+  /** The input frames that are played; all frames if `undefined`. */
   range: FrameRange | undefined;
 
   readonly #clock: OutputClock;
-  /** Added to the horizontal root, so that restyling a resting character leaves it where it stands. */
+  /** Offset added to the horizontal root, so that restyling a paused character leaves it at its position. */
   #place: [x: number, z: number] = [0, 0];
   readonly #styles: EasedStyles;
-  /** Whether the options changed after the shown frame was styled. */
+  /** Whether the options changed after the displayed frame was styled. */
   #stale = false;
   #reads: Reading[] = [];
   readonly #cost: FrameCost;
@@ -51,7 +51,7 @@ export class LiveSession {
     this.#cost = new FrameCost(nowMs);
   }
 
-  /** Takes effect with the next frame; a change of the styles fades in. What is refused changes nothing. */
+  /** Takes effect with the next frame; a change of the styles fades in. Refused options change nothing. */
   configure(options: StylizeOptions): void {
     const targets = this.#styles.targetsOf(options);
     this.stylizer.configure(options);
@@ -72,7 +72,7 @@ export class LiveSession {
     while (clock.isAhead) {
       if (this.#advance()) continue;
       const overshoot = clock.secs - clock.last.timeSecs;
-      // A clip of one frame has no duration to wrap the clock by.
+      // A clip of one frame has no duration by which the clock could wrap.
       if (!this.loop || this.#lastFrame() <= this.#firstFrame()) {
         clock.secs = clock.last.timeSecs;
         break;
@@ -84,7 +84,7 @@ export class LiveSession {
     return this.#show(looped);
   }
 
-  /** See `StrutClient.seek`: the character stands where the input does. */
+  /** See `StrutClient.seek`: the character is at the input's position. */
   seek(inputFrame: number): LiveFrame {
     this.#jump(inputFrame);
     const shown = this.#clock.pose;
@@ -93,7 +93,7 @@ export class LiveSession {
     return this.#show(false);
   }
 
-  /** Goes to an input frame in the place and at the time of a shown one. */
+  /** Jumps to an input frame, at the position and the time of a displayed one. */
   continueFrom({ inputFrame, timeOut, pose }: ShownFrame): LiveFrame {
     this.#jump(inputFrame);
     const now = this.#clock.pose;
@@ -102,13 +102,13 @@ export class LiveSession {
     return this.#show(false);
   }
 
-  /** Makes the shown frame again with the present options. */
+  /** Remakes the displayed frame with the current options. */
   #restyle(): LiveFrame {
     const { inputFrame, secs: timeOut, pose } = this.#clock;
     return this.continueFrom({ inputFrame, timeOut, pose });
   }
 
-  /** Warms the engine up on the frames before `inputFrame` and shows it; time 0 is at its integer part. */
+  /** Warms the engine up on the frames before `inputFrame` and displays it; time 0 is at its integer part. */
   #jump(inputFrame: number): void {
     const last = this.input.frames - 1;
     const frame = Math.min(Math.max(Number.isFinite(inputFrame) ? inputFrame : 0, 0), last);
@@ -119,7 +119,7 @@ export class LiveSession {
     if (frame > whole && this.#advance(last)) this.#clock.secs = (frame - whole) * this.#clock.last.timeSecs;
   }
 
-  /** Resets the engine so that `frame` is shown at time 0. */
+  /** Resets the engine so that `frame` is displayed at time 0. */
   #begin(frame: number): void {
     const first = Math.max(frame - WARM_UP_FRAMES, 0);
     this.stylizer.reset();
@@ -128,7 +128,7 @@ export class LiveSession {
     this.#clock.begin({ ...lastMoment(styled), inputFrame: frame, timeSecs: 0 });
   }
 
-  /** Styles the frames before the one that is shown; with a style track each in its own styles. */
+  /** Styles the frames before the displayed one; with a style track each in its own styles. */
   #warmUp(first: number, frame: number): Styled {
     if (!this.#styles.changesOverTime) return this.#push(first, frame - first + 1);
     for (let i = first; i < frame; i++) {
@@ -139,7 +139,7 @@ export class LiveSession {
     return this.#push(frame, 1);
   }
 
-  /** Styles one more input frame; false where the last one is reached. */
+  /** Styles one more input frame. Returns false if the last one is reached. */
   #advance(last = this.#lastFrame()): boolean {
     const before = this.#clock.last;
     const frame = before.inputFrame + 1;

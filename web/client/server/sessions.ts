@@ -11,13 +11,13 @@ import { LiveSession } from "./session";
 import { SharedWork } from "./shared_work";
 import type { Caller } from "./time_slices";
 
-/** A motion playing in a database: nothing that changes while it plays is shared with another session. */
+/** A motion playing in a database. Sessions share no state that changes during playback. */
 export class OpenSession implements OpenThing {
   static readonly noun = "session";
   readonly uses: readonly Key[];
-  /** The last clip that was styled as a whole, and the options it was styled with. */
+  /** The last clip that was styled as a whole, and its options. */
   styled: { options: StylizeOptions; job: ClipJob } | undefined;
-  /** The same while it is being styled. */
+  /** The clip while it is being styled. */
   styling: { options: StylizeOptions; work: SharedWork<ClipJob> } | undefined;
 
   constructor(
@@ -93,7 +93,7 @@ export async function exportBvh(host: Host, caller: Caller, id: number): Promise
   return (await styledClip(host, caller, id)).toBvh();
 }
 
-/** The session's whole motion in its present options, styled once for all calls that ask for it. */
+/** The session's whole motion with its current options, styled once for all calls that ask for it. */
 async function styledClip(host: Host, caller: Caller, id: number): Promise<ClipJob> {
   const session = host.open.get(OpenSession, id);
   const { options } = session;

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { SharedWork } from "./shared_work";
 import { type Caller, runToEnd } from "./time_slices";
 
-/** A job of three slices, and how many of them were done. */
+/** A job of three slices, and the number of finished slices. */
 function job() {
   const slices = {
     done: 0,

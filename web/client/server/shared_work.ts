@@ -2,7 +2,7 @@
 import { cancelled } from "../../engine/errors";
 import type { Caller } from "./time_slices";
 
-/** Work that is done once: its progress is reported to every caller, and it is cancelled when all of them are. */
+/** Work that is done once. Its progress is reported to every caller, and it is cancelled when all callers cancel. */
 export class SharedWork<T> {
   private readonly callers: Caller[];
   private readonly result: Promise<T>;

@@ -3,7 +3,7 @@ import { type Caller, runToEnd } from "./time_slices";
 
 const caller: Caller = { isCancelled: () => false, report: () => undefined };
 
-/** A job of 300 frames of 0.3 ms each, timed by a clock that tells steps of some length only. */
+/** A job of 300 frames of 0.3 ms each, timed by a clock with a resolution of `stepMs`. */
 function timed(stepMs: number) {
   let nowMs = 0.1;
   const slices: number[] = [];
@@ -30,7 +30,7 @@ describe.each([0.005, 1])("by a clock of %d ms steps", (stepMs) => {
   it("answers other calls every few frames, and does not do the whole clip at once", async () => {
     const { job, slices, clock } = timed(stepMs);
     await runToEnd(job, caller, clock);
-    // 8 ms are 26 frames; by a coarse clock a frame may look shorter at first.
+    // 8 ms are 26 frames; with a coarse clock a frame may look shorter at first.
     expect(Math.max(...slices)).toBeLessThan(100);
   });
 });

@@ -7,7 +7,7 @@ const SLICE_MS = 8;
 
 /** The caller of long work: its cancellation and its progress. */
 export interface Caller {
-  /** Whether the answer is no longer wanted. */
+  /** Whether the caller has cancelled. */
   isCancelled(): boolean;
   report(progress: Progress): void;
 }
@@ -39,13 +39,13 @@ export async function stage(caller: Caller, label: string, fraction: number): Pr
 interface Job {
   readonly done: number;
   readonly frames: number;
-  /** Does up to so many more frames; true once all are done. */
+  /** Does up to `frames` more frames. Returns true once all are done. */
   run(frames: number): boolean;
 }
 
 /**
- * Runs a job to its end and gives the mean cost of a frame, milliseconds: some browsers' clocks tell whole milliseconds only, of
- * which a frame takes a part, and most measurements are 0 there.
+ * Runs a job to its end and returns the mean cost of a frame, milliseconds. Some browsers' clocks have a resolution of
+ * whole milliseconds, which is longer than a frame, so most single measurements are 0.
  * @param nowMs a clock
  * @throws StrutError `cancelled`
  */
@@ -58,7 +58,7 @@ export async function runToEnd(job: Job, caller: Caller, nowMs = () => performan
     spentMs += nowMs() - started;
     const frameMs = spentMs / Math.max(1, job.done - before);
     if (ended) return frameMs;
-    // Twice as many at most: a frame may cost anything until the clock has moved.
+    // At most doubled: the cost of a frame is unknown until the clock has advanced.
     frames = Math.max(1, Math.min(2 * frames, Math.floor(SLICE_MS / frameMs)));
     await stage(caller, "Styling the clip", job.done / job.frames);
   }

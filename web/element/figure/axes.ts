@@ -1,4 +1,4 @@
-/** Where values lie in a plot of one quantity over another, in units (`ui/drawing.ts`). Pure. */
+/** Positions of values in a plot of one quantity over another, in units (`ui/drawing.ts`). Pure functions. */
 
 /** Size in units, and the extent of the axes. */
 export interface Axes {
@@ -8,41 +8,41 @@ export interface Axes {
   y: Extent;
   /** Whether the horizontal axis is logarithmic. */
   logX?: boolean;
-  /** Room around the marks, units; {@link MARGIN} where nothing else needs room. */
+  /** Space around the marks, units; by default {@link MARGIN}. */
   margin?: Margin;
 }
 
-/** Room around marks, units. */
+/** Space around marks, units. */
 export type Margin = Readonly<Record<"left" | "right" | "top" | "bottom", number>>;
 
 export type Extent = readonly [min: number, max: number];
 
-/** Room for ticks and the names of the axes. */
+/** Space for ticks and the names of the axes. */
 export const MARGIN: Margin = { left: 44, right: 16, top: 16, bottom: 44 };
 
-/** Place of a horizontal value. */
+/** Position of a horizontal value. */
 export function xOf({ width, x: [min, max], logX, margin = MARGIN }: Axes, value: number): number {
   const share = logX ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
   return margin.left + share * Math.max(1, width - margin.left - margin.right);
 }
 
-/** The horizontal value of a place. */
+/** The horizontal value at a position. */
 export function valueOfX({ width, x: [min, max], logX, margin = MARGIN }: Axes, place: number): number {
   const share = (place - margin.left) / Math.max(1, width - margin.left - margin.right);
   return logX ? min * (max / min) ** share : min + share * (max - min);
 }
 
-/** Place of a vertical value. */
+/** Position of a vertical value. */
 export function yOf({ height, y: [min, max], margin = MARGIN }: Axes, value: number): number {
   return margin.top + (1 - (value - min) / (max - min)) * Math.max(1, height - margin.top - margin.bottom);
 }
 
-/** The vertical value of a place. */
+/** The vertical value at a position. */
 export function valueOfY({ height, y: [min, max], margin = MARGIN }: Axes, place: number): number {
   return max - ((place - margin.top) / Math.max(1, height - margin.top - margin.bottom)) * (max - min);
 }
 
-/** The curve of values at a rate; it has gaps where a value is not finite. */
+/** The curve of values at a constant rate, with gaps where a value is not finite. */
 export function curvePath(axes: Axes, values: ArrayLike<number>, rateHz: number): string {
   let path = "";
   let pen = "M";
@@ -58,7 +58,7 @@ export function curvePath(axes: Axes, values: ArrayLike<number>, rateHz: number)
   return path;
 }
 
-/** Round ends around the finite ones of values, at least `least` apart. */
+/** Rounded limits around the finite values, at least `least` apart. */
 export function extentOf(values: Iterable<number>, least: number): Extent {
   let [min, max] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
   for (const value of values) {
@@ -80,7 +80,7 @@ export function ticksOf([min, max]: Extent, count: number): number[] {
   return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toFixed(9)));
 }
 
-/** Decimals that tell ticks apart. */
+/** Number of decimals that distinguishes ticks. */
 export function digitsOf(ticks: readonly number[]): number {
   if (ticks.length < 2) return 0;
   return Math.max(0, -Math.floor(Math.log10(ticks[1]! - ticks[0]!) + 1e-9));

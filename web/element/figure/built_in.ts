@@ -1,4 +1,4 @@
-/** What the built-in motions are called, and how long they last; `built_in.test.ts` holds this to the engine. */
+/** Names and lengths of the built-in motions; `built_in.test.ts` checks them against the engine. */
 
 /** Styles, neutral first. */
 export const STYLES = ["neutral", "angry", "childlike", "depressed", "old", "proud", "sexy", "strutting"] as const;
@@ -18,7 +18,7 @@ export const INPUTS = [
 /** Name of an input. */
 export type InputName = (typeof INPUTS)[number];
 
-/** Frames a second of all of them. */
+/** Frames per second of all of them. */
 export const RATE_HZ = 60;
 /** Frames of the default input. */
 export const FRAMES = 882;

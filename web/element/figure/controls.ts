@@ -1,4 +1,4 @@
-/** Controls that several kinds of figures have. */
+/** Controls shared by several kinds of figures. */
 
 import type { Field } from "../../link/fields";
 import type { DialRange } from "../../ui/controls/dial";
@@ -11,10 +11,10 @@ import { FRAMES, RATE_HZ } from "./built_in";
 import type { KnobWords } from "./words/knob";
 import { figure, type Words } from "./words/words";
 
-/** The frame that is looked at where a link says none. */
+/** The default frame if a link has none. */
 const INSTANT = 160;
 
-/** A list to choose from. */
+/** A list of options. */
 export class Choice<T extends string> {
   readonly element: HTMLElement;
   readonly #select: HTMLSelectElement;
@@ -31,14 +31,14 @@ export class Choice<T extends string> {
   }
 }
 
-/** A field for a number that somebody worked out. */
+/** A field for a number computed by the learner. */
 export class GuessField {
   readonly element: HTMLElement;
   readonly #field: HTMLInputElement;
 
   /**
-   * @param range what a number is brought into
-   * @param empty stands for a number that is not there
+   * @param range range to which a number is clamped
+   * @param empty value of an empty field
    */
   constructor(
     name: string,
@@ -58,13 +58,13 @@ export class GuessField {
     this.element = html("label", { class: "guess" }, html("span", {}, name), this.#field);
   }
 
-  /** What it shows, unless somebody is typing. */
+  /** The displayed text, unless the learner is typing. */
   set text(text: string) {
     if (!this.#field.matches(":focus")) this.#field.value = text;
   }
 }
 
-/** What a person changes by a control of a state. */
+/** Called with the changes of a control. */
 type Change<Name extends string> = (patch: Partial<Record<Name, number>>, settled: boolean) => void;
 
 /** A knob for each of some numbers of a state. */
@@ -92,7 +92,7 @@ export function createKnobs<Name extends string>(
   return Object.fromEntries(names.map((name) => [name, knob(name)])) as Record<Name, Knob>;
 }
 
-/** A slider for the instant of a built-in input that is looked at. @param first the first frame that may be */
+/** A slider for the examined instant of a built-in input. @param first the first valid frame */
 export function createInstant(words: Words, first: number, change: Change<"at">): Slider {
   const slider = new Slider(words.playhead, { min: first, max: FRAMES - 1, digits: 0 }, INSTANT, {
     onInput: (at) => change({ at }, false),

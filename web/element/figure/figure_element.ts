@@ -10,46 +10,45 @@ import { joinEngine, leaveEngine } from "./shared";
 import { figureSheets } from "./sheets";
 import type { Words } from "./words/words";
 
-/** A person changed the state; `settled` where the hand has let go. */
+/** A change of the state by the user; `settled` when the drag has ended. */
 export interface StateChange {
   state: string;
   settled: boolean;
 }
 
-/** The figure's sentence is said so often at most, milliseconds. */
+/** Minimum time between two announcements of the figure's sentence, milliseconds. */
 const SAY_MS = 1000;
 
 /**
- * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, of `controls` and `table`, with commas; `theme`;
- * `poster`, the address of a picture that is shown until the figure can be.
- * Events: `statechange` with a {@link StateChange}; `figurechange` when it shows other things; `termpoint` with the term of
- * the mark that is pointed at.
+ * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, a comma-separated list of `controls` and `table`;
+ * `theme`; `poster`, the URL of a picture that is shown until the figure is ready. Events: `statechange` with a {@link
+ * StateChange}; `figurechange` when the displayed values change; `termpoint` with the term of the hovered mark.
  */
 export class StrutFigure extends HTMLElement {
   static readonly observedAttributes = ["kind", "state", "lang", "poster"];
   readonly #container = html("div", { class: "figure" });
   readonly #message = html("p", { class: "message" });
   readonly #poster = html("img", { class: "poster", alt: "", hidden: true });
-  /** Has the colour of the page's theme, and a transition that tells when it changes. */
+  /** Has the colour of the page's theme, and a transition that reports its changes. */
   readonly #probe = html("span", { class: "probe", "aria-hidden": "true" });
   readonly #live = html("p", { class: "visually-hidden", role: "status" });
   readonly #table = html("details", { class: "table" });
   #life: AbortController | undefined;
   #figure: FigureInstance<string> | undefined;
-  /** Ends with the figure: another kind or language makes another one. */
+  /** Aborts with the figure: another kind or language creates another one. */
   #figureLife: AbortController | undefined;
   #engine: LearnEngine | undefined;
-  /** Settles when the state is shown that was set last. */
+  /** Settles when the last state that was set is displayed. */
   #shown: Promise<void> = Promise.resolve();
   #opened: Promise<void> | undefined;
   #saying: ReturnType<typeof setTimeout> | undefined;
   #onScreen = false;
-  /** Whether it has a place on the page; to ask the document with every change would cost a layout. */
+  /** Whether it is rendered on the page; querying the document at every change would cause a layout. */
   #placed = false;
-  /** The state that is shown, or is going to be. */
+  /** The displayed state, or the one that is being displayed. */
   #state: string | undefined;
 
-  /** Whether the state was changed by a hand that has not let go yet. */
+  /** Whether the state was changed by a drag that has not ended. */
   #held = false;
 
   constructor() {
@@ -59,13 +58,13 @@ export class StrutFigure extends HTMLElement {
     root.append(this.#poster, this.#container, this.#message, this.#table, this.#probe, this.#live);
     this.#probe.addEventListener("transitionrun", () => this.#takeTheme());
     this.#table.addEventListener("toggle", () => this.#showTable());
-    // What a control does with a key is not for the page around it.
+    // Keys handled by a control must not reach the page around it.
     root.addEventListener("keydown", (event) => {
       const { target, ctrlKey, metaKey, altKey } = event as KeyboardEvent;
       const own = target instanceof Element && target.matches("select, input, [role=slider]");
       if (own && !ctrlKey && !metaKey && !altKey) event.stopPropagation();
     });
-    // The hand has let go of a key.
+    // A key press has ended.
     for (const type of ["keyup", "focusout"])
       root.addEventListener(type, () => {
         if (this.#held) this.#tellState(true);
@@ -112,7 +111,7 @@ export class StrutFigure extends HTMLElement {
     if (name === "poster") this.#showPoster();
     else if (before === after || !this.#opened) return;
     else if (name === "state") {
-      // What has no place on the page is shown once it has one, or is measured.
+      // A figure that is not rendered is displayed once it is rendered, or measured.
       if (this.#placed) this.#show();
     } else {
       this.#close();
@@ -134,7 +133,7 @@ export class StrutFigure extends HTMLElement {
     return this.#container.querySelector("h3")?.textContent ?? "";
   }
 
-  /** Loads the figure now, seen or not; resolves when its state is shown. */
+  /** Loads the figure now, whether visible or not. Resolves when its state is displayed. */
   async ready(): Promise<void> {
     if (!this.#life) return;
     if (!this.#opened) {
@@ -146,24 +145,24 @@ export class StrutFigure extends HTMLElement {
     await this.#shown;
   }
 
-  /** Loads what the figure is drawn with, so that it needs no network when it is seen. */
+  /** Loads the code of the figure, so that it needs no network when it becomes visible. */
   async prefetch(): Promise<void> {
     await loadKind(this.getAttribute("kind") ?? "");
   }
 
-  /** What exercises are judged by. @throws StrutError */
+  /** The measures for the exercises. @throws StrutError */
   async measure(): Promise<Measure> {
     await this.ready();
     if (!this.#figure) throw new Error(this.#message.textContent ?? "");
     return this.#figure.measure();
   }
 
-  /** Values with units of the symbols that it shows, by term. */
+  /** Values with units of the displayed symbols, by term. */
   get values(): Readonly<Record<string, string>> {
     return this.#figure?.values() ?? {};
   }
 
-  /** Lights the marks of a term, or none. */
+  /** Highlights the marks of a term, or none. */
   light(term: string | undefined): void {
     this.#figure?.light(term);
   }
@@ -194,7 +193,7 @@ export class StrutFigure extends HTMLElement {
         language: this.#language,
         words,
         change: (state, settled) => {
-          // A knob that is taken hold of settles what was before.
+          // Grabbing a knob settles the previous state.
           if (settled && !this.#held && state === this.#state) return;
           this.#state = state;
           this.state = state;
@@ -212,7 +211,7 @@ export class StrutFigure extends HTMLElement {
     } catch (error) {
       if (signal.aborted) return;
       this.#fail(error);
-      // What could not be loaded is loaded again by whoever asks for it, or by a click.
+      // After a failure, loading is tried again at the next request, or at a click.
       if (this.#figure) return;
       this.#opened = undefined;
       this.#message.append(
@@ -228,7 +227,7 @@ export class StrutFigure extends HTMLElement {
     this.#take(this.#state);
   }
 
-  /** Shows a state, and says why where that fails. */
+  /** Shows a state, and an error if that fails. */
   #take(state: string): void {
     this.#shown = this.#figure!.show(state).then(
       () => {
@@ -269,7 +268,7 @@ export class StrutFigure extends HTMLElement {
     this.#showPoster();
   }
 
-  /** The poster stands for the figure until it can be seen. */
+  /** The poster is shown until the figure is visible. */
   #showPoster(): void {
     const address = this.getAttribute("poster");
     this.#poster.hidden = address === null || this.#message.hidden;
@@ -277,7 +276,7 @@ export class StrutFigure extends HTMLElement {
   }
 
   #changed(): void {
-    // Some of what it shows may still be computed.
+    // Some of its values may still be being computed.
     this.#container.classList.add("shown");
     this.#tell("figurechange", undefined);
     if (this.#saying !== undefined) return;

@@ -1,20 +1,20 @@
-/** The 3-D picture of a figure: a viewer on the page's one screen, with marks over it. */
+/** The 3-D picture of a figure: a viewer on the page's single screen, with marks over it. */
 import { html, svg } from "../../ui/dom";
 import { Viewer, type ViewerOptions } from "../../viewer";
 import { joinScreen, leaveScreen, schedule } from "../host";
 import type { Drawing } from "../schedule";
 import type { Words } from "./words/words";
 
-/** Drawing goes on for so long after the last change: glides and fades end within it. */
+/** Drawing continues for this time after the last change, in which glides and fades end. */
 const AFTERGLOW_MS = 1200;
-/** A step of time is not longer, seconds: a page that was hidden does not leap. */
+/** Longest time step, seconds: a page that was hidden does not jump. */
 const LONGEST_STEP = 0.1;
 
-/** What a figure does with its picture. */
+/** Callbacks of a figure's picture. */
 export interface StageListeners {
-  /** Time goes on while the picture is seen; where nothing moves, nothing is to be done. */
+  /** Called while the picture is visible; omitted if nothing moves. */
   advance?: (dtSecs: number) => void;
-  /** A picture was drawn: marks go to where its joints are. */
+  /** Called after a picture was drawn: marks are moved to its joints. */
   drawn?: () => void;
 }
 
@@ -23,7 +23,7 @@ export class FigureStage implements Drawing {
   readonly element = html("div", { class: "picture" });
   /** Marks over the picture, in its CSS pixels. */
   readonly overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
-  /** `undefined` where the browser cannot draw in 3-D. */
+  /** `undefined` if the browser has no 3-D. */
   readonly viewer: Viewer | undefined;
   readonly #listeners: StageListeners;
   #running = false;
@@ -35,7 +35,7 @@ export class FigureStage implements Drawing {
     this.viewer = this.#open(words, options);
   }
 
-  /** Says whether anybody sees it: it draws only then. */
+  /** Sets whether it is visible: it draws only then. */
   run(running: boolean): void {
     if (running === this.#running) return;
     this.#running = running;
@@ -46,7 +46,7 @@ export class FigureStage implements Drawing {
     } else schedule.remove(this);
   }
 
-  /** Something of the picture has changed. */
+  /** Requests a redraw. */
   invalidate(): void {
     this.#drawUntil = performance.now() + AFTERGLOW_MS;
     this.viewer?.invalidate();

@@ -1,22 +1,22 @@
-/** The handle of a plot: a vertical line that is dragged, or moved with the arrow keys. */
+/** The handle of a plot: a vertical line that can be dragged, or moved with the arrow keys. */
 import { setAttributes, svg } from "../../ui/dom";
 import { listenToDrags } from "../../ui/drag";
 import { placeIn } from "../../ui/drawing";
 
 export interface HandleListeners {
-  /** Where it stands now; `undefined` while it cannot be moved. */
+  /** Its current value; `undefined` while it cannot be moved. */
   value: () => number | undefined;
-  /** The value of a place of the picture, units from its left. */
+  /** The value at a position of the picture, units from its left. */
   valueOf: (x: number) => number;
-  /** The value a step further in a direction, −1 or 1. */
+  /** The value one step in a direction, −1 or 1. */
   stepped: (value: number, direction: number, fine: boolean) => number;
   ends: () => readonly [min: number, max: number];
   onInput: (value: number) => void;
-  /** The pointer has let go; of keys the figure's element knows. */
+  /** Called when the pointer is released; the figure's element handles keys. */
   onSettle: () => void;
 }
 
-/** Where a handle is drawn, and what is said of it. */
+/** Position of a handle, and its text. */
 export interface HandlePlace {
   x: number;
   /** Lower end of the line. */
@@ -31,7 +31,7 @@ export class Handle {
   readonly #line = svg("path", { class: "line" });
   readonly #listeners: HandleListeners;
 
-  /** @param picture what is pressed to move it there */
+  /** @param picture element in which a press moves the handle */
   constructor(name: string, term: string, picture: SVGSVGElement, listeners: HandleListeners, signal: AbortSignal) {
     this.#listeners = listeners;
     this.element.append(this.#target, this.#line, svg("path", { class: "flag", d: "M-5 0h10v7l-5 5l-5-5z" }));

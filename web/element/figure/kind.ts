@@ -1,4 +1,4 @@
-/** What a kind of figure is: one module each, and a row in `kinds.ts`. */
+/** The interface of a kind of figure: one module each, and a row in `kinds.ts`. */
 import type { LearnEngine } from "../../client/learn/protocol";
 import type { Fields } from "../../link/fields";
 import { namesOf, readHash, writeHash } from "../../link/hash";
@@ -6,71 +6,71 @@ import type { FigureStage } from "./figure_stage";
 import type { Language } from "./languages";
 import type { Words } from "./words/words";
 
-/** Numbers and names that a figure shows, by name; exercises are judged by them. */
+/** Numbers and names that a figure displays, by name; exercises are judged by them. */
 export type Measure = Readonly<Record<string, number | string>>;
 
-/** What a figure shows, as a table. */
+/** The contents of a figure as a table. */
 export interface Table {
   head: readonly string[];
   rows: readonly (readonly string[])[];
 }
 
-/** What a figure has of its element. */
+/** The element's interface for a figure. */
 export interface FigureParts<State> {
-  /** Where it is drawn. */
+  /** The element in which it is drawn. */
   container: HTMLElement;
   engine: LearnEngine;
   language: Language;
   words: Words;
-  /** A person changed the state; `settled` where the hand has let go. */
+  /** Called when the user changed the state; `settled` when the drag has ended. */
   change(patch: Partial<State>, settled: boolean): void;
-  /** A mark with a term is pointed at, or none. */
+  /** Called when a mark with a term is hovered, or none. */
   point(term: string | undefined): void;
-  /** Other things are shown than before: values, sentence and table are read again. */
+  /** Called when the displayed contents change: values, sentence and table are read again. */
   changed(): void;
-  /** Ends with the figure. */
+  /** Aborts with the figure. */
   signal: AbortSignal;
 }
 
 /** One figure on the page. */
 export interface FigureInstance<State> {
-  /** Takes a state; resolves when it is shown. */
+  /** Sets a state. Resolves when it is displayed. */
   show(state: State): Promise<void>;
-  /** What exercises are judged by, in the present state. */
+  /** The measures for the exercises, in the current state. */
   measure(): Promise<Measure>;
-  /** The figure in a sentence. */
+  /** A sentence describing the figure. */
   sentence(): string;
   table(): Table;
-  /** Values with units of the symbols that it shows, by term. */
+  /** Values with units of the displayed symbols, by term. */
   values(): Readonly<Record<string, string>>;
-  /** Lights the marks of a term, or none. */
+  /** Highlights the marks of a term, or none. */
   light(term: string | undefined): void;
-  /** Its 3-D picture: it is drawn while anybody sees it, takes the theme, and ends with the figure. */
+  /** Its 3-D picture: drawn while visible, with the page's theme, and disposed of with the figure. */
   readonly stage?: FigureStage;
-  /** The theme has changed: colours that are not those of the style sheet are drawn anew. */
+  /** Called when the theme has changed: colours outside the style sheet must be drawn again. */
   repaint?(): void;
 }
 
 /** A kind of figure. */
 export interface FigureKind<State> {
-  /** Its state, and how a link says it. */
+  /** Its state, and the encoding in a link. */
   fields: Fields<State>;
-  /** Text of a style sheet for what no other kinds have. */
+  /** Style sheet text that only this kind needs. */
   sheet?: string;
-  /** @throws where the browser cannot draw it */
+  /** @throws if the browser cannot draw it */
   create(parts: FigureParts<State>): FigureInstance<State>;
 }
 
-/** What a figure whose state is text has of its element. */
+/** The element's interface for a figure whose state is text. */
 export type TextParts = Omit<FigureParts<string>, "change"> & { change(state: string, settled: boolean): void };
 
-/** A kind as its element sees it: the state is the text of a link, of which a figure changes its own fields alone. */
+/** A kind as its element sees it: the state is the text of a link, of which a figure changes only its own fields. */
 export interface TextKind {
   sheet: string | undefined;
   create(parts: TextParts): FigureInstance<string>;
 }
 
-/** Makes a kind whose state is text. */
+/** Converts a kind to one whose state is text. */
 export function textKind<State extends object>({ fields, sheet, create }: FigureKind<State>): TextKind {
   return {
     sheet,
@@ -100,7 +100,7 @@ export function textKind<State extends object>({ fields, sheet, create }: Figure
   };
 }
 
-/** A link's text with other values of some fields; what else it says stays. */
+/** A link's text with changed values of some fields; the rest is unchanged. */
 export function withFields<State>(text: string, fields: Fields<State>, state: State): string {
   const others = new URLSearchParams(text);
   for (const name of namesOf(fields)) others.delete(fields[name].key);

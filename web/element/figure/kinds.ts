@@ -43,7 +43,7 @@ const KINDS = {
 export type KindName = keyof typeof KINDS;
 export const KIND_NAMES = Object.keys(KINDS) as readonly KindName[];
 
-/** Loads a kind; `undefined` where there is none of the name. */
+/** Loads a kind; `undefined` if there is none of the name. */
 export async function loadKind(name: string): Promise<TextKind | undefined> {
   return Object.hasOwn(KINDS, name) ? KINDS[name as KindName]() : undefined;
 }

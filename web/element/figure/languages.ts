@@ -1,4 +1,4 @@
-/** The languages that there are: another one is a table, and a line here. */
+/** The available languages: another one is a table, and a line here. */
 
 import { de } from "./words/de";
 import { en } from "./words/en";
@@ -6,7 +6,7 @@ import type { Words } from "./words/words";
 
 export const WORDS = { en, de } as const satisfies Record<string, Words>;
 
-/** A language that figures and lessons speak. */
+/** A language of figures and lessons. */
 export type Language = keyof typeof WORDS;
 
 /** The languages, the default first. */

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Latest } from "./latest";
 
-/** Work that ends when it is told to. */
+/** Work that ends when the test says so. */
 function paced() {
   const [seen, ends]: [number[], (() => void)[]] = [[], []];
   const latest = new Latest<number>((state) => {

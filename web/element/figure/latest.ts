@@ -1,4 +1,7 @@
-/** Work for the last of the states that arrive while it is busy: a drag brings more of them than the engine answers. */
+/**
+ * Runs work for the last of the states that arrive while it is busy: a drag produces more of them than the engine can
+ * answer.
+ */
 
 export class Latest<State> {
   readonly #work: (state: State) => Promise<void>;
@@ -9,14 +12,14 @@ export class Latest<State> {
     this.#work = work;
   }
 
-  /** Takes a state; resolves when the work is done for it, or for a later one. */
+  /** Adds a state. Resolves when the work is done for it, or for a later one. */
   take(state: State): Promise<void> {
     if (!this.#running) return this.#run(state);
     if (this.#next) {
       this.#next.state = state;
       return this.#next.done;
     }
-    // What fails for one state may work for the next.
+    // A failure for one state need not affect the next.
     const done = this.#running.catch(() => {}).then(() => this.#runNext());
     this.#next = { state, done };
     return done;

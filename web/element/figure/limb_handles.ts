@@ -1,4 +1,4 @@
-/** Marks at the ends of limbs: a limb is turned in the plane of the picture by its mark, or with the arrow keys. */
+/** Marks at the ends of limbs: a mark rotates its limb in the plane of the picture, by dragging or with the arrow keys. */
 import {
   exp,
   inverse,
@@ -16,7 +16,7 @@ import { setAttributes, svg } from "../../ui/dom";
 import { listenToDrags } from "../../ui/drag";
 import type { FigureStage } from "./figure_stage";
 
-/** Limbs by the joint that turns them, and the joint at their end, where the mark is. */
+/** Limbs by the joint that rotates them, and the joint at their end, where the mark is. */
 export const LIMBS = (["left", "right"] as const).flatMap((side): [joint: Role, end: Role][] => [
   [`${side}_upper_arm`, `${side}_lower_arm`],
   [`${side}_lower_arm`, `${side}_hand`],
@@ -24,20 +24,20 @@ export const LIMBS = (["left", "right"] as const).flatMap((side): [joint: Role, 
   [`${side}_lower_leg`, `${side}_foot`],
 ]);
 
-/** Radians of an arrow key; with Shift a fifth of it. */
+/** Step of an arrow key, radians; with Shift a fifth of it. */
 const STEP = (5 * Math.PI) / 180;
-/** Radius of a mark, and of what a finger takes hold of, pixels. */
+/** Radius of a mark, and of its touch target, pixels. */
 const RADIUS = { mark: 6, target: 22 };
 
 export interface LimbListeners {
-  /** How a joint is turned now: an axis times an angle about the axes of its parent, radians. */
+  /** Current rotation of a joint: an axis times an angle about the axes of its parent, radians. */
   turnOf: (joint: Role) => Vector;
   onInput: (joint: Role, turn: Vector) => void;
-  /** The pointer has let go; of keys the figure's element knows. */
+  /** Called when the pointer is released; the figure's element handles keys. */
   onSettle: () => void;
 }
 
-/** A turn followed by another about an axis of the world. @param parent the parent's rotation in the world */
+/** A rotation followed by another about an axis of the world. @param parent the parent's rotation in the world */
 export function turnedFurther(turn: Vector, parent: Quaternion, axis: Vector, angle: number): Vector {
   const [x, y, z] = turned(inverse(parent), axis);
   return log(multiply(exp([angle * x, angle * y, angle * z]), exp(turn)));
@@ -47,10 +47,10 @@ export class LimbHandles {
   readonly #stage: FigureStage;
   readonly #listeners: LimbListeners;
   readonly #marks = new Map<Role, SVGGElement>();
-  /** Unseen until the marks have their places. */
+  /** Hidden until the marks have positions. */
   readonly #layer = svg("svg", { class: "overlay", role: "group", visibility: "hidden" });
 
-  /** @param names what each joint that is turned is called */
+  /** @param names name of each joint that can be rotated */
   constructor(
     stage: FigureStage,
     names: Readonly<Record<Role, string>>,
@@ -82,7 +82,7 @@ export class LimbHandles {
     if (stage.viewer) stage.element.append(this.#layer);
   }
 
-  /** Brings the marks to the picture that was drawn. */
+  /** Moves the marks to the joints of the drawn picture. */
   place(): void {
     const { viewer } = this.#stage;
     if (!viewer) return;
@@ -106,13 +106,13 @@ export class LimbHandles {
       const { x, y } = viewer.jointScreenPosition(end);
       return Math.hypot(press.clientX - left - x, press.clientY - top - y);
     };
-    // What a finger takes hold of overlaps: the mark that is nearest counts, not the one that is drawn last.
+    // Touch targets overlap: the nearest mark is grabbed, not the one drawn last.
     const [joint] = LIMBS.reduce((a, b) => (distanceTo(b[1]) < distanceTo(a[1]) ? b : a));
     const before = this.#listeners.turnOf(joint);
     const parent = this.#parentOf(joint);
     const axis = viewer.lineOfSight;
     const centre = viewer.jointScreenPosition(joint);
-    // Seen along an axis, a turn about it is clockwise, as angles are in a picture whose y points down.
+    // Seen along an axis, a rotation about it is clockwise, like angles in a picture whose y points down.
     const angleOf = ({ clientX, clientY }: PointerEvent) =>
       Math.atan2(clientY - top - centre.y, clientX - left - centre.x);
     const first = angleOf(press);
@@ -126,7 +126,7 @@ export class LimbHandles {
     };
   }
 
-  /** Left and right turn in the plane of the picture, up and down into it. */
+  /** Left and Right rotate in the plane of the picture, Up and Down out of it. */
   #key(joint: Role, event: KeyboardEvent): void {
     const { viewer } = this.#stage;
     if (!viewer || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,4 +1,4 @@
-/** What exercises about paired performances are judged by. */
+/** Measures for the exercises about paired performances. */
 import type { LearnEngine } from "../../client/learn/protocol";
 import { JOINT, JOINTS, ROLES } from "../../humanoid";
 import { STYLES } from "./built_in";
@@ -15,7 +15,7 @@ const best = (values: readonly number[], sign: 1 | -1) =>
 export async function styleMeans(engine: LearnEngine, motion: string, pairing: Pairing): Promise<Map<string, number>> {
   const styles = STYLES.slice(1);
   const means = new Map<string, number>();
-  // One after the other: each takes a while on this thread, and pictures are drawn in between.
+  // One after another: each takes a while on this thread, and pictures are drawn in between.
   for (const style of styles) {
     const pair = await sharedPair(engine, motion, style);
     means.set(style, meanOf(pair?.difference[pairing] ?? []));
@@ -28,21 +28,21 @@ export function jointMeans(pair: Pair, pairing: Pairing): number[] {
   return Array.from({ length: JOINTS }, (_, joint) => meanOf(jointCurve(pair, pairing, joint)));
 }
 
-/** The style of the least mean difference. */
+/** The style with the smallest mean difference. */
 export function nearestStyle(means: ReadonlyMap<string, number>): string {
   const styles = [...means.keys()];
   return styles[best([...means.values()], 1)]!;
 }
 
-/** The joint of the greatest mean distance. */
+/** The joint with the largest mean distance. */
 export function farthestJoint(means: readonly number[]): number {
   return best(means, -1);
 }
 
-/** Whether the ratio grows is seen over so many frames. */
+/** Number of frames over which the growth of the ratio is determined. */
 const AROUND = 5;
 
-/** How many times the difference by content that by second is. */
+/** Ratio of the difference by second to that by content. */
 function ratioAt({ difference }: Pair, frame: number): number {
   const f = Math.min(difference.content.length - 1, Math.max(0, frame));
   return difference.second[f]! / difference.content[f]!;

@@ -10,7 +10,7 @@ import { frameAtTime, jointDifferences, meanOf, type Pair, pairOf } from "./pair
 beforeAll(serveLearnPackage);
 const engine = createLearnTable();
 
-/** The same by another way: each pose is turned by the direction in which its hips look. */
+/** The same result by another method: each pose is rotated by the heading of its hips. */
 function independentDistances(pair: Pair, frame: number, other: number): number[] {
   const place = (poses: Float32Array, f: number) => {
     const world = createWorldPose();
@@ -29,7 +29,7 @@ function independentDistances(pair: Pair, frame: number, other: number): number[
   return a.map((p, j) => 100 * Math.sqrt(p.reduce((s, v, k) => s + (v - b[j]![k]!) ** 2, 0)));
 }
 
-/** Their mean. */
+/** The mean distance. */
 function independentDifference(pair: Pair, frame: number, other: number): number {
   let sum = 0;
   for (const distance of independentDistances(pair, frame, other)) sum += distance;
@@ -40,7 +40,7 @@ test("the difference is the mean distance of the joints, place and heading aside
   const pair = (await pairOf(engine, "neutral walk", "proud"))!;
   for (const frame of [0, 160, 500, 881]) {
     const independent = independentDifference(pair, frame, frame);
-    // The mutation: another instant must not do.
+    // A mutation: another instant must give another result.
     expect(Math.abs(pair.difference.content[frame]! - independent)).toBeLessThan(0.6);
     expect(
       Math.abs(pair.difference.content[frame]! - independentDifference(pair, frame, (frame + 20) % 880)),
@@ -85,7 +85,7 @@ test("the same second ends with a faster performance", async () => {
 });
 
 test("times are found between the samples", () => {
-  // Share 1 of these rounds to more than the last time.
+  // With a share of 1 these round to more than the last time.
   const rounded = [
     0.23597234353997798, 0.1072628133754667, 0.3940807800084778, 0.047408432538957934, 0.45124797407709955,
   ];

@@ -1,9 +1,9 @@
-/** Two performances of one content, paired instant by instant: what is left once equal instants are paired. */
+/** Two performances of one content, paired instant by instant, and their remaining differences. */
 import type { LearnEngine, Performed } from "../../client/learn/protocol";
 import { JOINTS } from "../../humanoid";
 import { jointDistance, type Measured, meanDistance, measure } from "../../player/measured";
 
-/** Which instants are compared: those of the same second, or those of the same content. */
+/** Which instants are compared: those at the same second, or those with the same content. */
 export const PAIRINGS = ["second", "content"] as const;
 export type Pairing = (typeof PAIRINGS)[number];
 
@@ -15,7 +15,7 @@ export interface Pair {
   styled: Measured<Performed>;
   /** Fractional frame of the performance that is paired with each frame of the input; NaN after its end. */
   frames: Record<Pairing, Float64Array>;
-  /** Mean distance of the joints at each frame, cm; NaN where nothing is paired. */
+  /** Mean distance of the joints in each frame, cm; NaN where nothing is paired. */
   difference: Record<Pairing, Float64Array>;
 }
 
@@ -50,7 +50,7 @@ export function jointCurve({ input, styled, frames }: Pair, pairing: Pairing, jo
   );
 }
 
-/** Mean of the finite ones of some values. */
+/** Mean of the finite values. */
 export function meanOf(values: Iterable<number>): number {
   let [sum, count] = [0, 0];
   for (const value of values) {

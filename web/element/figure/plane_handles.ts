@@ -1,20 +1,20 @@
-/** Handles of a plot that are dragged in both directions, or moved with the arrow keys. */
+/** Handles of a plot that can be dragged in both directions, or moved with the arrow keys. */
 import { setAttributes, svg } from "../../ui/dom";
 import { listenToDrags } from "../../ui/drag";
 import { placeIn } from "../../ui/drawing";
 import { type Axes, valueOfX, valueOfY, xOf, yOf } from "./axes";
 
-/** A place in the units of the axes. */
+/** A position in the units of the axes. */
 export type Place = readonly [x: number, y: number];
 
-/** Radius of a mark, and of what a finger takes hold of, units. */
+/** Radius of a mark, and of its touch target, units. */
 const RADIUS = { mark: 6, target: 22 };
 
 export interface PlaneListeners {
-  /** The axes that the handles were placed in; `undefined` before. */
+  /** The axes in which the handles were placed; `undefined` before. */
   axes: () => Axes | undefined;
   onInput: (which: number, place: Place) => void;
-  /** The pointer has let go; of keys the figure's element knows. */
+  /** Called when the pointer is released; the figure's element handles keys. */
   onSettle: () => void;
 }
 
@@ -26,8 +26,8 @@ export class PlaneHandles {
   #places: readonly Place[] = [];
 
   /**
-   * @param names what each is called
-   * @param step how far an arrow key goes, in the units of the axes
+   * @param names name of each handle
+   * @param step step of an arrow key, in the units of the axes
    */
   constructor(
     picture: SVGSVGElement,
@@ -47,14 +47,14 @@ export class PlaneHandles {
         svg("circle", { class: "mark", r: RADIUS.mark }),
       );
       listenToDrags(mark, (press) => this.#drag(which, press), signal);
-      // What lies beneath is moved by a press, too.
+      // Otherwise a press would also move the element beneath.
       mark.addEventListener("pointerdown", (event) => event.stopPropagation(), { signal });
       mark.addEventListener("keydown", (event) => this.#key(which, event), { signal });
       return mark;
     });
   }
 
-  /** @param say what is said of a place */
+  /** @param say converts a position to text */
   place(axes: Axes, places: readonly Place[], say: (place: Place) => string): void {
     this.#places = places;
     places.forEach((place, which) => {

@@ -1,4 +1,4 @@
-/** A button that plays a figure's motion, and where the motion stands between two frames. */
+/** A button that plays a figure's motion, and the position of the motion between two frames. */
 import { icon } from "../../ui/controls/icons";
 import { html } from "../../ui/dom";
 import type { Words } from "./words/words";
@@ -9,7 +9,7 @@ export class Playing {
   #playing = false;
   #at = 0;
 
-  /** @param onPause somebody has stopped it: what is shown stays */
+  /** @param onPause called when the user pauses: the displayed frame stays */
   constructor(words: Words, onPause: () => void, signal: AbortSignal) {
     this.#words = words;
     const toggle = () => {
@@ -21,12 +21,12 @@ export class Playing {
     this.#show();
   }
 
-  /** The frame that a state says; while it plays, only a far one is gone to. */
+  /** The frame of the state; during playback it jumps only to a distant one. */
   set frame(frame: number) {
     if (!this.#playing || Math.abs(frame - this.#at) > 1) this.#at = frame;
   }
 
-  /** The frame after a time, from the first again after the last; `undefined` while it stands. */
+  /** Advances by a duration and returns the frame, looping after the last one; `undefined` while paused. */
   advance(dtSecs: number, rateHz: number, last: number): number | undefined {
     if (!this.#playing) return undefined;
     this.#at = this.#at >= last ? 0 : Math.min(last, this.#at + dtSecs * rateHz);

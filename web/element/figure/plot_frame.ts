@@ -4,7 +4,7 @@ import { sizeOf } from "../../ui/drawing";
 import { type Axes, digitsOf, MARGIN, xOf, yOf } from "./axes";
 import { figure, type Words } from "./words/words";
 
-/** Labels of the axes, and what stands on them. */
+/** Labels of the axes, and their ticks. */
 export interface Grid {
   x: string;
   y: string;
@@ -13,19 +13,19 @@ export interface Grid {
 }
 
 export class PlotFrame {
-  /** What holds the picture. */
+  /** The element of the picture. */
   readonly element: HTMLElement;
   readonly picture = svg("svg", { class: "plot", role: "group" });
-  /** Numbers of the axes say nothing without the picture; its handles speak for themselves. */
+  /** Numbers of the axes are meaningless without the picture; its handles have labels of their own. */
   readonly #grid = svg("g", { class: "grid", "aria-hidden": "true" });
   readonly #draw: () => void;
   #request = 0;
-  /** What the grid that is drawn was drawn from. */
+  /** The data from which the grid was drawn. */
   #drawn = "";
   width = 0;
   height = 0;
 
-  /** @param draw draws anew; it is called where there is room to draw in */
+  /** @param draw draws again; called when there is space to draw in */
   constructor(name: string, draw: () => void, signal: AbortSignal) {
     this.#draw = draw;
     this.picture.setAttribute("aria-label", name);
@@ -46,7 +46,7 @@ export class PlotFrame {
     signal.addEventListener("abort", end, { once: true });
   }
 
-  /** Draws with the next picture: a drag may bring several states for one. */
+  /** Draws with the next display frame: a drag may bring several states for one. */
   request(): void {
     cancelAnimationFrame(this.#request);
     this.#request = requestAnimationFrame(() => {
@@ -54,7 +54,7 @@ export class PlotFrame {
     });
   }
 
-  /** Tells which term's marks are pointed at; call it when all marks are there. */
+  /** Reports the term of the hovered marks; to be called when all marks exist. */
   listenToMarks(point: (term: string | undefined) => void): void {
     for (const mark of this.picture.querySelectorAll("[data-term]")) {
       mark.addEventListener("pointerenter", () => point(mark.getAttribute("data-term")!));
@@ -67,7 +67,7 @@ export class PlotFrame {
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
-  /** Draws the grid, unless it is the one that is there. */
+  /** Draws the grid, unless it is unchanged. */
   drawGrid(axes: Axes, grid: Grid, words: Words): void {
     const drawn = JSON.stringify([axes, grid]);
     if (drawn === this.#drawn) return;

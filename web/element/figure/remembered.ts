@@ -1,10 +1,10 @@
-/** Answers of an engine, computed once. */
+/** Memoised answers of an engine. */
 import type { LearnEngine } from "../../client/learn/protocol";
 
-/** So many answers of each kind are kept: a drag asks for a new one with every move. */
+/** Number of answers of each kind that are kept: a drag requests a new one with every move. */
 const KEPT = 64;
 
-/** Remembers the last answers by the engine and what was asked; what failed is asked again. */
+/** Memoises the last answers by the engine and the arguments; failed requests are repeated. */
 export function remembered<Asked extends readonly unknown[], Answer>(
   ask: (engine: LearnEngine, ...asked: Asked) => Promise<Answer>,
 ): (engine: LearnEngine, ...asked: Asked) => Promise<Answer> {
@@ -14,7 +14,7 @@ export function remembered<Asked extends readonly unknown[], Answer>(
     engines.set(engine, known);
     const key = JSON.stringify(asked);
     const answer = known.get(key) ?? ask(engine, ...asked);
-    // The last asked for is the last to be forgotten.
+    // The least recently used is removed first.
     known.delete(key);
     known.set(key, answer);
     if (known.size > KEPT) known.delete(known.keys().next().value!);

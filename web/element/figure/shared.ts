@@ -1,10 +1,10 @@
-/** What the figures of a page share: the engine, and what it was asked already. */
+/** Shared by the figures of a page: the engine, and its memoised answers. */
 import { createLearnClient, type LearnClient } from "../../client/learn/learn_client";
 import type { LearnEngine } from "../../client/learn/protocol";
 import { pairOf } from "./pairing";
 import { remembered } from "./remembered";
 
-/** How long the engine is kept when no figure is left, milliseconds. */
+/** Time for which the engine is kept without figures, milliseconds. */
 const LINGER_MS = 5000;
 
 let client: LearnClient | undefined;
@@ -18,7 +18,7 @@ export function joinEngine(): LearnEngine {
   return client;
 }
 
-/** Asks the engine no longer. */
+/** Stops using the engine. */
 export function leaveEngine(): void {
   users -= 1;
   clearTimeout(leaving);
@@ -29,9 +29,9 @@ export function leaveEngine(): void {
   }, LINGER_MS);
 }
 
-/** Has the engine open what figures begin with, which takes long; it ends if nobody joins. */
+/** Makes the engine open the data that figures need first, which takes long; it ends if no figure joins. */
 export function startEngine(begin: (engine: LearnEngine) => Promise<unknown>): void {
-  // What fails is said by the figure that needs it.
+  // A failure is reported by the figure that needs the data.
   begin(joinEngine()).catch(() => {});
   leaveEngine();
 }

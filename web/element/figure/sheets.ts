@@ -1,4 +1,4 @@
-/** The style sheets of figures, made once and shared by all of them. */
+/** The style sheets of figures, created once and shared by all of them. */
 import base from "../../ui/controls/base.css?inline";
 import buttons from "../../ui/controls/button.css?inline";
 import knob from "../../ui/controls/knob.css?inline";
@@ -13,7 +13,7 @@ const SHARED = [tokens, base, buttons, knob, segment, select, slider, toggle, fi
 
 const made = new Map<string, CSSStyleSheet>();
 
-/** The sheets that all figures have, and that of a kind. */
+/** The sheets of all figures, and that of a kind. */
 export function figureSheets(kind?: string): CSSStyleSheet[] {
   return (kind ? [...SHARED, kind] : SHARED).map(sheetOf);
 }

@@ -1,9 +1,9 @@
-/** Joints that are turned by hand: their part of a figure's state. */
+/** Joints that are rotated by hand: their part of a figure's state. */
 import type { Turn } from "../../client/learn/protocol";
 import { DEGREES, JOINT, ROLES, type Role, type Vector } from "../../humanoid";
 import { type Field, listed } from "../../link/fields";
 
-/** A joint that is turned from where the input has it. */
+/** A joint rotated relative to the input. */
 export interface TurnedJoint {
   joint: Role;
   /** An axis times an angle about the axes of the joint's parent, degrees. */
@@ -13,7 +13,7 @@ export interface TurnedJoint {
 /** Decimals of an angle in a link. */
 const DIGITS = 1;
 
-/** How turned joints are written into a link: `joint:x:y:z,…`. */
+/** Encoding of rotated joints in a link: `joint:x:y:z,…`. */
 export function turnedJoints(key: string): Field<readonly TurnedJoint[]> {
   return listed(key, [], encode, decode);
 }
@@ -24,7 +24,7 @@ function encode(turned: readonly TurnedJoint[]): string {
     .join(",");
 }
 
-/** What {@link encode} wrote; `undefined` where a joint is unknown or turned twice, or an angle is not below 180°. */
+/** Decodes {@link encode}; `undefined` if a joint is unknown or listed twice, or an angle is not below 180°. */
 function decode(text: string): readonly TurnedJoint[] | undefined {
   const turned: TurnedJoint[] = [];
   for (const part of text === "" ? [] : text.split(",", ROLES.length + 1)) {
@@ -38,20 +38,20 @@ function decode(text: string): readonly TurnedJoint[] | undefined {
   return turned;
 }
 
-/** How a joint is turned, radians. */
+/** Rotation of a joint, radians. */
 export function turnOf(turned: readonly TurnedJoint[], joint: Role): Vector {
   const [x, y, z] = turned.find((one) => one.joint === joint)?.by ?? [0, 0, 0];
   return [x / DEGREES, y / DEGREES, z / DEGREES];
 }
 
-/** The same with a joint turned by radians in place of what it was. */
+/** The list with a joint's rotation, in radians, replaced. */
 export function withTurn(turned: readonly TurnedJoint[], joint: Role, [x, y, z]: Vector): readonly TurnedJoint[] {
   const others = turned.filter((one) => one.joint !== joint);
   const by: Vector = [x * DEGREES, y * DEGREES, z * DEGREES];
   return by.every((angle) => Math.abs(angle) < 0.05) ? others : [...others, { joint, by }];
 }
 
-/** As the engine takes them. */
+/** In the engine's format. */
 export function turnsOf(turned: readonly TurnedJoint[]): Turn[] {
   return turned.map(({ joint }) => ({ joint: JOINT[joint], by: turnOf(turned, joint) }));
 }

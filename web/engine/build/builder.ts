@@ -1,4 +1,4 @@
-/** Builds databases from labelled clips on the calling thread; the build worker runs it. */
+/** Builds databases from labelled clips on the calling thread. The build worker runs it. */
 import type { Building } from "./pkg/strut_wasm_build";
 import { type BuildGlue, buildPackage } from "./wasm";
 
@@ -6,55 +6,55 @@ import { type BuildGlue, buildPackage } from "./wasm";
 export interface Labels {
   action: string;
   style: string;
-  /** Number of the take; undefined to have it counted. */
+  /** Number of the take; `undefined` numbers it automatically. */
   take: number | undefined;
 }
 
-/** The labels of a file, or why it has none. */
+/** The labels of a file, or the reason why it has none. */
 export type Labelled = Labels | { reason: string };
 
-/** A file of a build. */
+/** A file to build a database from. */
 export interface BuildFile extends Labels {
-  /** Path with `/`; for a file in an archive the archive's path, then the path in it. */
+  /** Path with `/`; for a file in an archive, the archive's path, then the path in the archive. */
   path: string;
   /** Title of its licence, empty if unknown. */
   licence: string;
 }
 
-/** Joint of each of the 21 humanoid roles, −1 where there is none. */
+/** Joint of each of the 21 humanoid roles, −1 for a role without a joint. */
 export type Roles = Int32Array;
 
 /** Properties of a clip before a build. */
 export interface ClipInfo {
   frames: number;
   rateHz: number;
-  /** Names of the joints, parents first, and the index of each one's parent, −1 for the root. */
+  /** Names of the joints, parents first, and the index of each joint's parent, −1 for the root. */
   joints: string[];
   parents: Int32Array;
   roles: Roles;
   /** Confidence of the roles, 0 to 1. */
   confidence: number;
-  /** Why the skeleton is no humanoid; empty if it is one. */
+  /** Why the skeleton is not a humanoid; empty if it is one. */
   fault: string;
-  /** A sentence for people about the match of the skeletons, or empty. */
+  /** A sentence for the user about the joint mapping, or empty. */
   note: string;
 }
 
-/** A clip on its own skeleton, to be previewed. */
+/** A clip on its own skeleton, for the preview. */
 export interface Preview extends ClipInfo {
-  /** Bone offsets, 21 × xyz, metres; empty where the skeleton is no humanoid. */
+  /** Bone offsets, 21 × xyz, metres; empty if the skeleton is not a humanoid. */
   proportions: Float32Array;
-  /** `frames` poses; empty where the skeleton is no humanoid. */
+  /** `frames` poses; empty if the skeleton is not a humanoid. */
   poses: Float32Array;
 }
 
-/** A file that did not enter the database. */
+/** A file that was not used in the database. */
 export interface RefusedFile {
   path: string;
   reason: string;
 }
 
-/** A style that is performed in two manners in an action, with the paths of the clips of each. */
+/** A bimodal style: its clips of an action form two clusters. Holds the paths of the clips of each cluster. */
 export interface TwoManners {
   action: string;
   style: string;
@@ -67,7 +67,7 @@ export type BuildStage = "preparing" | "registering" | "indexing";
 /** Receives the progress of a stage. */
 export type OnBuildProgress = (stage: BuildStage, done: number, total: number) => void;
 
-/** A database that was built. */
+/** A finished database. */
 export interface BuiltDatabase {
   /** The `.strutdb` file. */
   file: Blob;
@@ -77,9 +77,9 @@ export interface BuiltDatabase {
   styles: string[];
   neutral: string;
   refused: RefusedFile[];
-  /** Styles that styling takes to the mean of two manners. */
+  /** Bimodal styles: styling produces the mean of the two clusters. */
   twoManners: TwoManners[];
-  /** Why the style of one clip may look wrong, a sentence; empty if nothing is known against it. */
+  /** A sentence on why the style of a single clip may look wrong; empty if no reason is known. */
   doubt: string;
 }
 
@@ -90,19 +90,19 @@ export const DATABASE_HZ = 60;
 export class DatabaseBuilder {
   private constructor(private readonly glue: BuildGlue) {}
 
-  /** @throws StrutError if the module cannot be had */
+  /** @throws StrutError if the module cannot be loaded */
   static async load(): Promise<DatabaseBuilder> {
     return new DatabaseBuilder(await buildPackage.load());
   }
 
-  /** The most likely pattern of these paths. */
+  /** The most likely pattern of the labels in these paths. */
   guessPattern(paths: string[]): string | undefined {
     return buildPackage.guarded(() => this.glue.guessPattern(paths));
   }
 
   /**
-   * The labels of every path, from a table or else a pattern.
-   * @throws StrutError with what is wrong with the pattern or the table
+   * The labels of every path, from the table or, without one, from the pattern.
+   * @throws StrutError if the pattern or the table is invalid; the message says why
    */
   labelsOf(paths: string[], pattern: string | undefined, table: Uint8Array | undefined): Labelled[] {
     const flat = buildPackage.guarded(() => this.glue.labelsOf(paths, pattern, table));
@@ -116,7 +116,7 @@ export class DatabaseBuilder {
     return buildPackage.guarded(() => this.glue.licenceTitle(text));
   }
 
-  /** @throws StrutError with what is wrong with the file */
+  /** @throws StrutError if the file is invalid; the message says why */
   inspect(bytes: Uint8Array, roles?: Roles): ClipInfo {
     const clip = buildPackage.guarded(() => new this.glue.Clip(bytes, roles));
     try {
@@ -126,7 +126,7 @@ export class DatabaseBuilder {
     }
   }
 
-  /** @throws StrutError with what is wrong with the file */
+  /** @throws StrutError if the file is invalid; the message says why */
   preview(bytes: Uint8Array, roles?: Roles): Preview {
     const clip = buildPackage.guarded(() => new this.glue.Clip(bytes, roles));
     try {
@@ -142,22 +142,22 @@ export class DatabaseBuilder {
   }
 
   /**
-   * A database with one more style, of one clip.
+   * Adds a style from one clip to a database.
    * @param database a `.strutdb` file or packed motions
-   * @param action what the clip shows, as a person says; without it the action that it fits best
-   * @throws StrutError with why the clip is no style of it
+   * @param action the action that the clip shows, as the user labels it; without it, the action that fits the clip best
+   * @throws StrutError if the clip cannot become a style of the database; the message says why
    */
   addStyle(database: Uint8Array, path: string, style: string, bvh: Uint8Array, action?: string): BuiltDatabase {
     return databaseOf(buildPackage.guarded(() => this.glue.addStyle(database, path, style, bvh, action)));
   }
 
-  /** Begins a build; without `neutral` that style is found by its name. */
+  /** Begins a build. Without `neutral`, the neutral style is found by its name. */
   begin(files: readonly BuildFile[], neutral: string | undefined): Build {
     return new Build(this.glue, files, neutral);
   }
 }
 
-/** A build: files are added one at a time, then it runs in steps. */
+/** A build: files are added one at a time, then the build runs in steps. */
 export class Build {
   /** Paths in the order in which they must be added. */
   readonly order: string[];
@@ -183,29 +183,29 @@ export class Build {
     this.order = buildPackage.guarded(() => builder.order());
   }
 
-  /** @throws StrutError with why the file cannot be used; the others can still be built without it */
+  /** @throws StrutError if the file cannot be used; the message says why. The other files can still be built without it */
   add(path: string, bytes: Uint8Array, roles?: Roles): void {
     const { raw } = this;
     if (raw instanceof this.glue.Builder) buildPackage.guarded(() => raw.add(path, bytes, roles));
   }
 
   /**
-   * Processes a few clips, once all files were added; false when only {@link finish} is left.
-   * @throws StrutError if nothing can be built from them
+   * Processes a few clips, after all files were added. Returns false when only {@link finish} is left.
+   * @throws StrutError if nothing can be built from the files
    */
   step(onProgress: OnBuildProgress): boolean {
     return buildPackage.guarded(() => this.building().step({ progress: onProgress }));
   }
 
   /**
-   * The database of the files that were added; this object cannot be used afterwards.
+   * Returns the database of the files that were added. This object cannot be used afterwards.
    * @throws StrutError if nothing could be built
    */
   finish(onProgress: OnBuildProgress): BuiltDatabase {
     return databaseOf(buildPackage.guarded(() => this.building().finish({ progress: onProgress })));
   }
 
-  /** Abandons the build. */
+  /** Cancels the build. */
   dispose(): void {
     this.raw.free();
   }
@@ -218,7 +218,7 @@ export class Build {
   }
 }
 
-/** Takes the result out of the module and frees it there. */
+/** Copies the result out of the module and frees it there. */
 function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
   try {
     return buildPackage.guarded(() => {
@@ -243,7 +243,7 @@ function databaseOf(built: ReturnType<BuildGlue["addStyle"]>): BuiltDatabase {
   }
 }
 
-/** Styles from the action, style, manner and path of each of their clips. */
+/** Bimodal styles from the action, style, cluster and path of each of their clips. */
 function twoMannersOf(flat: readonly string[]): TwoManners[] {
   const found: TwoManners[] = [];
   for (let i = 0; i < flat.length; i += 4) {

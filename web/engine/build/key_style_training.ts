@@ -1,11 +1,11 @@
-/** Trains key-style models on clips on the calling thread; the build worker runs it. */
+/** Trains key-style models on clips on the calling thread. The build worker runs it. */
 
 import type { RefusedFile } from "./builder";
 import { buildPackage } from "./wasm";
 
-/** What a model is trained on, and how. */
+/** Clips and settings of a training run. */
 export interface KeyStyleOrder {
-  /** Names of clips; if empty, those of the action, in the neutral style if there is one. */
+  /** Names of clips; if empty, the clips of `action`, in the neutral style if there is one. */
   clips: readonly string[];
   /** Action of the clips; if empty, all files, or the first action of the database. */
   action: string;
@@ -17,7 +17,7 @@ export interface KeyStyleOrder {
   em: boolean;
 }
 
-/** A clip that a model may be trained on. */
+/** A clip that a model can be trained on. */
 export interface KeyStyleClip {
   name: string;
   action: string;
@@ -25,21 +25,21 @@ export interface KeyStyleClip {
   secs: number;
 }
 
-/** A model that was trained. */
+/** A trained model. */
 export interface TrainedKeyStyle {
   /** The `.strutkeys` file. */
   file: Uint8Array<ArrayBuffer>;
-  /** All clips there are, and the names of those that the model was trained on. */
+  /** All available clips, and the names of those that the model was trained on. */
   clips: KeyStyleClip[];
   trainedOn: string[];
   refused: RefusedFile[];
-  /** Share of the variation of the poses that the style variables do not explain, where that is too much; else 0. */
+  /** Share of the variance of the poses that the style variables do not explain, if it is too large; else 0. */
   unexplainedShare: number;
-  /** Duration of the training without reading, seconds. */
+  /** Duration of the training, without reading the clips, seconds. */
   secs: number;
 }
 
-/** Receives the number of passes done, of a total. */
+/** Receives the number of passes done and their total. */
 export type OnTrainProgress = (done: number, total: number) => void;
 
 /** BVH files to train on instead of a database. */
@@ -58,15 +58,15 @@ export class KeyStyleClips {
   }
 
   /**
-   * The clips of a `.strutdb` file or packed motions.
-   * @throws StrutError with what is wrong with the file
+   * Reads the clips of a `.strutdb` file or packed motions.
+   * @throws StrutError if the file is invalid; the message says why
    */
   static async ofDatabase(database: Uint8Array): Promise<KeyStyleClips> {
     const glue = await buildPackage.load();
     return new KeyStyleClips(buildPackage.guarded(() => glue.KeyStyleClips.ofDatabase(database)));
   }
 
-  /** The clips of BVH files; those that cannot be read are refused. */
+  /** Reads the clips of BVH files. Files that cannot be read are refused. */
   static async ofFiles(files: KeyStyleFiles): Promise<KeyStyleClips> {
     const glue = await buildPackage.load();
     const raw = new glue.KeyStyleClips();
@@ -84,7 +84,7 @@ export class KeyStyleClips {
 
   /**
    * Trains a model.
-   * @throws StrutError with why nothing can be trained
+   * @throws StrutError if nothing can be trained; the message says why
    */
   train(order: KeyStyleOrder, onProgress: OnTrainProgress): TrainedKeyStyle {
     const chosen = chosenClips(this.clips, order);
@@ -118,7 +118,7 @@ export class KeyStyleClips {
 /** Names of the neutral style. */
 const NEUTRAL = ["neutral", "normal"];
 
-/** Indices of the clips that an order selects. */
+/** Indices of the clips that a training request selects. */
 export function chosenClips(clips: readonly KeyStyleClip[], order: Pick<KeyStyleOrder, "clips" | "action">): number[] {
   const all = [...clips.keys()];
   const named = all.filter((i) => order.clips.includes(clips[i]!.name));

@@ -1,4 +1,4 @@
-/** Trains walk models on databases on the calling thread; the build worker runs it. */
+/** Trains walk models on databases on the calling thread. The build worker runs it. */
 
 import type { RefusedFile } from "./builder";
 import { buildPackage } from "./wasm";
@@ -6,14 +6,14 @@ import { buildPackage } from "./wasm";
 /** A stage of {@link trainWalk}: clips are read, then styles trained. */
 export type TrainStage = "reading" | "training";
 
-/** A walk model that was trained. */
+/** A trained walk model. */
 export interface TrainedWalk {
   /** The `.strutwalk` file. */
   file: Uint8Array<ArrayBuffer>;
   styles: string[];
-  /** Clips that it was trained on. */
+  /** Number of clips that it was trained on. */
   clips: number;
-  /** Names of the clips that were left out, and why. */
+  /** Names of the clips that were left out, and the reasons. */
   refused: RefusedFile[];
 }
 

@@ -1,12 +1,12 @@
 /**
- * Google's decoder of Draco meshes, as three.js has it: the WASM module alone. The script that comes with it can neither be
- * imported as a module nor be told how much memory a mesh may take.
+ * Google's decoder of Draco meshes, as shipped with three.js: the WASM module alone. The script that comes with it
+ * cannot be imported as a module and has no limit on the memory of a mesh.
  */
 import { assetOf } from "../assets";
 import { StrutError, toStrutError } from "../errors";
 import { compileModule } from "../module";
 
-/** What the module calls its functions, by their names in `draco_wasm_wrapper.js`, the script that comes with it. */
+/** Short export names of the module's functions, by their names in `draco_wasm_wrapper.js`, the script that comes with it. */
 export const EXPORTS = {
   malloc: "Qb",
   free: "Rb",
@@ -22,10 +22,10 @@ export const EXPORTS = {
   emscripten_bind_Decoder_GetTrianglesUInt32Array_3: "Wa",
   emscripten_bind_Decoder_GetAttributeDataArrayForAllPoints_5: "eb",
 } as const;
-/** Its memory and what runs before everything else, which have no names in the script. */
+/** The exports for the memory and for the initialisation that runs first. They have no names in the script. */
 const [MEMORY, INITIALIZE] = ["e", "f"];
 
-/** Draco's number of a type of numbers, and their bytes, by glTF's number. */
+/** Draco's number of a component type, and its size in bytes, by glTF's number. */
 const TYPES: Readonly<Record<number, readonly [type: number, bytes: number]>> = {
   5120: [1, 1],
   5121: [2, 1],
@@ -34,36 +34,36 @@ const TYPES: Readonly<Record<number, readonly [type: number, bytes: number]>> = 
   5125: [6, 4],
   5126: [9, 4],
 };
-/** Most bytes of the module's memory. Two million triangles take half; a stream that tells of billions gets none for them. */
+/** Largest memory of the module, bytes. Two million triangles take half of it. A stream that declares billions is refused. */
 const MAX_MEMORY = 512 * 1024 * 1024;
 const PAGE = 65_536;
 
-/** What the module is called in messages, and what to do without it. */
+/** The module's name in messages, and what to do without it. */
 const WHAT = "decoder of Draco meshes";
 const HINT = "Export the model without Draco, or see that draco_decoder.wasm is there and may be fetched.";
 
 type Call = (...given: number[]) => number;
 
-/** An attribute as it is wanted. */
+/** An attribute that is to be decoded. */
 export interface WantedAttribute {
   /** Its number in the stream. */
   readonly id: number;
-  /** glTF's number of the type of its components. */
+  /** glTF's number of its component type. */
   readonly componentType: number;
-  /** Components an element. */
+  /** Components per element. */
   readonly width: number;
 }
 
 /** A mesh in plain arrays. */
 export interface DracoMesh {
-  /** Three a triangle. */
+  /** Three per triangle. */
   readonly indices: Uint32Array<ArrayBuffer>;
   readonly points: number;
-  /** The bytes of each wanted attribute. */
+  /** The bytes of each requested attribute. */
   readonly attributes: readonly Uint8Array<ArrayBuffer>[];
 }
 
-/** A decoder for the meshes of one file. Its memory goes with it. */
+/** A decoder for the meshes of one file. Its memory is freed with it. */
 export class DracoDecoder {
   readonly #memory: WebAssembly.Memory;
   readonly #call: Readonly<Record<keyof typeof EXPORTS, Call>>;
@@ -77,7 +77,7 @@ export class DracoDecoder {
     this.#decoder = this.#call.emscripten_bind_Decoder_Decoder_0();
   }
 
-  /** @throws StrutError `load` if the module cannot be had, `unsupported` */
+  /** @throws StrutError `load` if the module cannot be loaded, `unsupported` */
   static async load(): Promise<DracoDecoder> {
     const beside = () =>
       new URL("../../../node_modules/three/examples/jsm/libs/draco/gltf/draco_decoder.wasm", import.meta.url);
@@ -104,14 +104,15 @@ export class DracoDecoder {
 
   /**
    * Decodes a mesh.
-   * @param limit most numbers of what is decoded
-   * @throws StrutError `bad-file` where the stream is damaged, has other attributes, or is too long; the decoder is of no use then
+   * @param limit maximum number of values in the decoded mesh
+   * @throws StrutError `bad-file` if the stream is damaged, has other attributes, or is too long; the decoder cannot be
+   * used afterwards
    */
   decode(stream: Uint8Array, wanted: readonly WantedAttribute[], limit: number): DracoMesh {
     try {
       return this.#decode(stream, wanted, limit);
     } catch (cause) {
-      // Whatever a damaged stream makes the module do.
+      // A damaged stream can make the module throw anything.
       throw cause instanceof StrutError ? cause : damaged(cause);
     }
   }
@@ -151,7 +152,7 @@ export class DracoDecoder {
     return { indices: new Uint32Array(triangles.buffer), points, attributes };
   }
 
-  /** A copy of the bytes that a function writes; it says whether it could. */
+  /** Returns a copy of the bytes that `fill` writes. `fill` returns whether it succeeded. */
   #filled(bytes: number, fill: (at: number, bytes: number) => number): Uint8Array<ArrayBuffer> {
     return this.#with(bytes, (at) => {
       if (!fill(at, bytes)) throw damaged();
@@ -159,7 +160,7 @@ export class DracoDecoder {
     });
   }
 
-  /** Runs with bytes of the module's memory. */
+  /** Calls `use` with a temporary allocation in the module's memory. */
   #with<T>(bytes: number, use: (at: number) => T): T {
     const at = this.#call.malloc(bytes);
     if (at === 0 && bytes > 0) throw damaged();
@@ -169,7 +170,7 @@ export class DracoDecoder {
   }
 }
 
-/** Lets a memory grow to so many bytes, and by a fifth at least. Gives whether it could. @throws StrutError `bad-file` */
+/** Grows a memory to `bytes`, and by at least a fifth. Returns whether it succeeded. @throws StrutError `bad-file` */
 function grow(memory: WebAssembly.Memory, bytes: number): number {
   if (bytes > MAX_MEMORY) throw tooLong();
   const had = memory.buffer.byteLength;
@@ -182,7 +183,7 @@ function grow(memory: WebAssembly.Memory, bytes: number): number {
   }
 }
 
-/** Whether a stream is of an earlier version of the format, which this decoder does not read. */
+/** Whether a stream has an earlier version of the format, which this decoder does not read. */
 const isOutdated = (stream: Uint8Array): boolean =>
   new TextDecoder("latin1").decode(stream.subarray(0, 5)) === "DRACO" && (stream[5]! < 2 || stream[6]! < 2);
 

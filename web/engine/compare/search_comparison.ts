@@ -1,18 +1,18 @@
-/** A search by kd-trees beside the exact one, by the package that has both. */
+/** Compares a search by kd-trees with the exact one, in the package that has both. */
 import type { Database } from "../database";
 import { Handle } from "../handle";
 import type { Input } from "../input";
 import { guarded } from "../wasm";
 import * as glue from "./pkg/strut_compare.js";
 
-/** An object of this package that the engine holds under the name of its own. */
+/** Casts an object of this package to the engine's type of the same class. */
 const own = <T>(raw: unknown): T => raw as T;
 
-/** The frames of an input on their way through both searches. */
+/** Runs the frames of an input through both searches. */
 export class SearchComparison extends Handle<glue.SearchComparison> {
   /**
-   * @param neighbours how many are looked for in every class
-   * @param candidates among how many of its kd-tree
+   * @param neighbours number of neighbours in every class
+   * @param candidates number of candidates that the kd-tree examines
    * @throws StrutError `bad-input` if there are no candidates
    */
   constructor(database: Database, input: Input, neighbours: number, candidates: number) {
@@ -22,22 +22,22 @@ export class SearchComparison extends Handle<glue.SearchComparison> {
     );
   }
 
-  /** Takes up to `frames` more frames, and gives how many; 0 where all are done. */
+  /** Takes up to `frames` more frames. Returns their number; 0 if all are done. */
   take(frames: number): number {
     return guarded(() => this.raw.take(frames));
   }
 
-  /** Searches the frames taken last exactly. */
+  /** Searches the frames taken last with the exact search. */
   searchExactly(): void {
     guarded(() => this.raw.searchExactly());
   }
 
-  /** Searches them by kd-trees. */
+  /** Searches the frames taken last with the kd-trees. */
   searchTrees(): void {
     guarded(() => this.raw.searchTrees());
   }
 
-  /** Counts what both have found. */
+  /** Compares the results of both searches and adds them to the recall. */
   count(): void {
     guarded(() => this.raw.count());
   }

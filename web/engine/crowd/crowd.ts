@@ -1,4 +1,4 @@
-/** A crowd on the calling thread: a tick of a thousand takes milliseconds. */
+/** A crowd on the calling thread. A tick of a thousand agents takes milliseconds. */
 import { StrutError } from "../errors";
 import { Handle } from "../handle";
 import { type PerformersGlue, performersPackage } from "../performers/wasm";
@@ -6,19 +6,19 @@ import { loadBuiltInWalkModel } from "../walk/built_in";
 import type { FieldVertex, People, Place, Recorded, Walkers } from "./limits";
 import { type CrowdGlue, crowdPackage } from "./wasm";
 
-/** What a crowd begins with. */
+/** Initial settings of a crowd. */
 export interface CrowdOptions {
-  /** People, 1 to 1,000. */
+  /** Number of agents, 1 to 1,000. */
   count: number;
-  /** Of all that is drawn by lot. */
+  /** Seed of all random choices. */
   seed: number;
 }
 
-/** Both kinds can be asked the same. */
+/** Both classes have the same methods. */
 type Raw = InstanceType<CrowdGlue["Crowd"]> | InstanceType<PerformersGlue["Performers"]>;
 type Package = Pick<typeof crowdPackage, "guarded">;
 
-/** Walkers by one model, or people who perform one motion. */
+/** A crowd of agents that walk by a walk model, or of agents that perform one motion. */
 export class Crowd extends Handle<Raw> {
   private constructor(
     raw: Raw,
@@ -27,13 +27,13 @@ export class Crowd extends Handle<Raw> {
     readonly styles: readonly string[],
     /** Bone offsets, 21 × xyz, metres. */
     readonly proportions: Float32Array,
-    /** Ticks a second. */
+    /** Ticks per second. */
     readonly rateHz: number,
   ) {
     super(raw, "crowd");
   }
 
-  /** @throws StrutError if a module or a model cannot be had, or with what is wrong with the people or the options */
+  /** @throws StrutError if a module or a model cannot be loaded, or if the agents or the options are invalid */
   static open(people: People, options: CrowdOptions): Promise<Crowd> {
     return people.kind === "performers" ? Crowd.performers(people.recorded, options) : Crowd.walkers(people, options);
   }
@@ -63,17 +63,17 @@ export class Crowd extends Handle<Raw> {
     return this.people;
   }
 
-  /** Radius of the ground about the origin, metres; nobody goes farther than 1.2 times of it. */
+  /** Radius of the ground about the origin, metres. Agents stay within 1.2 times this radius. */
   get radius(): number {
     return this.raw.radius();
   }
 
-  /** Goes on by one tick. */
+  /** Advances by one tick. */
   tick(): void {
     this.itsPackage.guarded(() => this.raw.tick());
   }
 
-  /** Writes `CROWD_WALKER_FLOATS` floats a person, and a byte a person and style: its weight, of 255. */
+  /** Writes `CROWD_WALKER_FLOATS` floats per agent, and one byte per agent and style: its weight, 0 to 255. */
   read(joints: Float32Array, weights: Uint8Array): void {
     this.itsPackage.guarded(() => this.raw.read(joints, weights));
   }
@@ -84,7 +84,10 @@ export class Crowd extends Handle<Raw> {
     this.people = count;
   }
 
-  /** Styles by place, from everybody's next step on, or from now on for performers. @throws StrutError if a vertex is none; nothing changes then */
+  /**
+   * Sets the styles by place, from each agent's next step on, or from now on for agents that perform a motion.
+   * @throws StrutError if a vertex is invalid; nothing changes then
+   */
   setField(vertices: readonly FieldVertex[]): void {
     const styles = vertices.map(({ style }) => {
       const number = this.styles.indexOf(style);
@@ -101,22 +104,23 @@ export class Crowd extends Handle<Raw> {
   }
 
   /**
-   * A way that everybody follows: round if its ends meet, else there and back; none sets them free.
-   * @throws StrutError if it is none; nothing changes then
+   * Sets a route that all agents follow: a loop if its ends meet, otherwise back and forth. An empty one removes the
+   * route.
+   * @throws StrutError if it is invalid; nothing changes then
    */
   setRoute(points: readonly Place[]): void {
     this.itsPackage.guarded(() => this.raw.setRoute(Float32Array.from(points.flat())));
   }
 
   /**
-   * Bones that the joints lie on, 21 × xyz in metres, in place of {@link proportions}.
-   * @throws StrutError if they are none; nothing changes then
+   * Sets the bones on which the joints are computed, 21 × xyz in metres, instead of {@link proportions}.
+   * @throws StrutError if they are invalid; nothing changes then
    */
   setBones(offsets: Float32Array): void {
     this.itsPackage.guarded(() => this.raw.setBones(offsets));
   }
 
-  /** A BVH file of the next seconds of somebody, as if nobody else were there. */
+  /** A BVH file of an agent's next seconds, without interaction with other agents. */
   toBvh(person: number, secs: number): string {
     return this.itsPackage.guarded(() => this.raw.toBvh(person, secs));
   }

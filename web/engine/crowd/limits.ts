@@ -1,44 +1,47 @@
-/** What a crowd can be; apart from the crowd, as links are read where no crowd is. */
+/** Limits of a crowd's parameters. They are separate from the crowd because links are read without a crowd. */
 
-/** Most people of a crowd. */
+/** Maximum number of agents of a crowd. */
 export const MAX_CROWD = 1000;
-/** Most vertices of a field. */
+/** Maximum number of vertices of a field. */
 export const MAX_VERTICES = 12;
-/** Most points of a route. */
+/** Maximum number of points of a route. */
 export const MAX_ROUTE_POINTS = 64;
 
-/** A style at a place of the ground: who comes near walks in it, and the average walk, or the neutral style of those who perform, fills up what is missing to 1. */
+/**
+ * A style at a place of the ground. An agent that comes near takes on the style. The rest to a sum of 1 is the average
+ * walk, or the neutral style for agents that perform a motion.
+ */
 export interface FieldVertex {
   /** Name of the style. */
   style: string;
   /** Place, metres, −100 to 100. */
   x: number;
   z: number;
-  /** Where it counts half, metres, 0.5 to 10. */
+  /** Distance at which the style counts half, metres, 0.5 to 10. */
   reach: number;
-  /** −1 (its opposite) to 2. */
+  /** Intensity, −1 (the opposite style) to 2. */
   intensity: number;
 }
 
-/** Who walks: by the model of a `.strutwalk` file, or of the built-in walks. */
+/** Agents that walk by the model of a `.strutwalk` file, or of the built-in walks. */
 export interface Walkers {
   kind: "walkers";
   model?: Uint8Array;
 }
 
-/** What an engine recorded of a motion in every style of a database; see `../recording.ts`. */
+/** A motion that the engine recorded in every style of a database; see `../recording.ts`. */
 export interface Recorded {
   styles: readonly string[];
   numbers: Float32Array;
 }
 
-/** Who performs a motion. */
+/** Agents that perform a motion. */
 export interface Performers {
   kind: "performers";
   recorded: Recorded;
 }
 
-/** Who is there. */
+/** The agents of a crowd. */
 export type People = Walkers | Performers;
 
 /** A place [x, z] on the ground, metres. */

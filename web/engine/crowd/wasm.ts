@@ -1,4 +1,4 @@
-/** The WASM package of crowds: that of walk synthesis with a crowd besides, loaded in the crowd's worker alone. */
+/** The WASM package of crowds: walk synthesis plus crowds. Only the crowd's worker loads it. */
 import { assetOf } from "../assets";
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_crowd.js";

@@ -1,4 +1,4 @@
-/** Neutral motion that goes where it is steered, on the calling thread: a frame takes microseconds. */
+/** Neutral motion that follows steering, on the calling thread. A frame takes microseconds. */
 import { POSE_FLOATS } from "../../humanoid";
 import { assetOf } from "../assets";
 import { inflatedAsset, type PackedMotions } from "../built_in";
@@ -9,18 +9,18 @@ import { Input, type InputSource } from "../input";
 import { guarded } from "../wasm";
 import { type DriveGlue, drivePackage } from "./wasm";
 
-/** Instants ahead that a frame names: 1/3, 2/3 and 1 s. */
+/** Number of future instants in a frame: 1/3, 2/3 and 1 s ahead. */
 export const AHEAD = 3;
 
-/** What is asked of a driver for a frame. */
+/** Steering input of a frame. */
 export interface Steering {
-  /** Over the ground in the world, of length 0 (stand) to 1. */
+  /** Direction over the ground in the world, length 0 (stand) to 1. */
   move: readonly [x: number, z: number];
-  /** 0 stands, 1 walks, 2 runs. */
+  /** 0 stand, 1 walk, 2 run. */
   gait: number;
-  /** Heading to face, radians about +Y; the direction of `move` where it is missing. */
+  /** Heading to face, radians about +Y; if missing, the direction of `move`. */
   face?: number | undefined;
-  /** A move to begin. */
+  /** A move to start. */
   action?: MoveName | undefined;
 }
 
@@ -30,7 +30,7 @@ export type MoveName = (typeof MOVES)[number];
 
 const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
 
-// Where the numbers of a frame are: `rust/strut-wasm-drive/src/driver.rs`.
+// Offsets of the numbers in a frame: `rust/strut-wasm-drive/src/driver.rs`.
 const ROOT = 2 * POSE_FLOATS;
 const ASKED = ROOT + 3;
 const CLIP_AHEAD = ASKED + 3 * AHEAD;
@@ -41,18 +41,18 @@ type Six = [number, number, number, number, number, number];
 /** A frame of a driver, as a view of numbers that the next frame overwrites. */
 export class DriverFrame {
   readonly numbers = new Float32Array(FRAME);
-  /** In the world. */
+  /** The pose in the world. */
   readonly pose = this.numbers.subarray(0, POSE_FLOATS);
-  /** The same with its feet planted: what is shown of it. */
+  /** The same pose with its feet planted, for display. */
   readonly planted = this.numbers.subarray(POSE_FLOATS, ROOT);
-  /** x, z in metres and heading in radians. */
+  /** Root: x, z in metres and heading in radians. */
   readonly root = this.numbers.subarray(ROOT, ASKED);
-  /** Where the root is asked to be, three times the same. */
+  /** The root positions that the steering asks for at the future instants, in the same layout. */
   readonly asked = this.numbers.subarray(ASKED, CLIP_AHEAD);
-  /** Where the clip that plays would take it. */
+  /** The root positions to which the playing clip would lead. */
   readonly ahead = this.numbers.subarray(CLIP_AHEAD, SPEED);
 
-  /** Over the ground, m/s. */
+  /** Speed over the ground, m/s. */
   get speed(): number {
     return this.numbers[SPEED]!;
   }
@@ -61,22 +61,22 @@ export class DriverFrame {
     return this.numbers[ROW]!;
   }
 
-  /** Number among {@link Driver.clips}. */
+  /** Index into {@link Driver.clips}. */
   get clip(): number {
     return this.numbers[CLIP]!;
   }
 
-  /** Whether another row than the next one was taken. */
+  /** Whether this frame jumped to a row other than the next one. */
   get switched(): boolean {
     return this.numbers[SWITCHED] === 1;
   }
 
-  /** The move that plays. */
+  /** The move that is playing. */
   get move(): MoveName | undefined {
     return MOVES[this.numbers[ACTION]! - 1];
   }
 
-  /** How far the pose may be styled, 0 to 1. */
+  /** How strongly the pose may be styled, 0 to 1. */
   get styleShare(): number {
     return this.numbers[SHARE]!;
   }
@@ -88,15 +88,15 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
 
   private constructor(
     raw: InstanceType<DriveGlue["Driver"]>,
-    /** Names of the clips to choose from; those that are mirrored say so. */
+    /** Names of the clips to choose from; the names of mirrored clips say so. */
     readonly clips: readonly string[],
-    /** Rows to choose from. */
+    /** Number of rows to choose from. */
     readonly rows: number,
     /** Speeds of walking and running, m/s. */
     readonly speeds: readonly [walk: number, run: number],
-    /** Moves that can be asked for. */
+    /** Moves that are available. */
     readonly moves: readonly MoveName[],
-    /** A sentence where clips that were to spare walk; empty otherwise. */
+    /** A sentence if the fallback clips are used for walking; empty otherwise. */
     readonly note: string,
   ) {
     super(raw, "driver");
@@ -104,8 +104,8 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
 
   /**
    * @param takes see {@link loadTakes}
-   * @param spare opens a database whose neutral clips walk where the first one has too little walking
-   * @throws StrutError if the module or the spare clips cannot be had
+   * @param spare opens a fallback database, whose neutral walks are used if the first one has too little walking
+   * @throws StrutError if the module or the fallback clips cannot be loaded
    */
   static async open(database: Database, takes: Database, spare: () => Promise<Database>): Promise<Driver> {
     const glue = await drivePackage.load();
@@ -146,7 +146,10 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
     });
   }
 
-  /** The next frame, `1 / rateHz` after the last; `styled` is where the styled character's hips were in it. */
+  /**
+   * The next frame, `1 / rateHz` after the last one. `styled` is the position of the styled character's hips in the
+   * last frame.
+   */
   next({ move, gait, face, action }: Steering, styled: readonly [x: number, z: number] | undefined): DriverFrame {
     drivePackage.guarded(() => {
       const asked = action && MOVES.indexOf(action);
@@ -156,23 +159,23 @@ export class Driver extends Handle<InstanceType<DriveGlue["Driver"]>> {
     return this.frame;
   }
 
-  /** A line to follow, x and z of its points; fewer than two distinct ones end it. */
+  /** A path to follow, x and z of its points. Fewer than two distinct points end it. */
   set path(points: Float32Array) {
     drivePackage.guarded(() => this.raw.setPath(points));
   }
 
-  /** How far along the path the character is, metres; `undefined` where it has none, or has come to its end. */
+  /** Distance covered along the path, metres; `undefined` without a path or at its end. */
   get progress(): number | undefined {
     return drivePackage.guarded(() => (this.raw.hasArrived() ? undefined : this.raw.progress()));
   }
 
-  /** Begins anew at a place, without a path. */
+  /** Restarts at a place, without a path. */
   reset(x: number, z: number, heading: number): void {
     drivePackage.guarded(() => this.raw.reset(x, z, heading));
   }
 }
 
-/** Takes that a database may lack, as packed motions: standing, turns on the spot, halts, changes of gait. */
+/** Loads takes that a database may lack, as packed motions: standing, turns on the spot, halts, changes of gait. */
 export function loadTakes(): Promise<PackedMotions> {
   return inflatedAsset(TAKES(), "driving");
 }
@@ -185,12 +188,12 @@ function* neutralClips({ raw }: Database): Generator<[string, string, Float32Arr
   }
 }
 
-/** The text of a BVH file of poses on the body of a database. */
+/** The text of a BVH file with poses on the body of a database. */
 export function bvhOfPoses({ raw }: Database, poses: Float32Array): string {
   return guarded(() => raw.bvhOfPoses(poses));
 }
 
-/** An input of poses on the body of a database and at its rate, as they are. */
+/** An input from poses on the body of a database and at its frame rate, unchanged. */
 export function inputOfPoses(
   database: Database,
   source: Pick<InputSource, "kind" | "name">,

@@ -1,4 +1,4 @@
-/** The WASM package of driving, loaded when somebody begins to steer. */
+/** The WASM package of driving, loaded when steering begins. */
 import { assetOf } from "../assets";
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_drive.js";

@@ -1,4 +1,4 @@
-/** The WASM package of graphics processors, loaded in a worker of its own, and only where there is one. */
+/** The WASM package for the GPU, loaded in a worker of its own, and only if there is a GPU. */
 import { assetOf } from "../assets";
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_wasm_gpu.js";

@@ -1,21 +1,21 @@
 /**
- * Poses from style variables on the calling thread: a pose takes microseconds and follows the pointer within the same display
- * frame. A {@link KeyStyleModel} is the trained model, a {@link Poser} is posed interactively, a {@link Styling} interpolates
- * keys.
+ * Poses from style variables on the calling thread. A pose takes microseconds and follows the pointer within the same
+ * display frame. A {@link KeyStyleModel} is the trained model, a {@link Poser} is posed interactively, a {@link
+ * Styling} interpolates keys.
  */
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import { Somn, type SomnOptions } from "./somn";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
-/** A clip of the training motions: its first frame among those of all clips, and its length in frames. */
+/** A clip of the training motions: index of its first frame among the frames of all clips, and its length in frames. */
 export interface TrainingClip {
   name: string;
   first: number;
   frames: number;
 }
 
-/** A style variable that was parsed: its unit, or the error in its expression and its column, from 0. */
+/** A parsed style variable: its unit, or the error in its expression and its column, from 0. */
 export type CheckedAxis = { unit: string } | { message: string; column: number };
 
 /** A key: its time and the values of the style variables. */
@@ -24,17 +24,20 @@ export interface StyleKey {
   values: readonly number[];
 }
 
-/** Interpolation between keys: of style variables, of style variables with recorded poses at the keys, or of recorded poses. */
+/**
+ * Interpolation between keys: of the style variables, of the style variables with recorded poses at the keys, or of
+ * recorded poses.
+ */
 export type Between = "style" | "hybrid" | "frame";
 const BETWEEN: Readonly<Record<Between, number>> = { style: 0, hybrid: 1, frame: 2 };
 
-/** The curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot. */
+/** Interpolation curve of the variables between keys: a Catmull-Rom spline, or a monotone one, which does not overshoot. */
 export type Curve = "spline" | "monotone";
 
 /**
- * How mixture components share in poses: `hard` is the likeliest alone, `smooth` what is best for what it is used for, and
- * otherwise each counts by its likelihood to the power of 1 / `temperature` (0.1 to 100), with regions that are blurred by
- * `blur` standard deviations of the variables (0 to 10).
+ * How mixture components are blended into a pose. `hard` uses the likeliest component alone. `smooth` uses the best
+ * settings for the caller's purpose. Otherwise each component counts by its likelihood to the power of 1 /
+ * `temperature` (0.1 to 100), with regions blurred by `blur` standard deviations of the variables (0 to 10).
  */
 export type PoseMode = "hard" | "smooth" | { readonly temperature: number; readonly blur: number };
 
@@ -99,8 +102,8 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 
   /**
-   * The model in a `.strutkeys` file.
-   * @throws StrutError if the module cannot be had, or with what is wrong with the file
+   * Opens the model in a `.strutkeys` file.
+   * @throws StrutError if the module cannot be loaded, or if the file is invalid
    */
   static async open(file: Uint8Array): Promise<KeyStyleModel> {
     const glue = await keyStylePackage.load();
@@ -108,7 +111,7 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 
   /**
-   * Learning of the same recordings from the beginning, update by update.
+   * Starts learning from the same recordings from scratch, update by update.
    * @throws StrutError if there are too many components
    */
   learn(options?: SomnOptions): Somn<KeyStyleModel> {
@@ -123,7 +126,7 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
     return new Styling(this, this.glue);
   }
 
-  /** Number of the training frame whose variables are nearest. */
+  /** Index of the training frame whose variables are nearest. */
   nearest(values: readonly number[]): number {
     return this.raw.nearest(Float64Array.from(values));
   }
@@ -134,9 +137,9 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 
   /**
-   * Mean angle between the joints of the training poses and those that their variables give, degrees. Takes a millisecond a
-   * thousand frames.
-   * @throws StrutError if a number of the mode is out of its range
+   * Mean angle between the joints of the training poses and the poses that the model predicts from their variables,
+   * degrees. Takes a millisecond per thousand frames.
+   * @throws StrutError if a number of the mode is out of range
    */
   error(mode: Exclude<PoseMode, "smooth">): number {
     const [temperature, blur] = numbersOf(mode);
@@ -144,8 +147,9 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 
   /**
-   * Support of the training data at each point of a grid, row after row from the largest value of the second variable: below 0
-   * a pose is extrapolated. Without a second variable there is one row. Further variables are as in `values`.
+   * Support of the training data at each point of a grid, row after row from the largest value of the second variable.
+   * Below 0 a pose is extrapolated. Without a second variable there is one row. Further variables are taken from
+   * `values`.
    */
   support(x: Span, y: Span | undefined, values: readonly number[]): Float32Array {
     const { min, max, count } = y ?? { min: 0, max: 0, count: 1 };
@@ -155,33 +159,33 @@ export class KeyStyleModel extends Handle<InstanceType<KeyStyleGlue["KeyStyleMod
   }
 }
 
-/** A pose and how it came about. */
+/** A pose and the values behind it. */
 export interface KeyStyleFrame {
   /** `POSE_FLOATS` numbers. */
   readonly pose: Float32Array;
   /** Weight of each mixture component in the pose. */
   readonly weights: Float32Array;
-  /** The variables measured on the pose, and those asked for, clamped to the range of the training data. */
+  /** The variables measured on the pose, and the requested ones, clamped to the range of the training data. */
   readonly measured: Float32Array;
   readonly reached: Float32Array;
 }
 
-/** An object of the package that fills an array with its present frame. */
+/** An object of the package that fills an array with its current frame. */
 interface RawFrames {
   free(): void;
   setMode(temperature: number | undefined, blur: number): void;
   read(floats: Float32Array): void;
 }
 
-/** What poses a character: every call overwrites its one frame. */
+/** Base of objects that pose a character. Every call overwrites the single frame. */
 abstract class FrameSource<Raw extends RawFrames> extends Handle<Raw> {
-  /** The present frame; every call overwrites it. */
+  /** The current frame; every call overwrites it. */
   readonly frame: KeyStyleFrame;
   private readonly floats: Float32Array;
 
   /**
    * @param smooth temperature and blur of the mode `smooth`
-   * @param noun for messages
+   * @param noun noun for messages
    */
   protected constructor(
     model: KeyStyleModel,
@@ -195,8 +199,8 @@ abstract class FrameSource<Raw extends RawFrames> extends Handle<Raw> {
   }
 
   /**
-   * How components share in poses from the next pose on; in a {@link Styling} from the next keys on.
-   * @throws StrutError if a number is out of its range; nothing changes then
+   * Sets how components are blended, from the next pose on; in a {@link Styling}, from the next keys on.
+   * @throws StrutError if a number is out of range; nothing changes then
    */
   set mode(mode: PoseMode) {
     const [temperature, blur] = mode === "smooth" ? this.smooth : numbersOf(mode);
@@ -209,7 +213,7 @@ abstract class FrameSource<Raw extends RawFrames> extends Handle<Raw> {
   }
 }
 
-/** A character whose pose follows style variables that are dragged. */
+/** A character whose pose follows the style variables while they are dragged. */
 export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"]>> {
   private readonly asked: Float64Array;
 
@@ -226,7 +230,7 @@ export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"
     return this.read();
   }
 
-  /** Moves towards the pose of these variables for `secs` seconds. */
+  /** Moves towards the pose of these variables, by `secs` seconds. */
   advance(secs: number, values: ArrayLike<number>): KeyStyleFrame {
     this.asked.set(values);
     this.raw.advance(secs, this.asked);
@@ -234,15 +238,15 @@ export class Poser extends FrameSource<InstanceType<KeyStyleGlue["DragCharacter"
   }
 }
 
-/** An animation that is interpolated from keys. */
+/** An animation interpolated between keys. */
 export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> {
   constructor(model: KeyStyleModel, glue: KeyStyleGlue) {
     super(model, () => new glue.Styling(model.raw), glue.Styling.smoothMode(), "key-styling");
   }
 
   /**
-   * Replaces the keys, which are in the order of their times.
-   * @throws StrutError with what is wrong with them
+   * Replaces the keys, which are ordered by time.
+   * @throws StrutError if they are invalid; the message says why
    */
   set(keys: readonly StyleKey[], curve: Curve): void {
     const secs = Float64Array.from(keys, (key) => key.secs);
@@ -250,7 +254,7 @@ export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> 
     keyStylePackage.guarded(() => this.raw.setKeys(secs, values, curve === "monotone"));
   }
 
-  /** The pose at a time. `reached` of the frame are the variables that the keys ask for there. */
+  /** The pose at a time. The frame's `reached` are the variables that the keys ask for at that time. */
   at(secs: number, between: Between): KeyStyleFrame {
     this.raw.at(secs, BETWEEN[between]);
     return this.read();
@@ -271,18 +275,18 @@ export class Styling extends FrameSource<InstanceType<KeyStyleGlue["Styling"]>> 
     return keyStylePackage.guarded(() => this.raw.perform(length, BETWEEN[between]));
   }
 
-  /** The same as the text of a BVH file. */
+  /** The whole animation as the text of a BVH file. */
   toBvh(length: number, between: Between): string {
     return keyStylePackage.guarded(() => this.raw.toBvh(length, BETWEEN[between]));
   }
 }
 
-/** Temperature and blur; none where one component alone is the pose. */
+/** Temperature and blur; empty if a single component gives the pose. */
 function numbersOf(mode: Exclude<PoseMode, "smooth">): readonly [temperature?: number, blur?: number] {
   return mode === "hard" ? [] : [mode.temperature, mode.blur];
 }
 
-/** A frame whose numbers lie one after the other in an array, which the package fills. */
+/** A frame whose arrays are consecutive views of one array, which the package fills. */
 function frameOf(floats: Float32Array, { components, axes }: KeyStyleModel): KeyStyleFrame {
   const measured = POSE_FLOATS + components;
   const reached = measured + axes.length;

@@ -1,39 +1,39 @@
-/** Learning of a key-style model that can be watched: a self-organising mixture network, update by update. */
+/** Learning of a key-style model, update by update, for display: a self-organising mixture network. */
 import { Handle } from "../handle";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
-/** Floats before those of the components, laid out as in `rust/strut-wasm-key-style`. */
+/** Floats before those of the components; `rust/strut-wasm-key-style` defines the layout. */
 const HEAD = 5;
 /** The seed that training uses, `somn::SEED` of the core. */
 const SEED = 0;
 
-/** How a {@link Somn} learns. */
+/** Settings of a {@link Somn}. */
 export interface SomnOptions {
-  /** Components, 1 to 64; as many as training takes if missing. */
+  /** Number of components, 1 to 64; if missing, the number that training uses. */
   components?: number;
-  /** Random seed, a whole number from 0; that of the page's training if missing. */
+  /** Random seed, a whole number from 0; if missing, the seed that training uses. */
   seed?: number;
-  /** Whether maps and shares move with the signs that the paper prints (Eq. 7 and 8): it diverges. */
+  /** Whether maps and shares are updated with the signs printed in the paper (Eq. 7 and 8), which diverges. */
   asPrinted?: boolean;
 }
 
 /** The state after an update; the arrays are views that the next call overwrites. */
 export interface SomnState {
-  /** Updates so far. */
+  /** Number of updates so far. */
   updates: number;
   /** The training frame of the last update; −1 before the first. */
   sample: number;
-  /** How much of that sample is whose; sums to 1, and is 0 before the first update. */
+  /** Responsibility of each component for that sample; sums to 1, and is 0 before the first update. */
   readonly r: Float32Array;
-  /** Mean m of the variables that each component knows, component after component. */
+  /** Mean m of each component in the style variables, component after component. */
   readonly centres: Float32Array;
-  /** Their standard deviations, the roots of S, which is diagonal while learning; likewise. */
+  /** Their standard deviations, the roots of S, which is diagonal during learning; same layout. */
   readonly spreads: Float32Array;
   /** Shares a. */
   readonly weights: Float32Array;
   /**
-   * Prediction error of the poses of the present pass, each before its update: root mean square over the numbers of a pose,
-   * radians. Infinite or not a number once learning has diverged.
+   * Prediction error of the poses of the current pass, each before its update: root mean square over the numbers of a
+   * pose, radians. Infinite or NaN once learning has diverged.
    */
   error: number;
   /** Width σ of the neighbourhood, radians. */
@@ -44,24 +44,24 @@ export interface SomnState {
 
 type RawModel = InstanceType<KeyStyleGlue["KeyStyleModel"]>;
 
-/** The model whose training frames are learned from. */
+/** The model from whose training frames the run learns. */
 interface Trained {
   readonly raw: RawModel;
   readonly axes: readonly unknown[];
   readonly values: ArrayLike<number>;
 }
 
-/** A learning run, and the models that it makes. */
+/** A learning run, and the models made from it. */
 export class Somn<Model> extends Handle<InstanceType<KeyStyleGlue["Somn"]>> {
   readonly components: number;
-  /** Updates in a pass, and in all passes. */
+  /** Number of updates in a pass, and in all passes. */
   readonly frames: number;
   readonly updates: number;
-  /** The present state; every call overwrites it. */
+  /** The current state; every call overwrites it. */
   readonly state: SomnState;
   private readonly floats: Float32Array;
 
-  /** @param open makes a model of the package's one */
+  /** @param open makes a model from the package's object */
   constructor(
     model: Trained,
     glue: KeyStyleGlue,
@@ -87,7 +87,7 @@ export class Somn<Model> extends Handle<InstanceType<KeyStyleGlue["Somn"]>> {
     this.step(0);
   }
 
-  /** Makes `n` updates, or as many as are left; none once learning has diverged. */
+  /** Makes `n` updates, or the remaining ones if they are fewer; none once learning has diverged. */
   step(n: number): SomnState {
     keyStylePackage.guarded(() => this.raw.step(n));
     const { state, floats } = this;
@@ -96,7 +96,7 @@ export class Somn<Model> extends Handle<InstanceType<KeyStyleGlue["Somn"]>> {
     return state;
   }
 
-  /** The model that the components make as they are, as if learning ended here; the caller disposes of it. */
+  /** The model of the current components, as if learning ended here. The caller disposes of it. */
   model(): Model {
     return this.open(() => this.raw.soFar());
   }

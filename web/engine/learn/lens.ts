@@ -1,4 +1,4 @@
-/** A look into one frame of an input that takes on a style: the numbers that lessons show. */
+/** Inspects one frame of an input while it is styled: the numbers that lessons show. */
 import type { Database } from "../database";
 import { Handle } from "../handle";
 import type { Input } from "../input";
@@ -6,7 +6,7 @@ import { guarded } from "../wasm";
 import * as glue from "./pkg/strut_learn.js";
 import { numbersOf, type Turn } from "./wasm";
 
-/** Options that lessons turn; see `StylizeOptions`. */
+/** Options that lessons change; see `StylizeOptions`. */
 export interface LensOptions {
   k: number;
   lambda: number;
@@ -16,42 +16,42 @@ export interface LensOptions {
   coherence: boolean;
 }
 
-/** Frames of a window; the engine's own has five. */
+/** Frames of a window; the engine uses five. */
 export type WindowLength = 1 | 5 | 9 | 15;
 
-/** Every class of the database, in its order. */
+/** Distances of every class of the database, in its order. */
 export interface ClassDistances {
   /** λⱼ of Eq. 4, 0 to 1. */
   weights: Float32Array;
-  /** Dⱼ: mean squared distance of the K nearest windows, m²; also of classes whose weight the engine rounds to 0. */
+  /** Dⱼ: mean squared distance of the K nearest windows, m²; also for classes whose weight the engine rounds to 0. */
   meanSquares: Float32Array;
 }
 
-/** Windows that resemble a query, nearest first. */
+/** Windows most similar to a query, nearest first. */
 export interface NearestWindows {
-  /** The last row of each. */
+  /** The last row of each window. */
   rows: Uint32Array;
-  /** √D of each, metres. */
+  /** √D of each window, metres. */
   distances: Float32Array;
-  /** Weight of each in regressions, 0 to 1. */
+  /** Weight of each window in regressions, 0 to 1. */
   weights: Float32Array;
 }
 
 /** How a query differs from the input. */
 export interface QueryChange {
   turns: readonly Turn[];
-  /** Turn about the vertical through the hips, radians. */
+  /** Rotation about the vertical through the hips, radians. */
   heading: number;
-  /** Shift on the ground, metres. */
+  /** Translation on the ground, metres. */
   x: number;
   z: number;
-  /** Whether time runs backwards. */
+  /** Whether time is reversed. */
   reversed: boolean;
 }
 
-/** Which examples a line is fitted to, and how. */
+/** Which examples a line is fitted to, and the parameters of the fit. */
 export interface FitSettings {
-  /** Number of the degree of freedom: three a joint, then height of the hips, velocity x and z, and rate of turning. */
+  /** Index of the degree of freedom: three per joint, then height of the hips, velocity x and z, and rate of turning. */
   dof: number;
   /** K, from 1. */
   k: number;
@@ -59,7 +59,7 @@ export interface FitSettings {
   lambda: number;
   /** Standard deviation ν of noise on the targets, in the unit of the degree of freedom. */
   noise: number;
-  /** Whether neighbours weigh less the farther they are; otherwise 1, as in the paper. */
+  /** Whether the weights of neighbours decrease with distance; otherwise they are 1, as in the paper. */
   taper: boolean;
 }
 
@@ -90,50 +90,50 @@ export interface Fit {
   predicted: number;
 }
 
-/** How long the neighbours of the heaviest class say that the frame lasts. */
+/** The duration of the frame, as predicted by the neighbours of the heaviest class. */
 export interface Timing {
-  /** d of each from the input and the output, in standard deviations. */
+  /** d of each neighbour from the input and the output, in standard deviations. */
   distances: Float32Array;
-  /** w of each, seconds. */
+  /** w of each neighbour, seconds. */
   durations: Float32Array;
-  /** g of each, relative to the nearest. */
+  /** g of each neighbour, relative to the nearest. */
   kernel: Float32Array;
-  /** v of each. */
+  /** v of each neighbour. */
   weights: Float32Array;
   /** h: the bandwidth. */
   bandwidth: number;
-  /** Their mean, seconds; `undefined` without neighbours. */
+  /** Their weighted mean, seconds; `undefined` without neighbours. */
   duration: number | undefined;
 }
 
 /** Left and right. */
 type Feet<T> = [left: T, right: T];
 
-/** Who says that the feet stand. */
+/** Votes for the foot contacts. */
 export interface Contacts {
-  /** P in this frame alone. */
+  /** P in this frame, before smoothing. */
   votes: Feet<number>;
-  /** The same after smoothing over time. */
+  /** P after smoothing over time. */
   smoothed: Feet<number>;
-  /** Mean with the contacts of the registered targets, after smoothing: what feet are planted by. */
+  /** Mean with the contacts of the registered targets, after smoothing; it decides which feet are planted. */
   output: Feet<number>;
   planted: Feet<boolean>;
   /** The rows that vote. */
   rows: Uint32Array;
-  /** g of each, left and right interleaved. */
+  /** g of each row, left and right interleaved. */
   voices: Float32Array;
-  /** c of each, left and right interleaved. */
+  /** c of each row, left and right interleaved. */
   contacts: Uint8Array;
 }
 
-/** A look into one frame of an input. Methods that ask for what is not there throw a StrutError, `bad-input`. */
+/** Inspects one frame of an input. Methods throw a StrutError, `bad-input`, if the requested item does not exist. */
 export class Lens extends Handle<glue.Lens> {
   /**
-   * On an input in these styles, one weight a style of the database, with the engine's default options.
-   * @throws StrutError `bad-input` if the input has fewer than three frames, or the weights do not fit
+   * Inspects an input in these styles, one weight per style of the database, with the engine's default options.
+   * @throws StrutError `bad-input` if the input has fewer than three frames, or the number of weights is wrong
    */
   constructor(database: Database, input: Input, styles: Float32Array) {
-    // Objects of this package are held under the names of the engine's own.
+    // Casts objects of this package to the engine's types of the same classes.
     const parts = [database.raw, input.raw] as unknown as [glue.Database, glue.Input];
     super(
       guarded(() => new glue.Lens(...parts, styles)),
@@ -146,17 +146,17 @@ export class Lens extends Handle<glue.Lens> {
     guarded(() => this.raw.configure(k, lambda, rho, kappa, delta, coherence));
   }
 
-  /** One weight a style of the database. */
+  /** Sets one weight per style of the database. */
   setStyles(weights: Float32Array): void {
     guarded(() => this.raw.setStyles(weights));
   }
 
-  /** Looks at a frame; gives the one that is looked at, the nearest that has two before it. */
+  /** Moves to a frame. Returns the frame that is inspected: the nearest one with two frames before it. */
   at(frame: number): number {
     return guarded(() => this.raw.at(frame));
   }
 
-  /** Changes what {@link neighbours} and {@link profile} are asked for; gives the query's pose. */
+  /** Changes the query of {@link neighbours} and {@link profile}. Returns the query's pose. */
   query({ turns, heading, x, z, reversed }: QueryChange): Float32Array {
     return guarded(() => this.raw.query(numbersOf(turns), heading, x, z, reversed));
   }
@@ -167,17 +167,17 @@ export class Lens extends Handle<glue.Lens> {
     return { weights: column(0), meanSquares: column(1) };
   }
 
-  /** The class with the largest weight; `undefined` where none has neighbours. */
+  /** The class with the largest weight; `undefined` if no class has neighbours. */
   heaviestClass(): number | undefined {
     return guarded(() => this.raw.heaviestClass());
   }
 
-  /** The first row of a class; its rows follow each other. */
+  /** The first row of a class; the rows of a class are consecutive. */
   firstRow(classNumber: number): number {
     return guarded(() => this.raw.firstRow(classNumber));
   }
 
-  /** The `k` windows of a class that are nearest to the query. */
+  /** The `k` windows of a class nearest to the query. */
   neighbours(classNumber: number, k: number, length: WindowLength = 5): NearestWindows {
     return guarded(() => {
       const found = this.raw.neighbours(classNumber, k, length);
@@ -187,17 +187,17 @@ export class Lens extends Handle<glue.Lens> {
     });
   }
 
-  /** √D in metres between the query and the window that ends at each row of a class; NaN where none ends. */
+  /** √D in metres between the query and the window that ends at each row of a class; NaN where no window ends. */
   profile(classNumber: number, length: WindowLength = 5): Float32Array {
     return guarded(() => this.raw.profile(classNumber, length));
   }
 
-  /** The pose of a row of the database above the origin, heading along +Z. */
+  /** The pose of a row of the database, moved above the origin and turned to face +Z. */
   rowPose(row: number): Float32Array {
     return guarded(() => this.raw.rowPose(row));
   }
 
-  /** The degrees of freedom of every frame of the input: 68 numbers a frame, of which the last is padding. */
+  /** The degrees of freedom of every frame of the input: 68 numbers per frame, of which the last is padding. */
   rows(): Float32Array {
     return guarded(() => this.raw.rows());
   }
@@ -212,12 +212,12 @@ export class Lens extends Handle<glue.Lens> {
     return guarded(() => this.raw.styled());
   }
 
-  /** Seconds that the styled frame lasts. */
+  /** Duration of the styled frame, seconds. */
   stepSecs(): number {
     return guarded(() => this.raw.stepSecs());
   }
 
-  /** The line of one degree of freedom in the heaviest class, for the style of the greatest weight. */
+  /** The fitted line of one degree of freedom in the heaviest class, for the style with the largest weight. */
   fit({ dof, k, lambda, noise, taper }: FitSettings): Fit {
     return guarded(() => {
       const raw = this.raw.fit(dof, k, lambda, noise, taper);
@@ -248,15 +248,15 @@ export class Lens extends Handle<glue.Lens> {
   }
 
   /**
-   * For each λ the root mean square error of one degree of freedom that is predicted over the whole input from its own
-   * past, against `ideal`, the poses of the input's counterpart in the style of the greatest weight.
+   * For each λ, the root mean square error of one degree of freedom that is predicted over the whole input from its own
+   * past, compared with `ideal`, the poses of the input's counterpart in the style with the largest weight.
    */
   sweep(settings: Omit<FitSettings, "lambda">, lambdas: Float32Array, ideal: Float32Array): Float32Array {
     const { dof, k, noise, taper } = settings;
     return guarded(() => this.raw.sweep(dof, k, lambdas, noise, taper, ideal));
   }
 
-  /** How long the frame lasts in a style with a weight, by its number. */
+  /** Predicted duration of the frame in a style that has a weight, by the style's index. */
   timing(style: number): Timing {
     return guarded(() => {
       const raw = this.raw.timing(style);
@@ -293,5 +293,5 @@ export class Lens extends Handle<glue.Lens> {
   }
 }
 
-/** So many numbers. */
+/** A tuple of `N` numbers. */
 type Numbers<N extends number, T extends number[] = []> = T["length"] extends N ? T : Numbers<N, [...T, number]>;

@@ -1,10 +1,10 @@
-/** The clips of an action, compared as registration compares them. */
+/** Compares the clips of an action as registration does. */
 import type { Database } from "../database";
 import { Handle } from "../handle";
 import { guarded } from "../wasm";
 import * as glue from "./pkg/strut_learn.js";
 
-/** A stretch of a clip; clips are numbered as in the database. */
+/** A range of a clip; clips are numbered as in the database. */
 export interface Stretch {
   clip: number;
   /** Its first frame and its last. */
@@ -15,24 +15,27 @@ export interface Stretch {
 /** Dynamic time warping, iterative motion warping (Hsu et al. 2005), or linear time. */
 export type WarpMethod = "dtw" | "imw" | "linear";
 
-/** Two stretches, a and b, compared. */
+/** The comparison of two ranges, a and b. */
 export interface Compared {
-  /** cᵢⱼ of every frame of a and every frame of b, row after row of a. */
+  /** cᵢⱼ of every pair of a frame of a and a frame of b, row after row of a. */
   costs: Float32Array;
-  /** τ: for every frame of a the frame of b, from its first; empty if none of a pace up to 3 : 1 exists. */
+  /** τ: for every frame of a, the frame of b, from its first frame; empty if no warp with a pace of at most 3 : 1 exists. */
   warp: Float32Array;
-  /** The counterpart in the database of every frame of a, from b's first: exact for the built-in one. NaN where it is in another clip. */
+  /**
+   * The counterpart in the database of every frame of a, from b's first frame: exact for the built-in database. NaN
+   * where it is in another clip.
+   */
   recorded: Float32Array;
-  /** α and β of the strongest principal feature in every frame of a; empty but for iterative motion warping. */
+  /** α and β of the strongest principal feature in every frame of a; only for iterative motion warping, otherwise empty. */
   scale: Float32Array;
   offset: Float32Array;
 }
 
-/** Of one action. Methods that ask for what is not there throw a StrutError, `bad-input`. */
+/** Comparisons of the clips of one action. Methods throw a StrutError, `bad-input`, if the requested item does not exist. */
 export class Warps extends Handle<glue.Warps> {
-  /** Computes the features of all clips of an action, by its number: about a second. */
+  /** Computes the features of all clips of an action, given by its index. Takes about a second. */
   constructor(database: Database, action: number) {
-    // Objects of this package are held under the names of the engine's own.
+    // Casts an object of this package to the engine's type of the same class.
     const raw = database.raw as unknown as glue.Database;
     super(
       guarded(() => new glue.Warps(raw, action)),
@@ -54,13 +57,13 @@ export class Warps extends Handle<glue.Warps> {
     });
   }
 
-  /** The row of a clip's first frame in the database, and how many it has. */
+  /** The row of a clip's first frame in the database, and the clip's number of frames. */
   rows(clip: number): { first: number; frames: number } {
     const [first, frames] = guarded(() => this.raw.rows(clip));
     return { first: first!, frames: frames! };
   }
 
-  /** Planted feet of a clip, left and right interleaved. */
+  /** Foot contacts of a clip, left and right interleaved. */
   contacts(clip: number): Uint8Array {
     return guarded(() => this.raw.contacts(clip));
   }

@@ -1,4 +1,4 @@
-/** The WASM package of the lessons: all that the Compare view's does, and looks into a frame of the transfer. */
+/** The WASM package of the lessons: that of the Compare view, plus inspection of single frames. */
 import { assetOf } from "../assets";
 import { Database } from "../database";
 import { Input } from "../input";
@@ -7,25 +7,25 @@ import type { Performed } from "../types";
 import { type Glue, guarded, servePackage } from "../wasm";
 import * as glue from "./pkg/strut_learn.js";
 
-/** Uses this package as the engine's on this thread; call it before anything is loaded. */
+/** Uses this package as the engine's on this thread. Call it before anything is loaded. */
 export function serveLearnPackage(): void {
-  // The same classes with some more: those of two packages are only different by name.
+  // The package has the engine's classes and more. TypeScript treats the classes of two packages as different types.
   servePackage(glue as unknown as Glue, () =>
     assetOf("strut_learn_bg.wasm", () => new URL("./pkg/strut_learn_bg.wasm", import.meta.url)),
   );
 }
 
-/** An object of this package that the engine holds under the name of its own. */
+/** Casts an object of this package to the engine's type of the same class. */
 const own = <T>(raw: unknown): T => raw as T;
 
-/** A built-in input, or a take of the built-in database, as a style performs it; `undefined` where there is none. */
+/** A built-in input, or a take of the built-in database, as performed in a style; `undefined` if there is none. */
 export function performedIn(name: string, style: string): Performed | undefined {
   return performedBy(glue, name, style);
 }
 
 /**
- * The built-in database without some takes in any style, such as "walk-pace". It is performed anew, which takes about a
- * second.
+ * The built-in database in all styles without some takes, such as "walk-pace". The database is generated again, which
+ * takes about a second.
  * @throws StrutError `bad-input` if no take of the neutral style is left
  */
 export function builtInWithout(takes: readonly string[]): Database {
@@ -35,20 +35,20 @@ export function builtInWithout(takes: readonly string[]): Database {
   );
 }
 
-/** A walk or run of the built-in database as an input; `undefined` where there is none of this name. */
+/** A walk or run of the built-in database as an input; `undefined` if there is none of this name. */
 export function inputOfTake(database: Database, name: string): Input | undefined {
   const raw = guarded(() => glue.Input.ofTake(own(database.raw), name));
   return raw && Input.of(own(raw), database, { kind: "built-in", name });
 }
 
-/** A joint that is turned: its number, and an axis times an angle about the axes of its parent, radians. */
+/** A rotation of a joint: its index, and an axis times an angle about the axes of its parent, radians. */
 export interface Turn {
   joint: number;
   by: readonly [x: number, y: number, z: number];
 }
 
 /**
- * An input with joints turned in every frame, and the whole turned about the vertical, radians.
+ * An input with joints rotated in every frame, and the whole body rotated about the vertical, radians.
  * @throws StrutError `bad-input`
  */
 export function turnedInput(database: Database, input: Input, turns: readonly Turn[], heading: number): Input {
@@ -56,7 +56,7 @@ export function turnedInput(database: Database, input: Input, turns: readonly Tu
   return Input.of(own(raw), database, { kind: "built-in", name: input.info.name });
 }
 
-/** Turns as the module takes them. */
+/** Turns as the numbers that the module expects. */
 export function numbersOf(turns: readonly Turn[]): Float32Array {
   return Float32Array.from(turns.flatMap(({ joint, by }) => [joint, ...by]));
 }

@@ -1,4 +1,7 @@
-/** A performer's poses as they arrive, evenly in time, and the figure that is shown of them; on the calling thread. */
+/**
+ * Resamples a performer's poses to a constant rate as they arrive, and computes the figure to display. Runs on the
+ * calling thread.
+ */
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import type { StreamSkeleton } from "./skeleton";
@@ -6,55 +9,55 @@ import { type LiveGlue, livePackage } from "./wasm";
 
 type Raw = InstanceType<LiveGlue["Stream"]>;
 
-/** What is shown, in the order of `Stream.advance` of `rust/strut-wasm-live/src/stream.rs`. */
+/** Kinds of displayed frames, in the order of `Stream.advance` of `rust/strut-wasm-live/src/stream.rs`. */
 export const PLAYS = ["nothing", "sent", "continued", "held", "lost"] as const;
-/** What is shown in a frame. */
+/** Kind of a displayed frame. */
 export type Play = (typeof PLAYS)[number];
 
-/** How a stream goes. */
+/** Statistics of a stream. */
 export interface BufferStats {
-  /** How long frames wait, seconds. */
+  /** Buffering delay of frames, seconds. */
   delaySecs: number;
   /** Time between two frames, seconds. */
   periodSecs: number;
-  /** Frames that were taken. */
+  /** Frames that were accepted. */
   taken: number;
-  /** Those of them that came after their time. */
+  /** Accepted frames that arrived too late. */
   late: number;
-  /** Frames of the same time as another, or beyond 240 a second. */
+  /** Frames with the same time as another, or beyond 240 per second. */
   dropped: number;
-  /** Frames that never came, by the sender's times. */
+  /** Frames that never arrived, according to the sender's times. */
   missing: number;
-  /** Times that the performer was lost. */
+  /** Number of times that the performer was lost. */
   losses: number;
-  /** Frames that were no poses. */
+  /** Frames that were not valid poses. */
   refused: number;
 }
 
-/** What a stream is made for. */
+/** Settings of a stream. */
 export interface PoseStreamSetup {
   /** The body of the database: 21 × xyz, metres. */
   proportions: Float32Array;
   rateHz: number;
-  /** How long frames wait, seconds; `undefined`: as long as their jitter asks. */
+  /** Buffering delay of frames, seconds; `undefined` adapts it to their jitter. */
   delaySecs: number | undefined;
-  /** Whether the figure is drawn to the performer's place, or goes where its steps lead. */
+  /** Whether the figure is pulled to the performer's position, or goes where its steps lead. */
   follows: boolean;
 }
 
-/** See the module's documentation. Times are seconds. */
+/** A stream of poses; see the module's documentation. Times are seconds. */
 export class PoseStream extends Handle<Raw> {
   private constructor(raw: Raw) {
     super(raw, "stream");
   }
 
-  /** @throws StrutError if the module cannot be had */
+  /** @throws StrutError if the module cannot be loaded */
   static async open({ proportions, rateHz, delaySecs, follows }: PoseStreamSetup): Promise<PoseStream> {
     const glue = await livePackage.load();
     return livePackage.guarded(() => new PoseStream(new glue.Stream(proportions, rateHz, delaySecs, follows)));
   }
 
-  /** @throws StrutError `bad-input` or `bad-file` where it is none, and the one before stays */
+  /** @throws StrutError `bad-input` or `bad-file` if the skeleton is invalid; the previous one stays in use */
   set skeleton(skeleton: StreamSkeleton) {
     livePackage.guarded(() => {
       if (skeleton.kind === "humanoid") this.raw.takePoses();
@@ -68,14 +71,17 @@ export class PoseStream extends Handle<Raw> {
   }
 
   /**
-   * Takes a frame that was sent at a time of the sender's and arrived at another; whether it is used.
-   * @throws StrutError `bad-file` if the first frame of a BVH file shows that it is no body's
+   * Accepts a frame with the sender's time and the time of arrival. Returns whether it is used.
+   * @throws StrutError `bad-file` if the first frame of a BVH file shows that its skeleton is not a body
    */
   push(sentSecs: number, arrivedSecs: number, numbers: Float32Array): boolean {
     return livePackage.guarded(() => this.raw.push(sentSecs, arrivedSecs, numbers));
   }
 
-  /** Goes on to a time, a frame after the last, and gives what is shown then; the performer's pose is written to `performer`. */
+  /**
+   * Advances to a time, one frame after the last, and returns the kind of the displayed frame. The performer's pose is
+   * written to `performer`.
+   */
   advance(nowSecs: number, performer: Float32Array): Play {
     return livePackage.guarded(() => {
       const play = PLAYS[this.raw.advance(nowSecs)]!;
@@ -84,22 +90,22 @@ export class PoseStream extends Handle<Raw> {
     });
   }
 
-  /** Whether what {@link advance} gave is not continuous with what was shown before. */
+  /** Whether the frame of {@link advance} is not continuous with the one before. */
   get begins(): boolean {
     return livePackage.guarded(() => this.raw.begins());
   }
 
-  /** When what {@link advance} gave could have been shown at the earliest. */
+  /** Earliest time at which the frame of {@link advance} could have been displayed. */
   get dueSecs(): number {
     return livePackage.guarded(() => this.raw.dueSecs());
   }
 
-  /** Whether planted feet are held from the next frame on. */
+  /** Sets whether planted feet are held from the next frame on. */
   set holdsFeet(holds: boolean) {
     livePackage.guarded(() => this.raw.holdFeet(holds));
   }
 
-  /** What is seen of a frame that {@link advance} gave and the engine styled. */
+  /** Returns the displayed pose of a frame that {@link advance} returned and the engine styled. */
   show(styled: Float32Array, planted: ArrayLike<number>, performer: Float32Array, begins: boolean): Float32Array {
     const shown = new Float32Array(POSE_FLOATS);
     livePackage.guarded(() => {
@@ -109,7 +115,7 @@ export class PoseStream extends Handle<Raw> {
     return shown;
   }
 
-  /** Which feet are held in what {@link show} gave. */
+  /** Which feet are held in the pose that {@link show} returned. */
   get planted(): [left: boolean, right: boolean] {
     const [left, right] = livePackage.guarded(() => this.raw.planted());
     return [left === 1, right === 1];

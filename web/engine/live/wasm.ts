@@ -1,4 +1,4 @@
-/** The WASM package of live streams, loaded when somebody performs. */
+/** The WASM package of live streams, loaded when a stream starts. */
 import { assetOf } from "../assets";
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_live.js";

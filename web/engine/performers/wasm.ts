@@ -1,4 +1,4 @@
-/** The WASM package of crowds who perform a motion, loaded in the crowd's worker alone. */
+/** The WASM package of crowds that perform a motion. Only the crowd's worker loads it. */
 import { assetOf } from "../assets";
 import { SidePackage } from "../side_package";
 import * as glue from "./pkg/strut_performers.js";

@@ -1,14 +1,14 @@
-/** The package of the first seconds gives what the engine's own does, bit for bit. */
+/** The package of the first seconds produces the same bits as the engine's own package. */
 import { readFileSync } from "node:fs";
 import { beforeAll, expect, test } from "vitest";
 import { loadBuiltIn, type PackedMotions } from "../built_in";
 import * as wholeGlue from "../pkg/strut_wasm.js";
 import * as startGlue from "./pkg/strut_start.js";
 
-/** As much of either package as is used here. */
+/** The part of either package that is used here. */
 type Glue = Pick<typeof startGlue, "Database" | "Input" | "PackedMotions" | "Stylizer" | "interpolatePoses">;
 
-/** Poses that are pushed at once. */
+/** Number of poses per push. */
 const BATCH = 7;
 
 let motions: PackedMotions;
@@ -18,7 +18,7 @@ beforeAll(async () => {
   motions = await loadBuiltIn(undefined, "first");
 });
 
-/** All that a page sees of the input in a style. */
+/** All results that a page shows of the input in a style. */
 function framesBy(glue: Glue, style: string) {
   const packed = new glue.PackedMotions(motions);
   const database = glue.Database.fromPacked(packed);

@@ -1,26 +1,26 @@
 /**
- * Walk synthesis on the calling thread: a frame takes microseconds, and a control acts on the next frame. A {@link WalkModel}
- * holds the walk styles that were learned, a {@link Walker} is one endless walk.
+ * Walk synthesis on the calling thread. A frame takes microseconds, and a control acts on the next frame. A {@link
+ * WalkModel} holds the learned walk styles, a {@link Walker} is one endless walk.
  */
 import { POSE_FLOATS } from "../../humanoid";
 import { Handle } from "../handle";
 import { loadBuiltInWalkModel } from "./built_in";
 import { type WalkGlue, walkPackage } from "./wasm";
 
-/** States of a step. */
+/** Number of states of a step. */
 export const STATES = 5;
-/** Floats of a frame, laid out as in `rust/strut-wasm-walk`. */
+/** Floats of a frame; `rust/strut-wasm-walk` defines the layout. */
 const FRAME_FLOATS = POSE_FLOATS + 5 + STATES;
-/** Largest turn of a step, radians. */
+/** Largest turn per step, radians. */
 export const MAX_TURN = 0.18;
 
-/** A weight for each style, for left steps and for right steps; the remainder to 1 belongs to the average model. */
+/** A weight for each style, for left and for right steps; the remainder to 1 belongs to the average model. */
 export type Weights = readonly [left: Float32Array, right: Float32Array];
 
 /** The swing foot: 0 left, 1 right. */
 export type Side = 0 | 1;
 
-/** The present state of a walk. */
+/** The current state of a walk. */
 export interface WalkFrame {
   /** `POSE_FLOATS` numbers. */
   readonly pose: Float32Array;
@@ -28,7 +28,7 @@ export interface WalkFrame {
   step: number;
   done: number;
   state: number;
-  /** Planted feet, left and right. */
+  /** Foot contacts, left and right. */
   readonly planted: [boolean, boolean];
   /** Duration of each state of the step, frames. */
   readonly durations: Float32Array;
@@ -44,28 +44,28 @@ export interface JointCurve {
   side: Uint8Array;
 }
 
-/** What may be changed about a {@link JointPath}. */
+/** Adjustable parameters of a {@link JointPath}. */
 export interface PathOptions {
   /** Factors of the variances σ², σ′² and σ″² of poses, velocities and accelerations, 0.001 to 1000; 1 if missing. */
   variance?: ArrayLike<number>;
-  /** ρ of the durations of left steps and right ones, d = d̄ + ρν with ν their variance, −10 to 10 a frame; 0 if missing. */
+  /** ρ of the durations of left and right steps, d = d̄ + ρν with ν their variance, −10 to 10 per frame; 0 if missing. */
   rho?: ArrayLike<number>;
 }
 
 /**
- * The trajectory of one degree of freedom over a left and a right step, a value for each frame: the likeliest one, without
- * the limits of joints. Angles are in radians from the joint's mean rotation.
+ * The likeliest trajectory of one degree of freedom over a left and a right step, a value for each frame, without joint
+ * limits. Angles are in radians from the joint's mean rotation.
  */
 export interface JointPath {
   /** c. */
   c: Float32Array;
-  /** μ and σ of the state that the frame is in; σ with its factor. */
+  /** μ and σ of the frame's state; σ includes its factor. */
   mean: Float32Array;
   deviation: Float32Array;
-  /** That state, 0 to 4, and the swing foot. */
+  /** The frame's state, 0 to 4, and the swing foot. */
   state: Uint8Array;
   side: Uint8Array;
-  /** Durations of the states of a left step and a right one, 2 × 5, frames, before they are rounded in sum. */
+  /** Durations of the states of a left and a right step, 2 × 5, frames, before their sum is rounded. */
   durations: Float32Array;
 }
 
@@ -78,7 +78,7 @@ export interface WalkTransition {
   weights: Weights;
 }
 
-/** Step durations: the means of the model, samples of its distributions, or a fixed cadence (steps a minute). */
+/** Step durations: the means of the model, samples from its distributions, or a fixed cadence (steps per minute). */
 export type Tempo = { kind: "model" } | { kind: "sampled"; seed: number } | { kind: "fixed"; cadence: number };
 
 /** A model of walk styles (a hidden semi-Markov model for each). */
@@ -102,16 +102,16 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   }
 
   /**
-   * The model in a `.strutwalk` file.
-   * @throws StrutError if the module cannot be had, or with what is wrong with the file
+   * Opens the model in a `.strutwalk` file.
+   * @throws StrutError if the module cannot be loaded, or if the file is invalid
    */
   static async open(file: Uint8Array): Promise<WalkModel> {
     return new WalkModel(await walkPackage.load(), file);
   }
 
   /**
-   * The model of the built-in walks, which `trainWalk` would make of the built-in database.
-   * @throws StrutError if it cannot be had
+   * The model of the built-in walks, which `trainWalk` would make from the built-in database.
+   * @throws StrutError if it cannot be loaded
    */
   static async builtIn(): Promise<WalkModel> {
     const [glue, file] = await Promise.all([walkPackage.load(), loadBuiltInWalkModel()]);
@@ -140,8 +140,8 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
   }
 
   /**
-   * The trajectory of a degree of freedom: of a joint about an axis of its own frame, 0 to 2.
-   * @throws StrutError unless there is one finite weight for each style, and if a number is out of its range
+   * The trajectory of a joint's degree of freedom about an axis of its own frame, 0 to 2.
+   * @throws StrutError unless there is one finite weight for each style, and if a number is out of range
    */
   path(weights: Weights, joint: number, axis: number, { variance, rho }: PathOptions = {}): JointPath {
     const factors = Float64Array.from(variance ?? [1, 1, 1]);
@@ -159,7 +159,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
     };
   }
 
-  /** The text of a BVH file of poses, one a frame. */
+  /** The text of a BVH file with one pose per frame. */
   toBvh(poses: Float32Array): string {
     return walkPackage.guarded(() => this.raw.toBvh(poses));
   }
@@ -167,7 +167,7 @@ export class WalkModel extends Handle<InstanceType<WalkGlue["WalkModel"]>> {
 
 type Columns = readonly [Float32Array, Float32Array, Float32Array, Float32Array, Float32Array];
 
-/** Five numbers a frame, as an array for each number. */
+/** Splits five numbers per frame into one array per number. */
 function columnsOf(numbers: Float32Array): Columns {
   const column = (k: number) => Float32Array.from({ length: numbers.length / 5 }, (_, f) => numbers[5 * f + k]!);
   return [column(0), column(1), column(2), column(3), column(4)];
@@ -175,9 +175,9 @@ function columnsOf(numbers: Float32Array): Columns {
 
 /** One endless walk, synthesised frame by frame. */
 export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
-  /** The floats of the present frame, which the package fills; the pose and the durations are views of it. */
+  /** The floats of the current frame, which the package fills. The pose and the durations are views of it. */
   private readonly floats = new Float32Array(FRAME_FLOATS);
-  /** The present frame; every call overwrites it. */
+  /** The current frame; every call overwrites it. */
   readonly frame: WalkFrame = {
     pose: this.floats.subarray(0, POSE_FLOATS),
     step: 0,
@@ -195,19 +195,19 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     this.read();
   }
 
-  /** Number of the first step whose style can still be changed. */
+  /** Index of the first step whose style can still be changed. */
   get nextStep(): number {
     return this.raw.nextStep();
   }
 
-  /** Starts again at the origin; styles and controls are kept. */
+  /** Restarts at the origin; styles and controls are kept. */
   reset(): void {
     this.raw.reset();
     this.read();
   }
 
   /**
-   * Sets the style from the next frame on, and the transitions that follow.
+   * Sets the style from the next frame on, and the transitions after it.
    * @throws StrutError unless there is one finite weight for each style
    */
   plan(weights: Weights, transitions: readonly WalkTransition[]): void {
@@ -227,7 +227,7 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     this.raw.setVariation(tempo.kind === "sampled" ? tempo.seed : undefined);
   }
 
-  /** Synchronises the ends of steps with a beat of `cadence` steps a minute, one of which is now. */
+  /** Synchronises the ends of steps with a beat of `cadence` steps per minute; one beat is now. */
   beatNow(cadence: number): void {
     this.raw.setBeat(cadence, 0);
   }
@@ -237,12 +237,12 @@ export class Walker extends Handle<InstanceType<WalkGlue["Walk"]>> {
     this.raw.setTurn(turn);
   }
 
-  /** Length of steps as a share of the style's; the engine clamps it. */
+  /** Step length as a share of the style's; the engine clamps it. */
   set stride(share: number) {
     this.raw.setStride(share);
   }
 
-  /** Whether to walk or to stand, from the next frame on; the change takes two steps. */
+  /** Sets whether to walk or to stand, from the next frame on; the change takes two steps. */
   set walks(walks: boolean) {
     this.raw.setWalking(walks);
   }

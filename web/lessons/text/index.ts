@@ -4,7 +4,7 @@ import * as de from "./de";
 import * as en from "./en";
 import type { LearnText, LessonTexts } from "./text";
 
-/** What a language says of the lessons, and around them. */
+/** The texts of the lessons and around them in one language. */
 export interface Texts {
   learn: LearnText;
   lessons: LessonTexts;

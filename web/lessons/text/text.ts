@@ -1,19 +1,19 @@
-/** What a lesson says. `[term: words]` are words that light a mark, and backticks hold a file. */
+/** Text of a lesson. `[term: words]` are words that highlight a mark, and backticks enclose a file name. */
 import type { Beat } from "../lesson";
 
-/** Numbers and names as a language writes them, by the names of a measure. */
+/** Numbers and names formatted in a language, by the names of a measure. */
 export type Said = Readonly<Record<string, string>>;
 
 /** Text of an exercise. */
 export interface ExerciseText {
   task: string;
   pass: (said: Said) => string;
-  /** A sentence for each way to be close. */
+  /** A sentence for each kind of near miss. */
   near: Readonly<Record<string, (said: Said) => string>>;
-  /** What the exercise is about, for who got it wrong. */
+  /** The subject of the exercise, for a wrong answer. */
   refuse: (said: Said) => string;
   no: (said: Said) => string;
-  /** First a thought, then what to light up. */
+  /** First a thought, then what to highlight. */
   hints: readonly [string, string];
 }
 
@@ -22,7 +22,7 @@ export interface LessonText {
   idea: readonly string[];
   bet: { question: string; options: Readonly<Record<string, string>>; reveal: (said: Said) => string };
   look: readonly string[];
-  /** What each symbol is, by term. */
+  /** Meaning of each symbol, by term. */
   symbols: Readonly<Record<string, { symbol: string; name: string }>>;
   why: string;
   exercises: Readonly<Record<string, ExerciseText>>;
@@ -32,7 +32,7 @@ export interface LessonText {
 /** The texts of the lessons by id, each loaded when it is opened. */
 export type LessonTexts = Readonly<Record<string, () => Promise<LessonText>>>;
 
-/** What is said around every lesson. */
+/** Texts around every lesson. */
 export interface LearnText {
   /** Goal of each lesson, by its id. */
   titles: Readonly<Record<string, string>>;

@@ -1,4 +1,4 @@
-/** Buttons, toggles and segmented choices over native elements. */
+/** Buttons, toggles and segmented controls based on native elements. */
 import { html } from "../dom";
 import { type IconName, icon } from "./icons";
 
@@ -13,7 +13,7 @@ export function button(
   if (options.icon) made.append(icon(options.icon));
   if (options.label) made.append(html("span", {}, name));
   else made.setAttribute("aria-label", name);
-  // The tooltip would say the name once more.
+  // The tooltip would repeat the name.
   if (options.keys) made.setAttribute("aria-description", options.keys);
   made.addEventListener("click", onClick);
   return made;
@@ -32,7 +32,7 @@ export class Toggle {
     this.element = html("div", { class: "toggle-row" }, this.#button, label);
   }
 
-  /** What it is for: a tooltip, and a description for assistive technology. */
+  /** Its purpose: a tooltip, and a description for assistive technology. */
   set description(description: string) {
     this.element.title = description;
     this.#button.setAttribute("aria-description", description);
@@ -43,10 +43,10 @@ export class Toggle {
   }
 }
 
-/** Segments so far: each is a group of its own, whatever its label. */
+/** Number of segments so far: each is a group of its own, whatever its label. */
 let segments = 0;
 
-/** One choice out of a few, as radio buttons that look like a segment. */
+/** A choice of one option out of a few, as radio buttons styled as segments. */
 export class Segment<T extends string> {
   readonly element: HTMLElement;
   readonly #inputs = new Map<T, HTMLInputElement>();
@@ -72,7 +72,7 @@ export class Segment<T extends string> {
     if (input) input.checked = true;
   }
 
-  /** Changes the words of one choice. */
+  /** Changes the text of one option. */
   relabel(value: T, label: string): void {
     const text = this.#inputs.get(value)?.parentElement?.querySelector("span");
     if (text) text.textContent = label;

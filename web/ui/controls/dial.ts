@@ -1,4 +1,4 @@
-/** How a dial's 270° of travel map to its values: linear, or logarithmic for values that act by ratio. Pure. */
+/** Maps a dial's 270° of travel to its values: linear, or logarithmic for values that act by ratio. Pure functions. */
 import type { Range } from "./range";
 
 export interface DialRange extends Range {
@@ -7,7 +7,7 @@ export interface DialRange extends Range {
 
 const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** Share of the travel, 0–1, at which a value stands. */
+/** Position of a value, as a share of the travel, 0–1. */
 export function shareOf(value: number, { min, max, scale }: DialRange): number {
   const share = scale === "log" ? Math.log(value / min) / Math.log(max / min) : (value - min) / (max - min);
   return clamp(share, 0, 1);
@@ -27,7 +27,7 @@ export function stepped(value: number, shares: number, range: DialRange): number
   return clamp(Number((value + Math.sign(shares) * 10 ** -range.digits).toFixed(range.digits)), range.min, range.max);
 }
 
-/** The value that a person typed: a number in range, with a comma or a point; `undefined` where it is none. */
+/** The value typed by the user: a number in range, with a comma or a point; `undefined` if it is invalid. */
 export function parseTyped(text: string, range: DialRange): number | undefined {
   const value = Number(text.trim().replace(",", ".").replace("−", "-"));
   if (text.trim() === "" || !Number.isFinite(value)) return undefined;

@@ -71,7 +71,7 @@ export type IconName = keyof typeof PATHS;
 
 const FILLED: readonly IconName[] = ["play", "pause", "record"];
 
-/** Pixels as they are where text has its usual size. */
+/** Sizes in pixels apply at the normal text size. */
 const inRem = (px: number): string => `${px / 16}rem`;
 
 /** An icon in the colour of the text around it; hidden from screen readers, which get the button's name. */
@@ -95,7 +95,7 @@ export function icon(name: IconName, size = 16): SVGSVGElement {
   );
 }
 
-/** The mark: the control itself, a triangle with a point at weights 0.32 top, 0.27 right, 0.41 left. */
+/** The logo: the polygon control itself, a triangle with a point at weights 0.32 top, 0.27 right, 0.41 left. */
 export function mark(size = 18): SVGSVGElement {
   const [top, right, left] = [
     [9, 1.8],

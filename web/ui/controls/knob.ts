@@ -1,18 +1,17 @@
 /**
- * A knob: 270° arc, turned by vertical drag, arrow keys, typing, or the wheel while it has the focus; a double click brings the
- * default back.
- * For assistive technology the dial is a slider and the number under it a text field.
+ * A knob: 270° arc, changed by vertical drag, arrow keys, typing, or the wheel while it has the focus; a double click
+ * restores the default. For assistive technology the dial is a slider and the number under it a text field.
  */
 import { formatNumber, html, setAttributes, svg } from "../dom";
 import { type GestureListeners, listenToDrags } from "../drag";
 import { type DialRange, parseTyped, shareOf, stepped, valueAt } from "./dial";
 
-/** Pixels of drag for the whole travel. */
+/** Drag distance for the whole travel, pixels. */
 const TRAVEL_PX = 160;
-/** Share of the travel for a notch of the wheel or an arrow key, and with Shift. */
+/** Share of the travel per notch of the wheel or arrow key, and with Shift. */
 const STEP = 0.04;
 const FINE_STEP = 0.004;
-/** Degrees of the arc and where it begins, clockwise from the top. */
+/** Angle of the arc and its start, degrees clockwise from the top. */
 const SWEEP = 270;
 const START = -135;
 const RADIUS = 18;
@@ -33,7 +32,7 @@ const arc = (share: number): string => {
   return `M${polar(START, RADIUS)}A${RADIUS} ${RADIUS} 0 ${large} 1 ${polar(end, RADIUS)}`;
 };
 
-/** How numbers are written: what stands before the decimals, and what a field for a number is called. */
+/** Number formatting: the decimal sign, and the name of a field for a number. */
 export interface KnobLanguage {
   decimal: string;
   number: string;
@@ -52,7 +51,7 @@ export class Knob {
   readonly #decimal: string;
   #value: number;
 
-  /** `symbol` is what is printed, `name` and `description` what is said and shown as a tooltip. */
+  /** `symbol` is displayed, `name` and `description` are announced and shown as a tooltip. */
   constructor(
     text: { symbol: string; name: string; description: string },
     range: DialRange,
@@ -132,7 +131,7 @@ export class Knob {
     dial.addEventListener(
       "wheel",
       (event) => {
-        // Scrolling the page over a knob does not turn it.
+        // Scrolling the page over a knob does not change it.
         if (!dial.matches(":focus")) return;
         event.preventDefault();
         this.#turn(stepped(this.#value, -Math.sign(event.deltaY) * STEP, this.#range));
@@ -166,7 +165,7 @@ export class Knob {
       event.stopPropagation();
       this.#turn(next());
     } else if (/^[\d.,]$/.test(event.key)) {
-      // Typing goes to the number: select it, and the key lands there.
+      // Typing goes to the number: it is selected, and receives the key.
       event.stopPropagation();
       this.#number.focus();
       this.#number.select();

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { rangeInput } from "./range_input";
 
-/** A slider without a page; the browser sets it and says so. */
+/** A slider without a page; the test sets it like the browser and fires its events. */
 class FakeInput extends EventTarget {
   value = "10";
   getAttribute(): null {

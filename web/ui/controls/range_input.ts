@@ -1,12 +1,12 @@
-/** A slider of the browser. */
+/** A native slider. */
 
 import { type Attributes, html } from "../dom";
 
-/** `<input type="range">`. A finger that comes down on it and scrolls the page sets nothing. */
+/** `<input type="range">`. A touch that scrolls the page does not change it. */
 export function rangeInput(attributes: Attributes): HTMLInputElement {
   const input = html("input", { type: "range", ...attributes });
   let before = "";
-  /** Whether the pointer has set the value; a time line moves by itself as well. */
+  /** Whether the pointer has set the value; a timeline also moves by itself. */
   let isSet = false;
   input.addEventListener("pointerdown", () => {
     before = input.value;
@@ -15,7 +15,7 @@ export function rangeInput(attributes: Attributes): HTMLInputElement {
   input.addEventListener("input", () => {
     isSet = true;
   });
-  // The browser has taken the finger for scrolling, but set the value to its place before.
+  // The browser has used the touch for scrolling, but had set the value to its position before.
   input.addEventListener("pointercancel", () => {
     if (!isSet) return;
     input.value = before;

@@ -1,4 +1,4 @@
-/** A labelled slider over `<input type="range">` with its value beside it and a tick at the default. */
+/** A labelled slider based on `<input type="range">` with its value next to it and a tick at the default. */
 
 import { formatNumber, html } from "../dom";
 import type { Range } from "./range";
@@ -20,7 +20,7 @@ export class Slider {
     this.#range = range;
     const step = 10 ** -range.digits;
     this.#input = rangeInput({ min: range.min, max: range.max, step, "aria-label": name });
-    // The slider says both itself.
+    // The slider announces both itself.
     this.#value = html("output", { class: "value", "aria-hidden": "true" });
     this.#track = html("div", { class: "slider-track" }, this.#input);
     this.#track.style.setProperty("--default", String((initial - range.min) / (range.max - range.min)));
@@ -39,10 +39,10 @@ export class Slider {
     });
   }
 
-  /** Says values in words instead of bare numbers. */
+  /** Converts values to text instead of bare numbers. */
   words: ((value: number) => string) | undefined;
 
-  /** Marks the part of the range that makes sense. */
+  /** Marks the plausible part of the range. */
   set plausible(plausible: { min: number; max: number }) {
     const { min, max } = this.#range;
     const share = (value: number) => String(Math.min(1, Math.max(0, (value - min) / (max - min))));

@@ -3,7 +3,7 @@ import { formatNumber, svg } from "../dom";
 import { direction, type Point, quarterIsolines } from "./geometry";
 import { BAR, type LabelledVertex, type LabelPlace, WORD_GAP } from "./labels";
 
-/** The label of a vertex at its place, never rotated. */
+/** The label of a vertex at its position, never rotated. */
 export function label({ name, weight }: LabelledVertex, { x, y, anchor, numberBelow }: LabelPlace): SVGTextElement {
   const text = svg(
     "text",
@@ -20,14 +20,14 @@ export function label({ name, weight }: LabelledVertex, { x, y, anchor, numberBe
   if (weight === undefined) return text;
   const place = numberBelow > 0 ? { x: x.toFixed(1), dy: numberBelow } : { dx: WORD_GAP };
   text.append(
-    // Keeps name and number two words for screen readers, without a place in the drawing.
+    // Keeps name and number two words for screen readers, without taking space in the drawing.
     svg("tspan", { "font-size": 0 }, " "),
     svg("tspan", { class: "vertex-number", ...place }, formatNumber(weight, 2)),
   );
   return text;
 }
 
-/** The radial bar of a selected vertex: yellow from the inner end; a negative weight grows inwards from there. */
+/** The radial bar of a selected vertex: yellow from the inner end; a negative weight extends inwards from there. */
 export function weightBar(position: Point, weight: number): SVGGElement {
   const out = direction(position);
   const degrees = (Math.atan2(out.y, out.x) * 180) / Math.PI;
@@ -64,7 +64,7 @@ export function isolines(corners: readonly Point[]): string {
     .join("");
 }
 
-/** The pattern of 45° hatching, 7 px apart, that marks what lies beyond the data. */
+/** The pattern of 45° hatching, 7 px apart, that marks the area beyond the data. */
 export function hatching(id: string): SVGDefsElement {
   const line = svg("line", { class: "hatch", x1: 0, y1: 0, x2: 0, y2: 7 });
   const attributes = { id, width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" };

@@ -1,8 +1,9 @@
 /**
- * Plane geometry of the style polygon: where vertices lie, and points ↔ weights. No DOM, no styles.
+ * Plane geometry of the style polygon: positions of vertices, and conversion between points and weights. No DOM, no
+ * styles.
  *
- * Screen convention: x right, y down, the centre of the polygon at the origin. A point and the weights of its
- * corners say the same: the point is Σ wᵢ·cornerᵢ ({@link pointOf}) and {@link weightsAt} is the inverse.
+ * Screen convention: x right, y down, the centre of the polygon at the origin. A point and the weights of its corners
+ * are equivalent: the point is Σ wᵢ·cornerᵢ ({@link pointOf}) and {@link weightsAt} is the inverse.
  */
 
 /** A point of the plane. */
@@ -11,7 +12,7 @@ export interface Point {
   y: number;
 }
 
-/** Below this length (in the polygon's own units, pixels) two points are the same. */
+/** Below this distance (in the polygon's own units, pixels) two points are equal. */
 const EPSILON = 1e-6;
 
 const subtract = (a: Point, b: Point): Point => ({ x: a.x - b.x, y: a.y - b.y });
@@ -80,7 +81,7 @@ export function isInside(p: Point, corners: readonly Point[]): boolean {
   return true;
 }
 
-/** The point of the corner, segment or convex polygon that is nearest to `p`: `p` itself where it is inside. */
+/** The point of the corner, segment or convex polygon nearest to `p`: `p` itself if it is inside. */
 export function nearestInside(p: Point, corners: readonly Point[]): Point {
   if (corners.length === 0) return { x: 0, y: 0 };
   if (corners.length > 2 && isInside(p, corners)) return p;
@@ -120,7 +121,7 @@ export function meanValue(p: Point, corners: readonly Point[]): number[] {
 }
 
 /**
- * Weights of `corners` at `p`, summing to 1. One corner has all of it, two share a segment, three are barycentric
+ * Weights of `corners` at `p`, summing to 1. A single corner has weight 1, two share a segment, three are barycentric
  * (also outside), more are mean value coordinates (`p` must be inside).
  */
 export function weightsAt(p: Point, corners: readonly Point[]): number[] {

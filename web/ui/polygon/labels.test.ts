@@ -4,7 +4,7 @@ import { area, type Box, boxOf, coveringLabels, type LabelledVertex, overlap, pl
 
 const ROOM: Box = { left: -152, right: 152, top: -144, bottom: 120 };
 
-/** A polygon of which some vertices are selected. */
+/** A polygon with some selected vertices. */
 function polygon(count: number, selected: readonly number[], name = "childish A"): LabelledVertex[] {
   return circleVertices(count, 92).map((position, i) => ({
     name,
@@ -13,7 +13,7 @@ function polygon(count: number, selected: readonly number[], name = "childish A"
   }));
 }
 
-/** Every vertex of every polygon of 3 to so many. */
+/** Every vertex of every polygon with 3 to `max` vertices. */
 const all = (max: number): [count: number, i: number][] =>
   Array.from({ length: max - 2 }, (_, n) => n + 3).flatMap((count) =>
     Array.from({ length: count }, (_, i): [number, number] => [count, i]),

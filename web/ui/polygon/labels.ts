@@ -1,24 +1,24 @@
 /**
- * Where the labels of the style polygon stand: pure geometry. Every label has a few places, the best first, and they take
- * those with the least overlap that stay inside the drawing.
+ * Placement of the labels of the style polygon: pure geometry. Every label has a few positions, the best first; the
+ * combination with the least overlap inside the drawing is chosen.
  */
 import { direction, type Point } from "./geometry";
 
 /** The vertex that a label belongs to. */
 export interface LabelledVertex {
   name: string;
-  /** Weight, where the style is selected. */
+  /** Weight, if the style is selected. */
   weight: number | undefined;
   position: Point;
 }
 
-/** A place of a label: that of its name, and how far below it its number stands, 0 being the same line. */
+/** Position of a label: that of its name, and the distance of its number below it, 0 for the same line. */
 export interface LabelPlace extends Point {
   anchor: "start" | "middle" | "end";
   numberBelow: number;
 }
 
-/** Room for labels around the centre of the polygon, in pixels. */
+/** Space for labels around the centre of the polygon, pixels. */
 export interface Box {
   left: number;
   right: number;
@@ -26,27 +26,27 @@ export interface Box {
   bottom: number;
 }
 
-/** The radial bar that shows a vertex's weight: its length, its width and its distance from the vertex, in pixels. */
+/** The radial bar of a vertex's weight: its length, its width and its distance from the vertex, pixels. */
 export const BAR = { length: 22, width: 6, gap: 9 };
 /** Distance from a vertex to the label of an idle style. */
 const IDLE_GAP = 12;
-/** Distance from a bar's outer end to a label that stands beside it. */
+/** Distance from a bar's outer end to a label next to it. */
 const BESIDE_GAP = 8;
 /** Distance of two lines, half the height of one, and the distance of a name and a number on one line. */
 const LINE = 15;
 const HALF_LINE = 7;
 export const WORD_GAP = 6;
-/** Mean width of a letter of a name, and width of a number: sizes of type as they are drawn, nearly. */
+/** Mean width of a letter of a name, and width of a number: approximate sizes of the drawn text. */
 const LETTER = 6.9;
 const NUMBER = 28;
-/** How much worse a place is than the one before it, in square pixels that would be covered: idle labels hardly move. */
+/** Penalty of a position over the one before it, in square pixels of overlap: idle labels hardly move. */
 const RANK = { selected: 4, idle: 100 };
-/** How much worse it is to cover a label than to reach into the padding of the panel. */
+/** Factor of covering a label relative to reaching into the padding of the panel. */
 const COVERED = 4;
-/** So many labels find their places together: those of a triangle. Further ones do so one after the other. */
+/** Number of labels placed jointly: those of a triangle. Further ones are placed one after another. */
 const TOGETHER = 3;
 
-/** Which way labels of a vertex read: to the left of it, to the right, or both where it is at the top or the bottom. */
+/** Direction of a vertex's label: left of it, right of it, or centred if the vertex is at the top or the bottom. */
 const sideOf = (out: Point): -1 | 0 | 1 => (Math.abs(out.x) < 0.3 ? 0 : out.x > 0 ? 1 : -1);
 const ANCHORS = { "-1": "end", "0": "middle", "1": "start" } as const;
 
@@ -62,7 +62,7 @@ function idlePlaces(position: Point): LabelPlace[] {
   ];
 }
 
-/** The place of a name alone, centred above its vertex or below it. */
+/** The position of a name alone, centred above its vertex or below it. */
 export function placeBeyond(position: Point): LabelPlace {
   const side = position.y > 0 ? 1 : -1;
   return { x: position.x, y: position.y + side * (IDLE_GAP + HALF_LINE), anchor: "middle", numberBelow: 0 };
@@ -103,7 +103,7 @@ function selectedPlaces(position: Point, room: Box): LabelPlace[] {
   ];
 }
 
-/** The box that a label takes at a place, as nearly as it is known without drawing it. */
+/** The box of a label at a position, estimated without drawing it. */
 export function boxOf({ name, weight }: LabelledVertex, place: LabelPlace): Box {
   const word = name.length * LETTER;
   const beside = weight === undefined ? 0 : WORD_GAP + NUMBER;
@@ -127,17 +127,17 @@ function barBox(position: Point): Box {
   };
 }
 
-/** Square pixels that two boxes share. */
+/** Overlap of two boxes, square pixels. */
 export function overlap(a: Box, b: Box): number {
   const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);
   const height = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
   return Math.max(0, width) * Math.max(0, height);
 }
 
-/** Square pixels of a box. */
+/** Area of a box, square pixels. */
 export const area = ({ left, right, top, bottom }: Box): number => (right - left) * (bottom - top);
 
-/** A place that a label may take, its box, and how bad it is for itself. */
+/** A possible position of a label, its box, and its own cost. */
 interface Choice {
   place: LabelPlace;
   box: Box;
@@ -149,7 +149,7 @@ const covered = (box: Box, by: readonly Box[]): number =>
 
 const boxesOf = (choices: readonly Choice[]): Box[] => choices.map(({ box }) => box);
 
-/** The choice for each label whose total cost is smallest. */
+/** The position of each label for which the total cost is smallest. */
 function together(labels: readonly Choice[][]): Choice[] {
   const cost = (chosen: readonly Choice[]) =>
     chosen.reduce((sum, one, i) => sum + one.cost + covered(one.box, boxesOf(chosen.slice(0, i))), 0);
@@ -161,8 +161,8 @@ function together(labels: readonly Choice[][]): Choice[] {
 }
 
 /**
- * Which idle labels would cover others at these places: they are shown only where the vertex is pointed at or has the focus. Those
- * of selected styles are always shown, and of idle ones as many as have room.
+ * Idle labels that would cover others at these positions: they are shown only while the vertex is hovered or focused.
+ * Those of selected styles are always shown, and of idle ones as many as there is room for.
  */
 export function coveringLabels(vertices: readonly LabelledVertex[], places: readonly LabelPlace[]): boolean[] {
   const boxes = vertices.map((vertex, i) => boxOf(vertex, places[i]!));
@@ -175,7 +175,7 @@ export function coveringLabels(vertices: readonly LabelledVertex[], places: read
   });
 }
 
-/** Places of the labels of vertices, in their order. Those of idle styles give way to those of selected ones. */
+/** Positions of the labels of vertices, in order. Those of idle styles make room for those of selected ones. */
 export function placeLabels(vertices: readonly LabelledVertex[], room: Box): LabelPlace[] {
   const bars = vertices.map(({ weight, position }) => (weight === undefined ? [] : [barBox(position)]));
   const choices = vertices.map((vertex, i) => {

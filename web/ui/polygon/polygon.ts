@@ -1,6 +1,6 @@
 /**
- * The style polygon: every style is a vertex, a few are selected, and the handle's place between those is how much
- * of each. Pointer, touch and keyboard; the pure parts are in `geometry.ts` and `selection.ts`.
+ * The style polygon: every style is a vertex, a few are selected, and the handle's position between those sets the
+ * weight of each. Pointer, touch and keyboard; the pure parts are in `geometry.ts` and `selection.ts`.
  */
 
 import { formatNumber, html, setAttributes, svg } from "../dom";
@@ -14,31 +14,31 @@ import { allOf, drop, fromPolygon, type Selection, select, TRIANGLE, weightOf, w
 import { Trail } from "./trail";
 import { WeightFields } from "./weight_fields";
 
-/** Radius, and room for labels above and below the centre, in units: pixels where text has its usual size. */
+/** Radius, and space for labels above and below the centre, units: pixels at the normal text size. */
 export interface PolygonSize {
   radius: number;
   above: number;
   below: number;
   /** Radius within which a vertex or the handle is hit. */
   reach: number;
-  /** Whether vertices have bars and numbers of their weights; otherwise only names, which stand above and below them. */
+  /** Whether vertices have bars and numbers of their weights; otherwise only names, above and below them. */
   bars: boolean;
 }
 /** In a panel of its own. */
 const FULL: PolygonSize = { radius: 92, above: 144, below: 120, reach: 16, bars: true };
-/** Over a picture, where it has a triangle at most. */
+/** Over a picture, with a triangle at most. */
 export const COMPACT: PolygonSize = { radius: 46, above: 76, below: 56, reach: 22, bars: false };
-/** Labels end this far from the edge of the panel, and nowhere further from the centre than this. */
+/** Minimum distance of labels from the edge of the panel, and largest distance from the centre. */
 const PADDING = 20;
 const MAX_EDGE = 172;
-/** Width while the panel is not on the screen. */
+/** Width while the panel is not displayed. */
 const MIN_WIDTH = 344;
-/** Duration of a jump to a vertex. */
+/** Duration of a jump to a vertex, milliseconds. */
 const GLIDE_MS = 240;
-/** Arrow keys move the handle by these shares of the radius. */
+/** Steps of the arrow keys, as shares of the radius. */
 const KEY_STEP = 0.05;
 const FINE_KEY_STEP = 0.01;
-/** With Shift the handle may leave the polygon as far as this, in radii. */
+/** With Shift the handle may leave the polygon up to this distance, in radii. */
 const MAX_BEYOND = 1.35;
 
 const ARROWS: Readonly<Record<string, Point>> = {
@@ -49,11 +49,11 @@ const ARROWS: Readonly<Record<string, Point>> = {
 };
 
 export interface PolygonListeners extends GestureListeners {
-  /** A new selection; `gesture` names the drag or run of key presses that it belongs to. */
+  /** Called with a new selection; `gesture` names the drag or run of key presses that it belongs to. */
   onChange: (selection: Selection, gesture?: string) => void;
 }
 
-/** What the polygon shows. */
+/** Contents of the polygon. */
 export interface PolygonModel {
   /** Styles clockwise from the top. */
   vertices: readonly string[];
@@ -86,14 +86,14 @@ export class Polygon {
   #vertexElements: SVGGElement[] = [];
   #model: PolygonModel = { vertices: [], selection: [], whole: false, beyond: false };
   #positions: Point[] = [];
-  /** Where the handle is drawn: behind the model only while it glides. */
+  /** Displayed position of the handle: it differs from the model only during a glide. */
   #drawn: Point = { x: 0, y: 0 };
   #glide = 0;
-  /** Whether the change under way comes from the handle itself, which follows without easing. */
+  /** Whether the current change comes from the handle itself, which follows without easing. */
   #moving = false;
-  /** Pixels of a unit of the drawing: more than one where the person's text is larger. */
+  /** Pixels per unit of the drawing: more than one if the user's text is larger. */
   #unit = 1;
-  /** Width of the drawing, units. Measured when it changes alone: elsewhere the page would be laid out for it. */
+  /** Width of the drawing, units. Measured only when it changes: elsewhere measuring would cause a layout. */
   #width = MIN_WIDTH;
 
   constructor(listeners: PolygonListeners, size: PolygonSize = FULL) {
@@ -148,7 +148,7 @@ export class Polygon {
     this.#observer.observe(this.element);
   }
 
-  /** Shows a model. `glide` lets the handle travel to a far place instead of jumping. */
+  /** Shows a model. `glide` animates the handle to a distant position. */
   show(model: PolygonModel, glide = false): void {
     const relaid = model.vertices.join("\n") !== this.#model.vertices.join("\n");
     this.#model = model;
@@ -159,7 +159,7 @@ export class Polygon {
     else this.#draw(this.#modelPoint());
   }
 
-  /** All of one style, as a double click on its vertex does it. */
+  /** Selects one style alone, like a double click on its vertex. */
   takeAllOf(name: string): void {
     if (!this.#model.vertices.includes(name)) return;
     const { whole, selection } = this.#model;
@@ -174,12 +174,12 @@ export class Polygon {
     this.#trail.dispose();
   }
 
-  /** Gives the handle the keyboard. */
+  /** Moves the keyboard focus to the handle. */
   focus(): void {
     this.#handle.focus();
   }
 
-  /** The names and places of the corners between which the handle moves. */
+  /** The names and positions of the corners between which the handle moves. */
   #corners(): { names: string[]; points: Point[] } {
     const { vertices, selection, whole } = this.#model;
     const names = whole ? [...vertices] : selection.map((s) => s.name).filter((name) => vertices.includes(name));
@@ -192,14 +192,14 @@ export class Polygon {
     return pointOf(weights, points);
   }
 
-  /** Takes the handle to a point, or as near as it may go. */
+  /** Moves the handle to a point, or as near to it as allowed. */
   #moveTo(p: Point, beyond: boolean): void {
     const { names, points } = this.#corners();
     if (points.length === 0) return;
     const free = beyond && points.length === TRIANGLE && !this.#model.whole;
     const reach = Math.min(1, (MAX_BEYOND * this.#size.radius) / (Math.hypot(p.x, p.y) || 1));
     const at = free ? { x: p.x * reach, y: p.y * reach } : nearestInside(p, points);
-    // Added to zero, a weight that is a little less than nothing is not −0.
+    // The addition converts −0 to 0.
     const weights = weightsAt(at, points).map((w) => Math.round(w * 1000) / 1000 + 0);
     const selection = this.#model.whole
       ? fromPolygon(names, weights)
@@ -228,7 +228,7 @@ export class Polygon {
     this.#layers.vertices.replaceChildren(...this.#vertexElements);
   }
 
-  /** A unit does not depend on the width of the panel, so that strokes and type keep their size. */
+  /** A unit does not depend on the width of the panel, so that strokes and text keep their size. */
   #resize(): void {
     this.#unit = textZoom();
     this.#width = (this.element.clientWidth || MIN_WIDTH) / this.#unit;
@@ -314,7 +314,7 @@ export class Polygon {
     };
   }
 
-  /** A press on the handle or within the triangle drags the handle; one on an idle vertex selects it. */
+  /** A press on the handle or within the triangle drags the handle; a press on an idle vertex selects it. */
   #beginDrag(event: PointerEvent): Drag | undefined {
     const p = this.#toPlane(event);
     const onHandle = this.#handle.contains(event.target as Node);
@@ -331,7 +331,7 @@ export class Polygon {
     event.preventDefault();
     const { onSettle, onCancel } = this.#listeners;
     onSettle();
-    // Hide the focus ring while the pointer drags; it is for keyboard users.
+    // The focus ring is hidden while the pointer drags; it is for keyboard users.
     this.#handle.focus({ preventScroll: true });
     this.#root.classList.add("dragging", "by-pointer");
     const at = this.#modelPoint();
@@ -352,7 +352,7 @@ export class Polygon {
     };
   }
 
-  /** Moves the handle as an arrow key does. */
+  /** Moves the handle like an arrow key. */
   press(key: string, share = KEY_STEP): void {
     const arrow = ARROWS[key];
     if (!arrow) return;

@@ -1,6 +1,6 @@
 /**
- * Which styles are selected and how much of each: pure edits of a {@link Selection}, and the design's order of the
- * vertices. The polygon and the URL both use selections.
+ * The selected styles and their weights: pure edits of a {@link Selection}, and the design's order of the vertices. The
+ * polygon and the URL both use selections.
  */
 
 /** A style and its weight. Weights of a selection sum to 1; they leave 0–1 only beyond the polygon. */
@@ -11,13 +11,13 @@ export interface StyleWeight {
 /** The selected styles, in the order of selection; a selected style may have weight 0. */
 export type Selection = readonly StyleWeight[];
 
-/** Maximum number of styles that the triangle holds. */
+/** Maximum number of styles of the triangle. */
 export const TRIANGLE = 3;
-/** Weights below this are dropped when the whole polygon is mixed: they are not seen and cost a style each. */
+/** Weights below this are dropped when the whole polygon is mixed: they are not visible, and each style costs time. */
 const NEGLIGIBLE = 0.005;
 /** The order of the paper's eight styles around the polygon, clockwise from the top: opposites face each other. */
 const DESIGN_ORDER = ["proud", "strutting", "angry", "childlike", "neutral", "old", "sexy", "depressed"];
-/** The styles that are selected at first, where a database has them, and how much of each. */
+/** The styles that are selected initially, if a database has them, and their weights. */
 const FIRST_CHOICE = ["proud", "old", "childlike"];
 const FIRST_WEIGHTS = [0.62, 0.12, 0.26];
 
@@ -27,7 +27,7 @@ const rank = (order: readonly string[], name: string): number => {
 };
 const byRank = (order: readonly string[]) => (a: string, b: string) => rank(order, a) - rank(order, b);
 
-/** The styles that are selected by default: three of the database, the neutral one only if there are too few others. */
+/** The default styles: three of the database, the neutral one only if there are too few others. */
 export function firstStyles(styles: readonly string[], neutral: string): string[] {
   const ranked = [...styles].filter((s) => s !== neutral).sort(byRank(FIRST_CHOICE));
   return [...ranked, ...styles.filter((s) => s === neutral)].slice(0, TRIANGLE);
@@ -40,15 +40,15 @@ export function firstSelection(styles: readonly string[], neutral: string): Sele
 }
 
 /**
- * The styles clockwise from the top: the first three spread out so that their triangle is wide, neutral at the
- * bottom, the others between them in the design's order.
+ * The styles clockwise from the top: the first three spread out so that their triangle is wide, neutral at the bottom,
+ * the others between them in the design's order.
  */
 export function vertexOrder(styles: readonly string[], neutral: string): string[] {
   const n = styles.length;
   const slots: (string | undefined)[] = new Array(n).fill(undefined);
   const picks = firstStyles(styles, neutral);
   const spread = Math.max(1, Math.floor(((n - 1) * 3) / 7));
-  // Clockwise the third pick comes before the second: proud on top, old at the lower left, childlike at the right.
+  // Clockwise the third style comes before the second: proud at the top, old at the lower left, childlike at the right.
   const places = [0, n - spread, spread];
   picks.forEach((name, i) => {
     slots[places[i]! % n] = name;
@@ -59,19 +59,19 @@ export function vertexOrder(styles: readonly string[], neutral: string): string[
   return slots.map((name) => name ?? rest.shift()!);
 }
 
-/** The selection with weights that sum to 1 (equal shares where there is nothing to scale). */
+/** The selection with weights that sum to 1 (equal weights if all are 0). */
 export function normalised(selection: Selection): Selection {
   const sum = selection.reduce((total, s) => total + s.weight, 0);
   if (Math.abs(sum) < 1e-6) return selection.map((s) => ({ ...s, weight: 1 / selection.length }));
   return selection.map((s) => ({ ...s, weight: s.weight / sum }));
 }
 
-/** Weight of a style, 0 where it is not selected. */
+/** Weight of a style, 0 if it is not selected. */
 export function weightOf(selection: Selection, name: string): number {
   return selection.find((s) => s.name === name)?.weight ?? 0;
 }
 
-/** Selects a style. In a full triangle it takes the place, and the weight, of the one with the smallest weight. */
+/** Selects a style. In a full triangle it replaces the style with the smallest weight, and gets its weight. */
 export function select(selection: Selection, name: string): Selection {
   if (selection.some((s) => s.name === name)) return selection;
   if (selection.length < TRIANGLE) return [...selection, { name, weight: 0 }];
@@ -79,13 +79,13 @@ export function select(selection: Selection, name: string): Selection {
   return selection.map((s) => (s === lightest ? { name, weight: s.weight } : s));
 }
 
-/** Drops a style; its weight goes to the others in proportion. The last one stays. */
+/** Deselects a style; its weight is distributed to the others in proportion. The last one stays. */
 export function drop(selection: Selection, name: string): Selection {
   if (selection.length < 2 || !selection.some((s) => s.name === name)) return selection;
   return normalised(selection.filter((s) => s.name !== name));
 }
 
-/** The selection with another weight of a style; the others keep their proportions, or share equally where they had none. */
+/** The selection with another weight of a style; the others keep their proportions, or share equally if all are 0. */
 export function withWeight(selection: Selection, name: string, weight: number): Selection {
   const others = normalised(selection.filter((s) => s.name !== name));
   if (others.length === 0 || others.length === selection.length) return selection;
@@ -95,7 +95,7 @@ export function withWeight(selection: Selection, name: string, weight: number): 
   }));
 }
 
-/** All of one style, which is selected if it was not. */
+/** One style alone, which is selected if it was not. */
 export function allOf(selection: Selection, name: string): Selection {
   return select(selection, name).map((s) => ({ name: s.name, weight: s.name === name ? 1 : 0 }));
 }
@@ -108,8 +108,8 @@ export function fromPolygon(names: readonly string[], weights: readonly number[]
 }
 
 /**
- * How unevenly corners part the way around a polygon of `count` vertices: the squares of its parts and, among equals, the
- * difference of those beside the first corner.
+ * How unevenly corners divide the vertices of a polygon with `count` vertices: the sum of the squares of the parts and,
+ * among equals, the difference of those next to the first corner.
  */
 function unevenness(corners: readonly number[], count: number): number {
   const places = corners.map((corner) => (corner - corners[0]! + count) % count).sort((a, b) => a - b);
@@ -118,7 +118,7 @@ function unevenness(corners: readonly number[], count: number): number {
   return squares + Math.abs(parts[0]! - parts.at(-1)!) / (count + 1);
 }
 
-/** Vertices that make `corners` a triangle as wide as it can be; fewer where the polygon has no more. */
+/** Vertices that extend `corners` to the widest triangle; fewer if the polygon has no more. */
 function widened(corners: readonly number[], count: number): readonly number[] {
   if (corners.length >= Math.min(TRIANGLE, count)) return corners;
   const others = Array.from({ length: count }, (_, i) => i).filter((i) => !corners.includes(i));
@@ -127,8 +127,8 @@ function widened(corners: readonly number[], count: number): readonly number[] {
 }
 
 /**
- * The triangle that comes nearest to a selection of the whole polygon: its heaviest styles. Fewer than three are given
- * those of the `vertices`, in their order around the polygon, that make the triangle widest.
+ * The triangle nearest to a selection of the whole polygon: its heaviest styles. If there are fewer than three, those
+ * of the `vertices`, in their order around the polygon, that make the triangle widest are added.
  */
 export function toTriangle(selection: Selection, vertices: readonly string[]): Selection {
   const heaviest = [...selection].sort((a, b) => b.weight - a.weight).slice(0, TRIANGLE);
@@ -138,8 +138,8 @@ export function toTriangle(selection: Selection, vertices: readonly string[]): S
 }
 
 /**
- * The weights for the engine: each style's weight times the intensity. The neutral style is left out, since the
- * remainder to 1 is its own.
+ * The weights for the engine: each style's weight times the intensity. The neutral style is left out, since it has the
+ * remainder to 1.
  */
 export function engineWeights(selection: Selection, intensity: number, neutral: string): Record<string, number> {
   return Object.fromEntries(

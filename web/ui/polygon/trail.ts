@@ -1,11 +1,11 @@
-/** Where the handle has been during a drag: a line that fades within 1.2 s. */
+/** The path of the handle during a drag: a line that fades within 1.2 s. */
 import { svg } from "../dom";
 import type { Point } from "./geometry";
 
 const LIFETIME_MS = 1200;
-/** Points nearer than this to the last one are not kept. */
+/** Points within this distance of the last one are not added. */
 const SPACING = 2;
-/** Opacity of the newest piece. */
+/** Opacity of the newest segment. */
 const OPACITY = 0.6;
 
 export class Trail {
@@ -13,7 +13,7 @@ export class Trail {
   #points: { at: number; p: Point }[] = [];
   #frame = 0;
 
-  /** Adds where the handle is now. */
+  /** Adds the current position of the handle. */
   add(p: Point): void {
     const last = this.#points.at(-1)?.p;
     if (last && Math.hypot(last.x - p.x, last.y - p.y) < SPACING) return;

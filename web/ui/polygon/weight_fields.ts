@@ -1,6 +1,6 @@
 /**
- * The weights of the selected styles as number fields: the polygon for keyboards and screen readers, to which one slider
- * cannot say two dimensions. Sighted people see them while one of them has the focus.
+ * The weights of the selected styles as number fields: the polygon for keyboards and screen readers, since one slider
+ * cannot announce two dimensions. They are visible while one of them has the focus.
  */
 
 import { parseTyped } from "../controls/dial";
@@ -8,7 +8,7 @@ import { formatNumber, html } from "../dom";
 import { strings } from "../strings";
 import type { StyleWeight } from "./selection";
 
-/** Weights beyond the polygon come by dragging alone. */
+/** Weights beyond the polygon can only be set by dragging. */
 const RANGE = { min: 0, max: 1, digits: 2, scale: "linear" } as const;
 
 export class WeightFields {
@@ -25,7 +25,7 @@ export class WeightFields {
     this.#onChange = onChange;
   }
 
-  /** Shows styles and their weights; one style alone has all of it and no field. */
+  /** Shows styles and their weights; a single style has weight 1 and no field. */
   show(styles: readonly StyleWeight[]): void {
     const shown = styles.length > 1 ? styles : [];
     if (shown.map(({ name }) => name).join("\n") !== this.#fields.map(({ name }) => name).join("\n"))
@@ -33,7 +33,7 @@ export class WeightFields {
     for (const [i, { input }] of this.#fields.entries()) {
       const text = formatNumber(shown[i]!.weight, RANGE.digits);
       input.defaultValue = text;
-      // What is being typed stays.
+      // Text being typed is not changed.
       if (!input.matches(":focus")) input.value = text;
     }
   }
@@ -53,7 +53,7 @@ export class WeightFields {
       if (weight !== undefined) this.#onChange(name, weight);
       input.value = input.defaultValue;
     });
-    // Letters and digits are the page's keys elsewhere.
+    // Elsewhere, letters and digits are shortcuts of the page.
     input.addEventListener("keydown", (event) => {
       if (event.key !== "Tab" && event.key !== "Escape") event.stopPropagation();
     });

@@ -20,9 +20,9 @@ import type { Theme } from "../themes";
 import { CROWD_SHADER, type CrowdUniforms, type JointTextures } from "./joint_textures";
 import { BODIES, type Body, type BodyLevels } from "./levels";
 
-/** Detail of the mannequin's mesh that the middle body is. */
+/** Detail of the mannequin's mesh used as the middle body. */
 const MIDDLE_DETAIL = 0.25;
-/** Share of their colour that dark parts glow with where the room's reflections are missing. */
+/** Share of their colour with which dark parts glow without the reflections of the room. */
 const MATT_SHEEN = 0.1;
 
 /** Colours of the two tones. */
@@ -40,7 +40,7 @@ export class CrowdBodies {
   readonly #materials = new Map<Shading, Material>();
   #fit: Fit;
   #nearDetail: number;
-  /** Walkers that the meshes have room for; none before they have any. */
+  /** Number of walkers for which the meshes have room; −1 before allocation. */
   #capacity = -1;
 
   constructor(textures: JointTextures, fit: Fit, far: SkinnedBody, detail: number, shading: Shading) {
@@ -50,7 +50,7 @@ export class CrowdBodies {
     const material = this.#material(shading);
     const mesh = () => {
       const made = new Mesh(new InstancedBufferGeometry(), material);
-      // Whoever is out of sight is not among the instances.
+      // Walkers outside the view are not among the instances.
       made.frustumCulled = false;
       this.object.add(made);
       return made;
@@ -59,7 +59,7 @@ export class CrowdBodies {
     this.setBody(fit, far);
   }
 
-  /** Takes the fit of everybody to his bones, and the body of those who are far away. */
+  /** Sets the fit of all walkers to their bones, and the body of distant walkers. */
   setBody(fit: Fit, far: SkinnedBody): void {
     this.#fit = fit;
     this.#textures.setRest(restJoints(fit));
@@ -68,7 +68,7 @@ export class CrowdBodies {
     this.#buildNear();
   }
 
-  /** Takes the detail of the nearest bodies, at most 1, and how the light on all is computed. */
+  /** Sets the detail of the nearest bodies, at most 1, and the shading of all. */
   setQuality(detail: number, shading: Shading): void {
     for (const body of BODIES) this.#meshes[body].material = this.#material(shading);
     if (detail === this.#nearDetail) return;
@@ -76,13 +76,13 @@ export class CrowdBodies {
     this.#buildNear();
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ shell, joint }: Theme): void {
     this.#tones.shell.value.set(shell);
     this.#tones.joint.value.set(joint);
   }
 
-  /** Takes who wears which body. */
+  /** Sets which walker has which body. */
   arrange(levels: BodyLevels): void {
     const count = levels.walkers.far.length;
     if (count !== this.#capacity) {
@@ -113,7 +113,7 @@ export class CrowdBodies {
     this.#capacity = -1;
   }
 
-  /** The material of a shading; made when first needed, since compiling it is slow. */
+  /** The material for a shading; made on first use, since compiling it is slow. */
   #material(shading: Shading): Material {
     const made = this.#materials.get(shading);
     if (made) return made;
@@ -124,14 +124,14 @@ export class CrowdBodies {
   }
 }
 
-/** Numbers of those who are drawn. */
+/** Indices of the walkers that are drawn. */
 export function walkerAttribute(count: number): InstancedBufferAttribute {
   return new InstancedBufferAttribute(new Uint16Array(Math.max(1, count)), 1);
 }
 
-/** Takes the vertices of a body. */
+/** Sets the vertices of a body. */
 export function fill(geometry: InstancedBufferGeometry, body: SkinnedBody): void {
-  // What was on the graphics processor is made anew.
+  // GPU buffers are created again.
   geometry.dispose();
   geometry.setAttribute("position", new BufferAttribute(body.positions, 3));
   geometry.setAttribute("normal", new BufferAttribute(body.normals, 3));
@@ -142,7 +142,7 @@ export function fill(geometry: InstancedBufferGeometry, body: SkinnedBody): void
   geometry.instanceCount = 0;
 }
 
-/** Poses and colours one of three.js's own materials by walker. */
+/** Patches one of three.js's own materials to pose and tint each walker. */
 function dress(material: Material, crowd: CrowdUniforms, tones: ToneUniforms, shading: Shading): void {
   editShader(material, { ...crowd, ...tones }, (shader) => {
     shader.vertexShader = shader.vertexShader

@@ -1,4 +1,4 @@
-/** The 3-D view of a crowd: up to a thousand walkers on a ground that is a map of styles. */
+/** The 3-D view of a crowd: up to a thousand walkers on a ground that shows a map of styles. */
 
 import { Fog, MathUtils, Vector3 } from "three";
 import { CROWD_WALKER_FLOATS, DEFAULT_PROPORTIONS } from "../../humanoid";
@@ -21,7 +21,7 @@ export interface NamedMark extends FieldMark {
   name: string;
 }
 
-/** A place of the picture, CSS pixels from its top left. */
+/** A point in the picture, CSS pixels from its top left. */
 export interface ScreenPlace {
   x: number;
   y: number;
@@ -32,35 +32,41 @@ const RANGE: CameraRange = {
   distances: [3, 90],
   far: 220,
 };
-/** Half the width that has to fit into the picture at home, metres. */
+/** Half the width that must fit into the home view, metres. */
 const HALF_WIDTH = 4.6;
-/** Distance from which the view from above shows most of the ground, in radii of it, and the greatest, metres. */
+/**
+ * Distance of the top view from which most of the ground is visible, in radii of the ground, and the largest distance,
+ * metres.
+ */
 const ABOVE = 3.4;
 const HIGHEST = 80;
-/** Time in which the camera covers half the way to whom it follows, or back, seconds. */
+/** Half-life of the camera's approach to the walker that it follows, or back, seconds. */
 const FOLLOW_HALF_LIFE = 0.16;
-/** Nearer than this it is there, metres. */
+/** Below this distance the camera has arrived, metres. */
 const ARRIVED = 1e-3;
-/** Height of somebody, metres. */
+/** Height of a walker, metres. */
 const HEIGHT = 1.7;
-/** Radius of the ring around somebody who is chosen, metres. */
+/** Radius of the ring around the selected walker, metres. */
 const RING = 0.55;
-/** Who is nearer to the pointer than this is meant by it, however small he is, CSS pixels. */
+/** Within this distance of the pointer a walker is hit, however small it is, CSS pixels. */
 const REACH_PX = 13;
-/** Who wears the finer bodies, and the least height, a share of the picture's, of who has an outline for a shadow. */
+/**
+ * Which walkers have the finer bodies, and the minimum height, as a share of the picture's, of walkers whose shadow is an
+ * outline.
+ */
 interface Limits {
   bodies: BodyLimits;
   outlined: number;
 }
 const LIMITS: Limits = { bodies: BODY_LIMITS, outlined: 0.05 };
-/** The same without a graphics card, of what stands still and of what moves. */
+/** The limits without a GPU, for a still picture and for a moving one. */
 const STILL: Limits = { bodies: { near: { height: 220, count: 0 }, middle: { height: 90, count: 8 } }, outlined: 0.14 };
 const MOVING: Limits = {
   bodies: { near: { height: 220, count: 0 }, middle: { height: 150, count: 3 } },
   outlined: 0.2,
 };
 
-/** The bones that everybody is drawn on, by those of the motion: joints have to lie on them. 21 × xyz, metres. */
+/** The bones on which all walkers are drawn, from those of the motion, because joints must lie on them. 21 × xyz, metres. */
 export function drawnBones(proportions: ArrayLike<number>): Float32Array {
   return fitTo(proportions).proportions;
 }
@@ -79,16 +85,16 @@ export class CrowdViewer {
   #marks: readonly NamedMark[] = [];
   #levels = new BodyLevels(0);
   #heights = new Float32Array(0);
-  /** Joints of the last tick and of the present one. */
+  /** Joints of the last tick and of the current one. */
   #last = new Float32Array(0);
   #present = new Float32Array(0);
   #radius = 10;
   #lastTime: number | undefined;
-  /** Who is chosen. */
+  /** The selected walker. */
   #chosen: number | undefined;
-  /** What the camera looks at: the middle, somebody, or on the way between them. */
+  /** The point at which the camera looks: the middle, a walker, or between them. */
   readonly #focus = new Vector3();
-  /** Whether the camera follows who is chosen. */
+  /** Whether the camera follows the selected walker. */
   follow = false;
 
   constructor(container: HTMLElement, theme: ThemeName, description: string) {
@@ -111,7 +117,7 @@ export class CrowdViewer {
     this.#applyTheme();
   }
 
-  /** What a screen reader says of the picture. */
+  /** Description of the picture for screen readers. */
   set description(text: string) {
     this.#stage.canvas.setAttribute("aria-label", text);
   }
@@ -128,7 +134,7 @@ export class CrowdViewer {
     this.#stage.onFps = callback;
   }
 
-  /** Called when the user's hand turns a preset view into a free one. */
+  /** Called when the user turns a preset view into a free one. */
   set onViewChange(callback: ((view: CameraView) => void) | undefined) {
     this.#stage.view.onViewChange = callback;
   }
@@ -138,28 +144,28 @@ export class CrowdViewer {
     return this.#stage.cost;
   }
 
-  /** What draws, by the name that the browser gives it. */
+  /** Name of the renderer as reported by the browser. */
   get drawnBy(): string {
     return this.#stage.drawnBy;
   }
 
-  /** Where the camera looks from, radians about +Y from +Z. */
+  /** Direction from which the camera looks, radians about +Y from +Z. */
   get azimuth(): number {
     return this.#stage.view.azimuth;
   }
 
-  /** Whether nothing is left to draw. */
+  /** Whether there is nothing left to draw. */
   get still(): boolean {
     return this.#stage.still && !this.#redraw.pending;
   }
 
-  /** Who is chosen: there is a ring around him. */
+  /** The selected walker, marked by a ring. */
   set chosen(walker: number | undefined) {
     this.#chosen = walker;
     this.#redraw.request();
   }
 
-  /** Takes the bone offsets of everybody: 21 × xyz, metres. */
+  /** Sets the bone offsets of all walkers: 21 × xyz, metres. */
   setProportions(proportions: ArrayLike<number>): void {
     const fit = fitTo(proportions);
     const { seen, outline } = prismBodies(fit);
@@ -168,7 +174,7 @@ export class CrowdViewer {
     this.#redraw.request();
   }
 
-  /** Takes the field, and the radius in which people walk, metres. */
+  /** Sets the field, and the radius in which agents walk, metres. */
   setField(marks: readonly NamedMark[], radius: number): void {
     this.#marks = marks;
     this.#radius = radius;
@@ -177,8 +183,8 @@ export class CrowdViewer {
   }
 
   /**
-   * Takes a tick: `CROWD_WALKER_FLOATS` numbers a walker, and four bytes of tint (sRGB, and its share). `isOther` says that these
-   * walkers are not those of the last tick.
+   * Sets a tick: `CROWD_WALKER_FLOATS` numbers per walker, and four bytes of tint (sRGB, and its share). `isOther`
+   * means that these are not the walkers of the last tick.
    */
   setTick(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
     const count = joints.length / CROWD_WALKER_FLOATS;
@@ -196,15 +202,15 @@ export class CrowdViewer {
     this.#redraw.request();
   }
 
-  /** Goes to a view, gliding. */
+  /** Moves to a view, with a glide. */
   camera(view: CameraView): void {
     this.#stage.setView(view, 0);
     this.#redraw.request();
   }
 
   /**
-   * Draws a frame `share` of the way from the last tick to the present one, unless those before are still being drawn;
-   * `timeSecs` is any clock, and `fine` asks for the finer picture of what stands still. Says whether it was drawn.
+   * Draws a frame at `share` between the last tick and the current one, unless earlier frames are still being drawn.
+   * `timeSecs` is any clock; `fine` asks for the finer picture of a still scene. Returns whether it was drawn.
    */
   render(timeSecs: number, share: number, fine = false): boolean {
     const dt = Math.max(0, timeSecs - (this.#lastTime ?? timeSecs));
@@ -226,67 +232,67 @@ export class CrowdViewer {
     return true;
   }
 
-  /** A copy of the picture; only right after {@link render} has drawn it, in the same task. */
+  /** A copy of the picture; valid only right after {@link render} has drawn it, in the same task. */
   copy(): HTMLCanvasElement {
     return this.#stage.copy();
   }
 
-  /** Asks for the picture to be drawn again, though nothing of it has changed. */
+  /** Requests a redraw, although nothing has changed. */
   invalidate(): void {
     this.#redraw.request();
   }
 
-  /** Where a place of the world is in the picture, CSS pixels from its top left; `undefined` behind the camera. */
+  /** Position of a point of the world in the picture, CSS pixels from its top left; `undefined` behind the camera. */
   screenPosition(x: number, y: number, z: number): ScreenPlace | undefined {
     const { camera } = this.#stage.view;
     const isBehind = point.set(x, y, z).applyMatrix4(camera.matrixWorldInverse).z > -camera.near;
     return isBehind ? undefined : this.#stage.project(point.set(x, y, z));
   }
 
-  /** The place on the ground under a place of the picture, metres; `undefined` at the sky. */
+  /** The point on the ground under a point of the picture, metres; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined {
     return this.#stage.groundAt(x, y);
   }
 
-  /** Whoever is nearest to the camera of those at a place of the picture; `undefined` where nobody is. */
+  /** The walker nearest to the camera at a point of the picture; `undefined` if there is none. */
   walkerAt(x: number, y: number): number | undefined {
     let best: { walker: number; height: number } | undefined;
     for (const [walker, height] of this.#heights.entries()) {
       if (height === 0 || height < (best?.height ?? 0)) continue;
       const [feet, head] = [this.screenPlace(walker, 0)!, this.screenPlace(walker, HEIGHT)!];
-      // From above the feet are under the head.
+      // Seen from above, the feet are under the head.
       if (distanceToSegment({ x, y }, feet, head) < Math.max(0.2 * height, REACH_PX)) best = { walker, height };
     }
     return best?.walker;
   }
 
-  /** Where the middle of somebody is in the picture, so many metres above the ground; `undefined` out of sight. */
+  /** Position in the picture of a walker's axis, `up` metres above the ground; `undefined` if it is not visible. */
   screenPlace(walker: number, up: number): ScreenPlace | undefined {
     if (!this.#heights[walker]) return undefined;
     const { x, z } = this.#hips(walker, point);
     return this.#stage.project(point.set(x, up, z));
   }
 
-  /** Frees everything; the viewer cannot be used afterwards. */
+  /** Frees all resources; the viewer cannot be used afterwards. */
   dispose(): void {
     for (const part of [this.#bodies, this.#shadows, this.#ground, this.#names, this.#textures]) part.dispose();
     this.#stage.dispose();
   }
 
-  /** Goes on towards what the camera is to look at. */
+  /** Moves the camera's focus towards its target. */
   #moveFocus(wanted: Vector3, dt: number): void {
     this.#focus.lerp(wanted, 1 - 0.5 ** (dt / FOLLOW_HALF_LIFE));
     if (this.#focus.distanceTo(wanted) < ARRIVED) this.#focus.copy(wanted);
   }
 
-  /** Where the hips of somebody are between the two ticks. */
+  /** Position of a walker's hips, interpolated between the two ticks. */
   #hips(walker: number, out: Vector3): Vector3 {
     const i = CROWD_WALKER_FLOATS * walker;
     if (i >= this.#present.length) return out.set(0, 0, 0);
     return out.fromArray(this.#last, i).lerp(next.fromArray(this.#present, i), this.#textures.uniforms.share.value);
   }
 
-  /** Chooses everybody's body by his height in the picture. */
+  /** Chooses the body of each walker by its height in the picture. */
   #arrange(): void {
     const { camera, azimuth } = this.#stage.view;
     const { height } = this.#stage.size;
@@ -330,7 +336,7 @@ export class CrowdViewer {
   }
 }
 
-/** Distance from a place to the nearest of those between two others. */
+/** Distance from a point to a line segment. */
 function distanceToSegment(at: ScreenPlace, from: ScreenPlace, to: ScreenPlace): number {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const along = (at.x - from.x) * dx + (at.y - from.y) * dy;

@@ -1,18 +1,18 @@
-/** The ground of a crowd: a map of the styles that people walk in where they are, and what marks places on it. */
+/** The ground of a crowd: a map of the styles in which agents walk at each place, and marks on it. */
 
 import { Color, type IUniform, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vector3, Vector4 } from "three";
 import type { Theme } from "../themes";
 
-/** Most vertices that a field has. */
+/** Maximum number of vertices of a field. */
 export const FIELD_VERTICES = 12;
 
-/** One vertex of a field as it is drawn. */
+/** A displayed vertex of a field. */
 export interface FieldMark {
   x: number;
   z: number;
-  /** Distance in which it is felt, metres. */
+  /** Distance of its influence, metres. */
   reach: number;
-  /** A colour of CSS that is not a variable. */
+  /** A CSS colour, not a variable. */
   colour: string;
   chosen: boolean;
 }
@@ -34,10 +34,10 @@ void main() {
 }`;
 
 /**
- * The program of a ground with so many vertices. The shares are those of strut-core's field: φ = (reach² / (d² + 0.25 m²))²,
- * φ / (1 + Σ φ). `pixel` is the size of a pixel on the ground, metres: every line is as wide; the isoline through a half is the
- * border of the style. three.js unrolls the loops, in which names need a block of their own: without a graphics card, looking up
- * numbers by a variable takes most of the time.
+ * The fragment shader of a ground with `count` vertices. The shares are those of strut-core's field: φ = (reach² / (d²
+ * + 0.25 m²))², φ / (1 + Σ φ). `pixel` is the size of a pixel on the ground, metres, so that all lines have the same
+ * width. The isoline at one half is the border of the style. three.js unrolls the loops, so names need a block of their
+ * own: without a GPU, looking up numbers by a variable takes most of the time.
  */
 const fragment = (count: number) => /* glsl */ `
 uniform vec4 marks[${FIELD_VERTICES}];
@@ -115,7 +115,7 @@ void main() {
 
 export class FieldGround {
   readonly object: Mesh<PlaneGeometry, ShaderMaterial>;
-  /** Vertices of the program. */
+  /** Number of vertices of the program. */
   #count = 0;
   readonly #uniforms = {
     marks: { value: Array.from({ length: FIELD_VERTICES }, () => new Vector4()) },
@@ -126,7 +126,7 @@ export class FieldGround {
     gridOpacity: { value: 0 },
     radius: { value: 10 },
     centre: { value: new Vector2() },
-    /** Place and radius of the ring around somebody; the radius is 0 where there is none. */
+    /** Position and radius of the ring around the selected walker; the radius is 0 without a selection. */
     walker: { value: new Vector3() },
   } satisfies Record<string, IUniform>;
 
@@ -145,7 +145,10 @@ export class FieldGround {
     this.object.frustumCulled = false;
   }
 
-  /** Takes the field, at most {@link FIELD_VERTICES} vertices; whether another program is needed now, which has to be compiled. */
+  /**
+   * Sets the field, at most {@link FIELD_VERTICES} vertices. Returns whether another program is needed, which must be
+   * compiled.
+   */
   setField(field: readonly FieldMark[]): boolean {
     const { marks, colours } = this.#uniforms;
     const drawn = field.slice(0, FIELD_VERTICES);
@@ -160,17 +163,17 @@ export class FieldGround {
     return true;
   }
 
-  /** Radius in which people walk, metres: the ground fades beyond it. */
+  /** Radius in which agents walk, metres: the ground fades beyond it. */
   set radius(radius: number) {
     this.#uniforms.radius.value = radius;
   }
 
-  /** Draws a ring around somebody, or none. */
+  /** Draws a ring around a walker, or none. */
   setRing(ring: { x: number; z: number; radius: number } | undefined): void {
     this.#uniforms.walker.value.set(ring?.x ?? 0, ring?.z ?? 0, ring?.radius ?? 0);
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ grid, ink, signal }: Theme): void {
     const uniforms = this.#uniforms;
     uniforms.grid.value.set(grid.colour);

@@ -1,14 +1,14 @@
-/** Names that lie on the ground beside the vertices of a field, readable from where the camera is. */
+/** Names on the ground next to the vertices of a field, readable from the camera. */
 
 import { CanvasTexture, Group, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
 
-/** Height of a line of text on the ground, metres, and in the texture, pixels. */
+/** Height of a line of text, metres on the ground and pixels in the texture. */
 const LINE = { metres: 0.78, pixels: 96 };
 /** Gap between a vertex and its name, metres. */
 const GAP = 0.62;
 const FONT = `600 ${0.72 * LINE.pixels}px Inter, system-ui, sans-serif`;
 
-/** A name and where it stands. */
+/** A name and its position. */
 export interface GroundName {
   text: string;
   x: number;
@@ -28,7 +28,7 @@ export class GroundNames {
   #names: Drawn[] = [];
   #ink = "#ffffff";
 
-  /** Takes the names and the colour that they are written in. */
+  /** Sets the names and the colour of their text. */
   set(names: readonly GroundName[], ink: string): void {
     const same =
       ink === this.#ink &&
@@ -42,7 +42,7 @@ export class GroundNames {
     for (const [i, { x, z }] of names.entries()) Object.assign(this.#names[i]!, { x, z });
   }
 
-  /** Turns the names to a camera that looks from `azimuth`, radians about +Y from +Z. */
+  /** Turns the names towards a camera at `azimuth`, radians about +Y from +Z. */
   turn(azimuth: number): void {
     const [right, forward] = [
       [Math.cos(azimuth), -Math.sin(azimuth)] as const,
@@ -76,7 +76,7 @@ export class GroundNames {
     context.font = FONT;
     canvas.width = Math.ceil(context.measureText(text).width) + 8;
     canvas.height = LINE.pixels;
-    // The canvas forgot it when it was given a size.
+    // Setting the canvas's size resets the font.
     context.font = FONT;
     context.fillStyle = this.#ink;
     context.textBaseline = "middle";

@@ -1,4 +1,7 @@
-/** What the shaders know of a crowd: where every joint is in the last tick and in this one, and how everybody is tinted. */
+/**
+ * Crowd data for the shaders: the position of every joint in the last tick and in the current one, and the tint of
+ * every walker.
+ */
 
 import {
   DataTexture,
@@ -12,23 +15,23 @@ import {
 } from "three";
 import { CROWD_WALKER_FLOATS, JOINTS } from "../../humanoid";
 
-/** Texels of one walker: two a joint. */
+/** Texels per walker: two per joint. */
 const WALKER_TEXELS = 2 * JOINTS;
 
-/** Uniforms of all that draws the crowd. */
+/** Uniforms of all materials that draw the crowd. */
 export interface CrowdUniforms {
   [name: string]: IUniform;
   lastJoints: IUniform<Texture>;
   presentJoints: IUniform<Texture>;
-  /** How far the picture is from the last tick to the present one, 0–1. */
+  /** Interpolation of the picture between the last tick and the current one, 0–1. */
   share: IUniform<number>;
-  /** Where the joints are in the T-pose, metres. */
+  /** Positions of the joints in the T-pose, metres. */
   restJoints: IUniform<Vector3[]>;
   /** Tint of every walker, sRGB, and its share of the colour. */
   tints: IUniform<Texture>;
 }
 
-/** GLSL: `jointPosition(joint)`, in the world, of the walker of the instance. */
+/** GLSL: `jointPosition(joint)`, the world position of a joint of the instance's walker. */
 export const PLACE_SHADER = /* glsl */ `
 attribute float walker;
 uniform highp sampler2D lastJoints;
@@ -40,8 +43,8 @@ vec3 jointPosition(int joint) {
 }`;
 
 /**
- * GLSL: `crowdPoint(p)` and `crowdDirection(n)`, from the T-pose to the world, for the walker of the instance; after
- * `lookUpTurns()`.
+ * GLSL: `crowdPoint(p)` and `crowdDirection(n)`, from the T-pose to the world, for the instance's walker; call them
+ * after `lookUpTurns()`.
  */
 export const CROWD_SHADER = /* glsl */ `
 ${PLACE_SHADER}
@@ -94,15 +97,15 @@ export class JointTextures {
     return this.#count;
   }
 
-  /** Takes where the joints of the body are in the T-pose, 21 × xyz, metres. */
+  /** Sets the positions of the body's joints in the T-pose, 21 × xyz, metres. */
   setRest(joints: ArrayLike<number>): void {
     for (const [joint, point] of this.uniforms.restJoints.value.entries())
       point.fromArray(joints as number[], 3 * joint);
   }
 
   /**
-   * Takes a tick: `CROWD_WALKER_FLOATS` numbers and four bytes of tint a walker. Where their number has changed, or the
-   * walkers are others, nothing is between it and the last one.
+   * Sets a tick: `CROWD_WALKER_FLOATS` numbers and four bytes of tint per walker. If the number of walkers has changed,
+   * or they are other walkers, there is no interpolation from the last tick.
    */
   set(joints: Float32Array, tints: Uint8Array, isOther: boolean): void {
     const count = joints.length / CROWD_WALKER_FLOATS;

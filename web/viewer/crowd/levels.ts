@@ -1,10 +1,10 @@
-/** Which body each walker of a crowd wears: the nearer, the finer. */
+/** Chooses the body of each walker of a crowd: the nearer, the finer. */
 
-/** Names of the bodies, the finest first. */
+/** Names of the bodies, from the finest. */
 export const BODIES = ["near", "middle", "far"] as const;
 export type Body = (typeof BODIES)[number];
 
-/** Who wears the finer bodies: at least so tall on screen, pixels, and at most so many. */
+/** Walkers that have the finer bodies: at least this tall on screen, pixels, and at most this many. */
 export interface BodyLimits {
   near: { height: number; count: number };
   middle: { height: number; count: number };
@@ -12,17 +12,17 @@ export interface BodyLimits {
 
 export const BODY_LIMITS: BodyLimits = { near: { height: 220, count: 4 }, middle: { height: 60, count: 48 } };
 
-/** Whoever wears a finer body keeps it until he is smaller by this factor: nobody changes to and fro. */
+/** A walker keeps a finer body until its height falls below the limit by this factor, which avoids flicker between bodies. */
 const KEEPING = 0.88;
 
-/** The bodies of a crowd of a number of people; nothing is allocated once they are as many as before. */
+/** The bodies of a crowd. Nothing is allocated while the number of walkers does not change. */
 export class BodyLevels {
-  /** Numbers of the walkers that wear each body; {@link counts} says how many. */
+  /** Indices of the walkers with each body; {@link counts} has their numbers. */
   readonly walkers: Record<Body, Uint16Array>;
   readonly counts: Record<Body, number> = { near: 0, middle: 0, far: 0 };
-  /** Index into {@link BODIES} of everybody's body. */
+  /** Index into {@link BODIES} of each walker's body. */
   readonly #worn: Uint8Array;
-  /** Those who are visible, the tallest first. */
+  /** The visible walkers, the tallest first. */
   readonly #order: Uint16Array;
   readonly #ranks: Float32Array;
 
@@ -34,7 +34,7 @@ export class BodyLevels {
     this.#ranks = new Float32Array(count);
   }
 
-  /** Chooses by the heights on screen, pixels; 0 is out of sight. */
+  /** Chooses bodies by the heights on screen, pixels; 0 means not visible. */
   choose(heights: ArrayLike<number>, limits: BodyLimits): void {
     const { counts } = this;
     for (const body of BODIES) counts[body] = 0;
@@ -50,7 +50,7 @@ export class BodyLevels {
     }
   }
 
-  /** Sorts everybody, those first who keep a finer body; the order is nearly that of the last picture. */
+  /** Sorts the walkers; those that keep a finer body come first. The order is nearly that of the last picture. */
   #sort(heights: ArrayLike<number>): void {
     const order = this.#order;
     const ranks = this.#ranks;

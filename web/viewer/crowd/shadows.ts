@@ -1,4 +1,4 @@
-/** The shadows of a crowd on the ground: the outline of everybody near, in the key light, and a soft spot under everybody. */
+/** The shadows of a crowd on the ground: an outline of each near walker in the key light, and a soft spot under each walker. */
 
 import {
   DoubleSide,
@@ -20,7 +20,7 @@ import { fill, walkerAttribute } from "./crowd_bodies";
 import { CROWD_SHADER, type JointTextures, PLACE_SHADER } from "./joint_textures";
 import { BODIES, type BodyLevels } from "./levels";
 
-/** Height above the ground at which a body's shadow has faded out, metres: it is blurred there. */
+/** Height above the ground at which a body's shadow has faded out, because it is blurred there, metres. */
 const BLURRED = 2.4;
 /** Half the size of a soft spot, metres. */
 const SPOT = 0.42;
@@ -82,7 +82,7 @@ export class CrowdShadows {
         vertexShader: OUTLINE_VERTEX,
         fragmentShader: OUTLINE_FRAGMENT,
         uniforms: { ...uniforms, ...this.#outline },
-        // Flat, what was inside may be on top; what is in the shadow of two is as dark as in that of one.
+        // When flattened, inner faces may be on top. Overlapping shadows are as dark as a single one.
         side: DoubleSide,
         stencilWrite: true,
         stencilFunc: EqualStencilFunc,
@@ -111,20 +111,20 @@ export class CrowdShadows {
     this.setBody(body);
   }
 
-  /** Takes the body whose outline is drawn. */
+  /** Sets the body whose outline is drawn. */
   setBody(body: SkinnedBody): void {
     fill(this.#outlines.geometry, body);
   }
 
-  /** Takes the theme's darkness. */
+  /** Sets the theme's darkness. */
   setTheme({ shadow }: Theme): void {
     this.#outline.darkness.value = shadow.key * 0.8;
     this.#spot.darkness.value = shadow.occlusion * 0.55;
   }
 
   /**
-   * Takes who is in the picture and the direction to the key light. Outlines are drawn of those whose height is more than
-   * `least`, a share of the picture's; they come gradually.
+   * Sets the visible walkers and the direction to the key light. Outlines are drawn for walkers taller than `least`, a
+   * share of the picture's height; they fade in.
    */
   arrange(
     levels: BodyLevels,
@@ -159,7 +159,7 @@ export class CrowdShadows {
   }
 }
 
-/** The numbers of the walkers that a mesh draws, to be written. */
+/** The array of the walker indices of a mesh, to be written. */
 function instances({ geometry }: Mesh<InstancedBufferGeometry>, count: number): Uint16Array {
   if (geometry.getAttribute("walker")?.count !== Math.max(1, count))
     geometry.setAttribute("walker", walkerAttribute(count));

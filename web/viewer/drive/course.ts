@@ -1,26 +1,29 @@
-/** Where a driven character is asked to go: the line drawn for it, and the next second as asked and as its clip has it. */
+/** Steering of a driven character on the ground: the path drawn for it, and the next second as asked for and as in its clip. */
 
 import { CircleGeometry, Group, Mesh, MeshBasicMaterial, RingGeometry, Shape, ShapeGeometry } from "three";
 import { Ribbon } from "../stage/hips_path";
 import type { Theme } from "../themes";
 
-/** Points of a line that are drawn: what is longer is drawn with fewer. */
+/** Maximum number of points of a displayed path; a longer path is simplified. */
 const POINTS = 512;
-/** Length of a dash and of a gap of the line, metres. */
+/** Length of a dash and of a gap of the path, metres. */
 const DASH = 0.09;
 const OPACITY = { line: 0.75, done: 0.18 };
-/** A second's way that is shorter is not marked, metres: under the feet nothing would be seen. */
+/**
+ * If the distance of the next second is shorter than this, it is not marked, metres: the marks would be hidden under
+ * the feet.
+ */
 const SHORT = 0.25;
-/** The arrow that is dragged to turn: so far before the character, and half as wide, metres. */
+/** The arrow that is dragged to turn: its distance in front of the character, and half its width, metres. */
 const FACING = { ahead: 0.62, width: 0.075 };
-/** It is drawn on an arc about the character, which is seen on both sides of the legs: half its angle, radians, and its width. */
+/** The arrow's arc about the character, visible on both sides of the legs: half its angle, radians, and its width. */
 const ARC = { half: 0.8, width: 0.018 };
-/** Instants that are marked: 1/3, 2/3 and 1 s. */
+/** Number of marked instants: 1/3, 2/3 and 1 s. */
 const INSTANTS = 3;
-/** Above the ground, metres: what is asked over what the clip has, and both over the line. */
+/** Heights above the ground, metres: the steering's marks are over the clip's, and both over the path. */
 const HEIGHTS = { line: 0.002, clip: 0.003, asked: 0.004 };
 
-/** A place on the ground and its heading, where they are marked. */
+/** A mark of a position on the ground and its heading. */
 class Marker {
   readonly object = new Group();
 
@@ -45,7 +48,7 @@ class Marker {
   }
 }
 
-/** As many markers as there are instants, in one colour. */
+/** One marker per instant, in one colour. */
 class Markers {
   readonly object = new Group();
   readonly #material = new MeshBasicMaterial({ transparent: true, depthWrite: false, side: 2, toneMapped: false });
@@ -60,7 +63,7 @@ class Markers {
     this.#material.color.set(colour);
   }
 
-  /** Marks places, x, z and heading each, of a character at (x, z). */
+  /** Shows marks at positions, x, z and heading each, of a character at (x, z). */
   show(places: ArrayLike<number>, x: number, z: number): void {
     const last = 3 * (INSTANTS - 1);
     const isWay = Math.hypot(places[last]! - x, places[last + 1]! - z) > SHORT;
@@ -121,7 +124,7 @@ export class Course {
     this.#clip.colour = input;
   }
 
-  /** Takes the line to follow, x and z of its points; none draws none. */
+  /** Sets the path to follow, x and z of its points; empty for none. */
   set line(points: ArrayLike<number>) {
     const all = points.length / 2;
     this.#count = Math.min(all, POINTS);
@@ -135,27 +138,27 @@ export class Course {
     this.#line.set(this.#points, this.#count);
   }
 
-  /** How much of the line is done, metres: it is fainter there. */
+  /** Length of the completed part of the path, metres; it is drawn fainter. */
   set progress(done: number) {
     for (let i = 0; i < this.#count; i++)
       this.#points[4 * i + 2] = this.#points[4 * i + 3]! < done ? OPACITY.done : OPACITY.line;
     this.#line.set(this.#points, this.#count);
   }
 
-  /** Marks the next second of a character whose root is at (x, z): as asked, and as the clip has it. */
+  /** Marks the next second of a character whose root is at (x, z): as asked for, and as in the clip. */
   show(asked: ArrayLike<number>, clip: ArrayLike<number>, x: number, z: number): void {
     this.#asked.show(asked, x, z);
     this.#clip.show(clip, x, z);
   }
 
-  /** Shows the arrow before somebody at (x, z) who faces `heading`, or hides it. */
+  /** Shows the arrow in front of a character at (x, z) that faces `heading`, or hides it. */
   face(x: number, z: number, heading: number, isShown: boolean): void {
     this.#facing.visible = isShown;
     this.#facing.position.set(x, 0, z);
     this.#facing.rotation.y = heading;
   }
 
-  /** Where the arrow and the ends of its arc are on the ground; none where it is hidden. */
+  /** Positions of the arrow and the ends of its arc on the ground; empty if it is hidden. */
   get arrow(): { x: number; z: number }[] {
     const { visible, position, rotation } = this.#facing;
     const at = (turn: number) => ({

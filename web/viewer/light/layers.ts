@@ -1,6 +1,6 @@
-/** Layers of the scene: which objects are drawn by which camera. */
+/** Layers of the scene: which camera draws which objects. */
 
-/** What is drawn into the shade map; the lights must be in it too. */
+/** Objects drawn into the shade map; the lights must be in it too. */
 export const SHADE_LAYER = 1;
-/** What casts shadows, besides being in the default layer. */
+/** Objects that cast shadows, in addition to the default layer. */
 export const CASTER_LAYER = 2;

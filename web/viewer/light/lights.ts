@@ -1,4 +1,4 @@
-/** The light rig: a warm area-soft key that casts the shadow, two cool rims behind, a weak fill, sky and room. */
+/** The light rig: a warm area-soft key light that casts the shadow, two cool rim lights behind, a weak fill, sky and room. */
 
 import { Color, DirectionalLight, Group, HemisphereLight, type Vector3 } from "three";
 import type { Theme } from "../themes";
@@ -19,14 +19,14 @@ const KEY: Direction = { azimuth: 34, elevation: 50 };
 const RIM_LEFT: Direction = { azimuth: 215, elevation: 24 };
 const RIM_RIGHT: Direction = { azimuth: 130, elevation: 20 };
 const FILL: Direction = { azimuth: -45, elevation: 15 };
-/** Gains that give a matt body the brightness of a physical one. */
+/** Gains that give a matt body the brightness of a physically shaded one. */
 const MATT_GAIN = { key: 1.2, sky: 1.9 };
-/** Distance of the lights from what they follow, metres. */
+/** Distance of the lights from the followed point, metres. */
 const DISTANCE = 5;
-/** Height that the rig aims at, metres. */
+/** Height at which the rig aims, metres. */
 const AIM = 0.8;
 
-/** The lights; they follow a point on the ground and keep their place relative to the camera. */
+/** The lights. They follow a point on the ground and keep their position relative to the camera. */
 export class Lights {
   readonly object = new Group();
   readonly #key = new DirectionalLight("#fff6ea");
@@ -48,7 +48,7 @@ export class Lights {
     const all = [this.#key, ...this.#rims, this.#fill];
     this.object.add(...all, ...all.map((light) => light.target), this.#sky);
     for (const light of [...all, this.#sky]) light.layers.enable(SHADE_LAYER);
-    // The characters are in the default layer, the camera that draws the shade map is not.
+    // The characters are in the default layer; the camera that draws the shade map is not.
     shadow.camera.layers.enable(CASTER_LAYER);
   }
 
@@ -57,7 +57,7 @@ export class Lights {
     this.#key.shadow.mapSize.set(texels, texels);
   }
 
-  /** Takes the theme's levels. Without reflections of the room (`matt`), key and sky stand in for it. */
+  /** Sets the theme's levels. With `matt` shading there are no reflections of the room; key and sky replace them. */
   setTheme({ light }: Theme, shading: Shading): void {
     const gain = shading === "matt" ? MATT_GAIN : { key: 1, sky: 1 };
     this.#key.intensity = light.key * gain.key;
@@ -70,7 +70,7 @@ export class Lights {
     this.#sky.intensity = light.hemisphere * gain.sky;
   }
 
-  /** Follows a point on the ground; `azimuth` (radians about +Y from +Z) is where the camera looks from. */
+  /** Follows a point on the ground; `azimuth` (radians about +Y from +Z) is the direction from which the camera looks. */
   follow(point: Vector3, azimuth: number): void {
     place(this.#key, KEY, point, azimuth);
     place(this.#rims[0], RIM_LEFT, point, azimuth);
@@ -84,7 +84,7 @@ export class Lights {
   }
 }
 
-/** Direction to the key light, where the camera looks from `azimuth`; of length 1. */
+/** Unit direction to the key light, for a camera at `azimuth`. */
 export function keyDirection(azimuth: number, out: Vector3): Vector3 {
   const around = azimuth + (KEY.azimuth * Math.PI) / 180;
   const above = (KEY.elevation * Math.PI) / 180;

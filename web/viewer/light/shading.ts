@@ -1,2 +1,2 @@
-/** How the light on a body is computed: physically with a coat and the room's reflections, or as a matt surface. */
+/** Shading of a body: physically based with a coat and the room's reflections, or matt. */
 export type Shading = "physical" | "matt";

@@ -1,5 +1,5 @@
 /**
- * Area-soft shadows: percentage-closer soft shadows (Fernando, "Percentage-Closer Soft Shadows", 2005) in place of
+ * Area-soft shadows: percentage-closer soft shadows (Fernando, "Percentage-Closer Soft Shadows", 2005) instead of
  * three.js's filter. The penumbra widens with the distance between caster and receiver, so that a planted foot has a
  * crisp shadow and the head a soft one. Needs `BasicShadowMap`, whose depths can be read without comparison.
  */
@@ -9,7 +9,7 @@ import type { Material, WebGLProgramParametersWithUniforms } from "three";
 /** Tangent of the light's angular radius as seen from the ground. */
 export const LIGHT_TANGENT = 0.11;
 
-/** Depth range and width of the light's frustum, metres: turns depth differences into penumbra widths. */
+/** Depth range and width of the light's frustum, metres: converts depth differences to penumbra widths. */
 export interface ShadowFrustum {
   depth: number;
   width: number;
@@ -77,7 +77,7 @@ export interface ShadowTaps {
   filter: number;
 }
 
-/** Makes a lit material use soft shadows; further edits of its shader can be made in `also`. */
+/** Makes a lit material use soft shadows; `also` can edit its shader further. */
 export function useSoftShadow(
   material: Material,
   frustum: ShadowFrustum,

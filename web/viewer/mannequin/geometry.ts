@@ -1,9 +1,9 @@
-/** The mannequin's mesh for three.js, built once a level of detail and shared by every mannequin on the page. */
+/** The mannequin's mesh for three.js, built once per level of detail and shared by all mannequins on the page. */
 
 import { BufferAttribute, BufferGeometry } from "three";
 import { buildMesh, type MannequinMesh, meshSteps } from "../../mannequin/mesh";
 
-/** The geometry of a mesh: attributes `position`, `normal` and `slot`, and one group a tone. */
+/** The geometry of a mesh: attributes `position`, `normal` and `slot`, and one group per tone. */
 function geometryOf({ positions, normals, slots, indices, groups }: MannequinMesh): BufferGeometry {
   const geometry = new BufferGeometry();
   for (const [material, { start, count }] of groups.entries()) geometry.addGroup(start, count, material);
@@ -16,7 +16,7 @@ function geometryOf({ positions, normals, slots, indices, groups }: MannequinMes
 
 const shared = new Map<number, { geometry: BufferGeometry; users: number }>();
 
-/** The shared geometry of a level of detail; every call is to be matched by one of {@link releaseGeometry}. */
+/** The shared geometry of a level of detail. Every call must be matched by a call of {@link releaseGeometry}. */
 export function acquireGeometry(detail: number): BufferGeometry {
   return share(detail, () => buildMesh(detail));
 }
@@ -34,7 +34,7 @@ function share(detail: number, build: () => MannequinMesh): BufferGeometry {
   return entry.geometry;
 }
 
-/** Gives a shared geometry back; the last user frees it. */
+/** Releases a shared geometry; the last release frees it. */
 export function releaseGeometry(detail: number): void {
   const entry = shared.get(detail);
   if (!entry || --entry.users > 0) return;

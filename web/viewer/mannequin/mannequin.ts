@@ -1,4 +1,4 @@
-/** One mannequin on the stage: a mesh that takes poses. */
+/** One mannequin on the stage: a mesh that is posed. */
 
 import { Group, Mesh } from "three";
 import { DEFAULT_PROPORTIONS, restPose, type WorldPose } from "../../humanoid";
@@ -10,12 +10,12 @@ import type { Look } from "./materials";
 import type { SlotUniforms } from "./slot_skinning";
 
 /**
- * A mannequin. Its geometry is shared by all; a pose costs forward kinematics and one affine transform a slot.
+ * A mannequin. All mannequins share the geometry. A pose costs forward kinematics and one affine transform per slot.
  *
  * @typeParam L - The look, which draws it.
  */
 export class Mannequin<L extends Look> {
-  /** What is added to a scene. */
+  /** The object to add to a scene. */
   readonly object = new Group();
   readonly look: L;
   readonly #rows = new SlotRows();
@@ -24,7 +24,7 @@ export class Mannequin<L extends Look> {
   #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   #detail: number;
 
-  /** `look` makes the materials around the mannequin's uniforms; `detail` is that of the geometry, at most 1. */
+  /** `look` makes the materials from the mannequin's uniforms; `detail` is that of the geometry, at most 1. */
   constructor(look: (uniforms: SlotUniforms) => L, detail = 1) {
     this.look = look({ slotRows: { value: this.#rows.values } });
     this.#detail = detail;
@@ -55,17 +55,17 @@ export class Mannequin<L extends Look> {
     return this.#pose;
   }
 
-  /** The bone offsets that it was given. */
+  /** The bone offsets that were set. */
   get proportions(): ArrayLike<number> {
     return this.#proportions;
   }
 
-  /** How the body was fitted to its proportions. */
+  /** The fit of the body to its proportions. */
   get fit(): Fit {
     return this.#fit;
   }
 
-  /** Changes the detail of the geometry, at most 1, and takes the look's present materials. */
+  /** Changes the detail of the geometry, at most 1, and applies the look's current materials. */
   setDetail(detail: number): void {
     const geometry = acquireGeometry(detail);
     for (const [i, { material, receivesShadow }] of this.look.layers.entries()) {
@@ -78,14 +78,14 @@ export class Mannequin<L extends Look> {
     this.#detail = detail;
   }
 
-  /** Takes bone offsets, 21 × xyz in metres (see `web/mannequin/fit.ts` for what follows them). */
+  /** Sets bone offsets, 21 × xyz in metres (see `web/mannequin/fit.ts` for the effects). */
   setProportions(proportions: ArrayLike<number>): void {
     this.#proportions = proportions;
     this.#fit = fitTo(proportions);
     this.setPose(this.#pose);
   }
 
-  /** Takes a pose of `POSE_FLOATS` numbers; it is copied. */
+  /** Sets a pose of `POSE_FLOATS` numbers; it is copied. */
   setPose(pose: ArrayLike<number>): void {
     if (pose !== this.#pose) this.#pose.set(pose);
     this.#rows.setPose(this.#fit, this.#pose);

@@ -1,4 +1,4 @@
-/** What the mannequin wears: two tones of a matt shell, and the translucent ghost. */
+/** Materials of the mannequin: two tones of a matt shell, and the translucent ghost. */
 
 import {
   AlwaysStencilFunc,
@@ -23,34 +23,35 @@ import type { Theme } from "../themes";
 import { noTint, slotsOf, useTint } from "./part_tint";
 import { SLOT_SHADER, type SlotUniforms, useSlots } from "./slot_skinning";
 
-/** Stencil value of the pixels that a body covers, so that a ghost can stay behind it. */
+/** Stencil value of the pixels that a body covers, which keeps a ghost behind it. */
 const BODY_STENCIL = 1;
 
 /** One drawing of the mannequin's mesh. */
 export interface Layer {
-  /** One material for the whole body, or one a tone (shell, joints). */
+  /** One material for the whole body, or one per tone (shell, joints). */
   material: Material | Material[];
   /** three.js render order. */
   order: number;
-  /** Draws the mesh into shadow maps; without it the layer casts no shadow. */
+  /** Draws the mesh into shadow maps. Without it the layer casts no shadow. */
   shadow?: Material;
   receivesShadow: boolean;
 }
 
-/** The look of one mannequin: its layers, in the colours of the theme. */
+/** The look of one mannequin: its layers, in the theme's colours. */
 export interface Look {
   readonly layers: readonly Layer[];
   setTheme(theme: Theme): void;
   dispose(): void;
 }
 
-/** Share of their colour that matt joints glow with: it stands in for the sheen that lifts dark plastic. */
+/** Share of their colour with which matt joints glow; it replaces the sheen that lifts dark plastic. */
 const MATT_SHEEN = 0.22;
 
 /** A solid mannequin. */
 export class BodyLook implements Look {
   readonly #uniforms: SlotUniforms;
-  // three.js draws the backs of what has a front into shadow maps; saying so beforehand spares compiling it twice.
+  // three.js draws the back faces of front-sided materials into shadow maps. Setting the side beforehand avoids
+  // compiling the material twice.
   readonly #shadow = new MeshDepthMaterial({ side: BackSide });
   readonly #tint = noTint();
   readonly #tones = new Map<Shading, [shell: LitMaterial, joint: LitMaterial]>();
@@ -65,12 +66,12 @@ export class BodyLook implements Look {
   }
 
   get layers(): readonly Layer[] {
-    // The few samples that a slow renderer affords would show as grain.
+    // The few samples that a slow renderer can afford would be visible as grain.
     const receivesShadow = this.#shading === "physical";
     return [{ material: this.#present(), order: 0, shadow: this.#shadow, receivesShadow }];
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme(theme: Theme): void {
     this.#theme = theme;
     this.#tint.tint.value.set(theme.signal);
@@ -82,7 +83,7 @@ export class BodyLook implements Look {
     this.#tint.tintedSlots.value = slotsOf(joints);
   }
 
-  /** Sets the shading and the samples of the shadow that the body casts on itself; changes {@link layers}. */
+  /** Sets the shading and the samples of the self-shadow; changes {@link layers}. */
   setQuality(shading: Shading, taps: ShadowTaps): void {
     this.#shading = shading;
     this.#taps = taps;
@@ -94,7 +95,7 @@ export class BodyLook implements Look {
     for (const material of [...this.#tones.values()].flat()) material.dispose();
   }
 
-  /** The materials of the present shading, up to date; made when first needed, since compiling them is slow. */
+  /** The up-to-date materials of the current shading; made on first use, since compiling them is slow. */
   #present(): LitMaterial[] {
     let tones = this.#tones.get(this.#shading);
     if (!tones) {
@@ -155,7 +156,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** A ghost: a depth pre-pass, so that nothing shows through itself, then the tinted shell. */
+/** A ghost: a depth pre-pass, so that its own back faces do not show through, then the tinted shell. */
 export class GhostLook implements Look {
   readonly layers: readonly Layer[];
   readonly #depth = new MeshBasicMaterial({ colorWrite: false, transparent: true });
@@ -187,7 +188,7 @@ export class GhostLook implements Look {
     ];
   }
 
-  /** Whether bodies are drawn over the ghost whatever the depth, so that only the difference shows. */
+  /** Whether bodies are drawn over the ghost regardless of depth, so that only the difference is visible. */
   set behindBodies(behind: boolean) {
     this.#depth.stencilWrite = behind;
     this.#shell.stencilWrite = behind;
@@ -198,7 +199,7 @@ export class GhostLook implements Look {
     this.#tint.fade.value = fade;
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ ghost }: Theme): void {
     this.#tint.body.value.set(ghost.body);
     this.#tint.rim.value.set(ghost.rim);

@@ -1,19 +1,19 @@
-/** A tint over some parts of a body: those that follow certain joints. */
+/** A tint on the parts of a body that follow certain joints. */
 
 import { Color, type IUniform, type Material } from "three";
 import { JOINT, type Role } from "../../humanoid";
 import { RIGID_SLOTS, SLOT_JOINTS, SLOTS } from "../../mannequin/slots";
 import { editShader } from "./shader_edit";
 
-/** How much of its colour a tinted part gives up. */
+/** Share of the tint in the colour of a tinted part. */
 const SHARE = 0.34;
-/** Bits of a word of the mask. */
+/** Bits of a mask word. */
 const WORD = 31;
 
 /** Uniforms of one body. */
 export interface TintUniforms {
   [name: string]: IUniform;
-  /** One bit a slot, in two words. */
+  /** One bit per slot, in two words. */
   tintedSlots: IUniform<[number, number]>;
   tint: IUniform<Color>;
 }

@@ -2,7 +2,7 @@
 
 import type { IUniform, Material, WebGLProgramParametersWithUniforms } from "three";
 
-/** Gives a material's shader uniforms and edits it, after any edit that was made before. */
+/** Adds uniforms to a material's shader and edits it, after any earlier edit. */
 export function editShader(
   material: Material,
   uniforms: Record<string, IUniform>,

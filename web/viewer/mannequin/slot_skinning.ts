@@ -1,16 +1,16 @@
 /**
- * Skinning by slots in the vertex shader: every vertex belongs to exactly one slot, so it costs one affine transform from
- * uniforms, a quarter of general skinning and no texture.
+ * Skinning by slots in the vertex shader: every vertex belongs to exactly one slot, so it costs one affine transform
+ * from uniforms, a quarter of general skinning, and no texture.
  */
 
 import type { IUniform, Material } from "three";
 import { SLOTS } from "../../mannequin/slots";
 import { editShader } from "./shader_edit";
 
-/** Uniforms of one mannequin, shared by all of its materials. */
+/** Uniforms of one mannequin, shared by all its materials. */
 export interface SlotUniforms {
   [name: string]: IUniform;
-  /** Three rows a slot, see `SlotRows`. */
+  /** Three rows per slot, see `SlotRows`. */
   slotRows: IUniform<Float32Array>;
 }
 
@@ -28,7 +28,7 @@ vec3 slotDirection(vec3 n) {
   return vec3(dot(slotRows[row].xyz, n), dot(slotRows[row + 1].xyz, n), dot(slotRows[row + 2].xyz, n));
 }`;
 
-/** Makes one of three.js's own materials skin by slots; runs after any edit of its shader made before. */
+/** Makes one of three.js's own materials skin by slots; runs after any earlier edit of its shader. */
 export function useSlots(material: Material, uniforms: SlotUniforms): void {
   editShader(material, uniforms, (shader) => {
     shader.vertexShader = shader.vertexShader

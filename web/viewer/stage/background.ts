@@ -1,4 +1,4 @@
-/** The radial background, drawn in the scene so that a recorded video has it too. */
+/** The radial background, drawn in the scene so that a recorded video contains it. */
 
 import { BufferAttribute, BufferGeometry, Color, Mesh, ShaderMaterial } from "three";
 import type { Theme } from "../themes";
@@ -10,7 +10,7 @@ void main() {
   gl_Position = vec4(position.xy, 1.0, 1.0);
 }`;
 
-// Mixed in display space like a CSS gradient, and dithered: eight bits show bands in a slow dark ramp.
+// Mixed in display space like a CSS gradient, and dithered: eight bits show banding in a slow dark ramp.
 const FRAGMENT = /* glsl */ `
 uniform vec3 inner;
 uniform vec3 outer;
@@ -41,7 +41,7 @@ export class Background {
     this.object.renderOrder = -10;
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ background }: Theme): void {
     const { inner, outer } = this.object.material.uniforms as { inner: { value: Color }; outer: { value: Color } };
     inner.value.set(background.inner).convertLinearToSRGB();

@@ -3,7 +3,7 @@ import { FADE_STEPS, FootprintTrail, MAX_PRINTS, type Sole } from "./footprint_t
 
 const sole = (z: number, tilt = 0): Sole => ({ x: 0, z, heading: 0, tilt });
 
-/** Takes `steps` alternating steps, half a metre each. */
+/** Adds `steps` alternating steps, half a metre each. */
 function walk(trail: FootprintTrail, steps: number): void {
   for (let step = 0; step < steps; step++) {
     const left = step % 2 === 0;

@@ -1,8 +1,9 @@
 /**
- * Which footprints exist: a ring buffer of prints, without any drawing.
+ * Bookkeeping of footprints: a ring buffer of prints, without any drawing.
  *
- * A print begins when a foot is planted. While it stays planted, the print takes the place where the sole has been
- * flattest so far, since the foot lands on its heel and leaves from its toes. Every further step of either foot ages it.
+ * A print begins when a foot is planted. While it stays planted, the print moves to the place where the sole has been
+ * flattest so far, since the foot lands on its heel and leaves from its toes. Every further step of either foot ages
+ * it.
  */
 
 /** Steps after which a print has faded. */
@@ -10,23 +11,23 @@ export const FADE_STEPS = 4;
 /** Prints that are kept. */
 export const MAX_PRINTS = 8;
 
-/** Where a sole is. */
+/** Position and orientation of a sole. */
 export interface Sole {
-  /** Ankle above the ground point, metres. */
+  /** The ground point below the ankle, metres. */
   x: number;
   z: number;
   /** Direction of the foot about +Y, radians, 0 to +Z. */
   heading: number;
-  /** How far the foot is from flat on the ground, radians; 0 is flat. */
+  /** Angle of the foot from flat on the ground, radians; 0 is flat. */
   tilt: number;
 }
 
 /** One print. */
 export interface Footprint extends Sole {
   side: 0 | 1;
-  /** Whether its foot is still on it. */
+  /** Whether its foot is still planted on it. */
   planted: boolean;
-  /** Steps taken since. */
+  /** Number of steps since. */
   age: number;
 }
 
@@ -40,7 +41,7 @@ export class FootprintTrail {
     return this.#prints;
   }
 
-  /** Takes the state of both feet (left, right) at the present frame. */
+  /** Updates the trail with the state of both feet (left, right) in the current frame. */
   update(planted: readonly [boolean, boolean], soles: readonly [Sole, Sole]): void {
     for (const side of [0, 1] as const) {
       if (planted[side] && !this.#planted[side]) this.#begin(side, soles[side]);
@@ -51,7 +52,7 @@ export class FootprintTrail {
     }
   }
 
-  /** Forgets everything, as after a jump. */
+  /** Removes all prints, as after a jump. */
   clear(): void {
     this.#prints.length = 0;
     this.#planted.fill(false);

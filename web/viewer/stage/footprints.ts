@@ -39,12 +39,12 @@ const OUTLINE: readonly (readonly [x: number, z: number])[] = [
   [-0.012, -0.066],
   [0.012, -0.066],
 ];
-/** Opacity of a print that has just been left. */
+/** Opacity of a print that the foot has just left. */
 const FRESH = 0.34;
-/** Opacity of the planted print, and how much wider than the sole it is, so that it rims the foot. */
+/** Opacity of the planted print, and its size relative to the sole: it is larger, so that it outlines the foot. */
 const PLANTED = { opacity: 0.85, width: 1.32, length: 1.03 };
 const LEFT_BEHIND = { width: 0.95, length: 0.93 };
-/** Time in which a print takes half of a change of colour, seconds. */
+/** Half-life of a print's change of colour, seconds. */
 const HALF_LIFE = 0.08;
 
 const VERTEX = /* glsl */ `
@@ -86,18 +86,18 @@ export class Footprints {
     this.object.renderOrder = -1;
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ signal, mark }: Theme): void {
     this.#signal.set(signal);
     this.#mark.set(mark);
   }
 
-  /** Takes the planted feet of a frame; `ankleHeight` is that of the T-pose, metres. */
+  /** Updates the prints with the planted feet of a frame. */
   update(planted: readonly [boolean, boolean], world: WorldPose): void {
     this.#trail.update(planted, [soleOf(world, "left"), soleOf(world, "right")]);
   }
 
-  /** Forgets all prints. */
+  /** Removes all prints. */
   clear(): void {
     this.#trail.clear();
     this.object.count = 0;
@@ -150,7 +150,7 @@ const forward = new Vector3();
 const up = new Vector3();
 const rotation = new Quaternion();
 
-/** The sole of a foot: under the ankle, or where the ankle was before the heel rose, seen from the toe joint. */
+/** The sole of a foot: under the ankle, or under the ankle's position before the heel rose, derived from the toe joint. */
 function soleOf(world: WorldPose, side: "left" | "right"): Sole {
   const foot = JOINT[`${side}_foot`];
   rotation.fromArray(world.rotations, 4 * foot);

@@ -1,10 +1,10 @@
 /**
- * Frames that the graphics processor has been given and not drawn yet, by fences. A synchronous WebGL call, such as an
- * allocation or a query of a shader's uniforms, blocks the page until all of them are drawn: without a graphics card that
- * may be half a second.
+ * Counts frames that were submitted to the GPU and are not drawn yet, by fences. A synchronous WebGL call, such as an
+ * allocation or a query of a shader's uniforms, blocks the page until all of them are drawn. Without a GPU that may
+ * take half a second.
  */
 
-/** A fence that is signalled within this time found the queue empty, milliseconds. */
+/** A fence that is signalled within this time means that the queue was empty, milliseconds. */
 const QUICK_MS = 24;
 /** Interval at which a fence is polled, milliseconds. */
 const POLL_MS = 4;
@@ -12,7 +12,7 @@ const POLL_MS = 4;
 /** A frame that is not drawn yet. */
 interface Queued {
   fence: WebGLSync;
-  /** When its commands were given, milliseconds. */
+  /** When its commands were submitted, milliseconds. */
   at: number;
 }
 
@@ -26,7 +26,7 @@ export class GpuQueue {
     this.#gl = gl;
   }
 
-  /** Counts the frame whose commands were just given. */
+  /** Counts the frame whose commands were just submitted. */
   addFrame(): void {
     const fence = this.#fence();
     if (fence) this.#frames.push({ fence, at: performance.now() });
@@ -43,12 +43,15 @@ export class GpuQueue {
     return this.#frames.length;
   }
 
-  /** When the last frame was found drawn, and how long it had taken, milliseconds. */
+  /** When the last frame was found to be drawn, and how long it took, milliseconds. */
   get last(): Readonly<{ at: number; tookMs: number }> {
     return this.#last;
   }
 
-  /** Resolves when this context's frames are drawn and the work of other contexts too, for which it waits `timeoutMs` at most. */
+  /**
+   * Resolves when the frames of this context are drawn, and the work of other contexts too, which is awaited for at
+   * most `timeoutMs`.
+   */
   async idle(timeoutMs: number): Promise<void> {
     await this.#latency();
     const until = performance.now() + timeoutMs;
@@ -63,7 +66,7 @@ export class GpuQueue {
     return performance.now() - begun;
   }
 
-  /** Forgets the frames of a context that was lost. */
+  /** Discards the frames of a lost context. */
   forget(): void {
     this.#frames = [];
   }

@@ -1,30 +1,30 @@
-/** What draws for this browser. */
+/** The kind of renderer in this browser. */
 
-/** Nothing, as WebGL 2 is missing; the processor itself; or a graphics processor. */
+/** None, because WebGL 2 is missing; the CPU; or a GPU. */
 export type Graphics = "none" | "software" | "hardware";
 
-/** Renderers that have no graphics processor behind them. */
+/** Renderers without a GPU. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|basic render|software/i;
 
 let known: Graphics | undefined;
 
-/** Queried once from a temporary context: multisampling must be chosen before the drawing context is made. */
+/** Queried once from a temporary context: multisampling must be chosen before the drawing context is created. */
 export function graphics(): Graphics {
   return known ?? askPage();
 }
 
-/** The same, of a context of the page's own, whatever a worker detected. */
+/** The same query on a context of the page itself, regardless of a worker's result. */
 export function askPage(): Graphics {
   known = detectGraphics(Object.assign(document.createElement("canvas"), { width: 1, height: 1 }));
   return known;
 }
 
-/** Takes what a worker detected, so that the page need not make a context for it. */
+/** Sets a worker's result, so that the page need not create a context for it. */
 export function setGraphics(detected: Graphics): void {
   known = detected;
 }
 
-/** Makes a context on a canvas that nothing else is drawn on, asks what draws there, and gives the context back. */
+/** Creates a context on a canvas that is used for nothing else, queries its renderer, and releases the context. */
 export function detectGraphics(canvas: HTMLCanvasElement | OffscreenCanvas): Graphics {
   const gl = canvas.getContext("webgl2", { antialias: false, depth: false }) as WebGL2RenderingContext | null;
   if (!gl) return "none";

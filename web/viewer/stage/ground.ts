@@ -25,7 +25,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
-// Lines are as wide as a pixel wherever they are, and give way before they alias.
+// Lines are one pixel wide everywhere, and fade before they alias.
 const GRID_FRAGMENT = /* glsl */ `
 uniform vec3 colour;
 uniform vec2 centre;
@@ -84,7 +84,7 @@ export class Ground {
     this.object.add(this.#grid, this.#shade);
   }
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ grid, shadow }: Theme): void {
     this.#gridUniforms.colour.value.set(grid.colour);
     this.#gridUniforms.major.value = grid.major;
@@ -93,7 +93,7 @@ export class Ground {
     this.#shadeUniforms.occlusion.value = shadow.occlusion;
   }
 
-  /** Moves the grid's middle to a point on the ground, and the shade to where its map is. */
+  /** Moves the grid's middle to a point on the ground, and the shade to the position of its map. */
   follow(point: Vector3): void {
     this.#grid.position.set(point.x, this.#grid.position.y, point.z);
     this.#gridUniforms.centre.value.set(point.x, point.z);

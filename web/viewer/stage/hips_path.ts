@@ -1,10 +1,10 @@
-/** The way of the hips over the ground: solid behind the character, dashed ahead of it. */
+/** The path of the hips over the ground: solid behind the character, dashed ahead of it. */
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial } from "three";
 import { POSE_FLOATS } from "../../humanoid";
 import type { Theme } from "../themes";
 
-/** Points kept of each half. */
+/** Points kept per half. */
 const POINTS = 160;
 /** Minimum distance between two kept points, metres. */
 const SPACING = 0.03;
@@ -37,10 +37,10 @@ void main() {
 export class Ribbon {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   readonly #positions: BufferAttribute;
-  /** Opacity and distance along. */
+  /** Opacity and distance along the ribbon. */
   readonly #strokes: BufferAttribute;
 
-  /** @param points most that it goes through */
+  /** @param points maximum number of points of the ribbon */
   constructor(dash: number, points = POINTS) {
     this.#positions = new BufferAttribute(new Float32Array(6 * points), 3).setUsage(DynamicDrawUsage);
     this.#strokes = new BufferAttribute(new Float32Array(4 * points), 2).setUsage(DynamicDrawUsage);
@@ -70,7 +70,7 @@ export class Ribbon {
     (this.mesh.material.uniforms.colour as { value: Color }).value.set(colour);
   }
 
-  /** Takes `count` points as x, z, opacity, distance along. */
+  /** Sets `count` points as x, z, opacity, distance along the ribbon. */
   set(points: Float32Array, count: number): void {
     for (let i = 0; i < count; i++) {
       const a = 4 * Math.max(0, i - 1);
@@ -107,12 +107,12 @@ export class HipsPath {
   /** Distance from the clip's start to each of its frames, metres. */
   #distances = new Float32Array(0);
 
-  /** Takes the theme's colours. */
+  /** Sets the theme's colours. */
   setTheme({ mark }: Theme): void {
     for (const ribbon of [this.behind, this.ahead]) ribbon.setColour(mark);
   }
 
-  /** Takes the poses of the whole clip, of which the part ahead is drawn; `null` draws none. */
+  /** Sets the poses of the whole clip, whose part ahead is drawn; `null` draws none. */
   setClip(poses: Float32Array | null): void {
     this.#clip = poses;
     const frames = poses ? Math.floor(poses.length / POSE_FLOATS) : 0;
@@ -124,7 +124,7 @@ export class HipsPath {
     }
   }
 
-  /** Adds the hips' present place to the trail. */
+  /** Adds the hips' current position to the trail. */
   push(x: number, z: number): void {
     const trail = this.#trail;
     const far = trail.length < 2 || Math.hypot(x - trail.at(-2)!, z - trail.at(-1)!) > SPACING;
@@ -133,14 +133,14 @@ export class HipsPath {
     if (trail.length > 2 * (POINTS - 1)) trail.splice(0, 2);
   }
 
-  /** Forgets the trail. */
+  /** Clears the trail. */
   clear(): void {
     this.#trail.length = 0;
   }
 
   /**
-   * Draws both halves from the hips' present place. The clip's frame `frame` is laid there, turned by `turn` radians
-   * about +Y, because the character may have strayed from the clip's own path.
+   * Draws both halves from the hips' current position. The clip's frame `frame` is placed there, rotated by `turn`
+   * radians about +Y, because the character may have left the clip's own path.
    */
   draw(x: number, z: number, frame: number, turn: number): void {
     const points = this.#points;

@@ -1,4 +1,4 @@
-/** Names above the heads, as page text over the canvas, so that they are sharp and follow the page's type. */
+/** Names above the heads, as page text over the canvas, so that they are sharp and use the page's font. */
 
 import { type PerspectiveCamera, Vector3 } from "three";
 
@@ -12,7 +12,7 @@ export class Labels {
   readonly #point = new Vector3();
 
   constructor() {
-    // The names repeat what the picture's description says.
+    // The names repeat the picture's description.
     this.element.setAttribute("aria-hidden", "true");
     this.element.style.cssText = "position:absolute;inset:0;overflow:hidden;pointer-events:none";
   }
@@ -37,7 +37,7 @@ export class Labels {
     name.style.color = colour;
   }
 
-  /** Puts a name above a head, a sphere in the world (metres), or hides it if the head is not in the picture. */
+  /** Places a name above a head, a sphere in the world (metres), or hides it if the head is not in the picture. */
   place(key: string, head: Vector3, radius: number, camera: PerspectiveCamera, width: number, height: number): void {
     const name = this.#names.get(key);
     if (!name) return;
@@ -45,7 +45,7 @@ export class Labels {
     const pixelsPerMetre = (camera.projectionMatrix.elements[5]! * height) / (2 * Math.max(camera.near, -p.z));
     p.applyMatrix4(camera.projectionMatrix);
     const visible = p.z < 1 && Math.abs(p.x) < 1.1 && Math.abs(p.y) < 1.1;
-    // Hidden with the view that it is in.
+    // Hidden together with its view.
     name.style.visibility = visible ? "inherit" : "hidden";
     const x = ((p.x + 1) / 2) * width;
     const y = ((1 - p.y) / 2) * height - radius * pixelsPerMetre - GAP;

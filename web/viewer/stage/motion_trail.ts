@@ -1,15 +1,15 @@
-/** Where hands, feet and head come from and go to: a line each around the present frame, fading with time. */
+/** Paths of hands, feet and head: a line for each around the current frame, fading with time. */
 
 import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Group, Line, ShaderMaterial } from "three";
 import { createWorldPose, JOINT, POSE_FLOATS, worldFromLocal } from "../../humanoid";
 import type { Theme } from "../themes";
 
-/** Joints that draw a line. */
+/** Joints that have a line. */
 const TRACED = [JOINT.head, JOINT.left_hand, JOINT.right_hand, JOINT.left_foot, JOINT.right_foot];
-/** Frames before and after the present one: three quarters of a second at 60 Hz. */
+/** Frames before and after the current one: three quarters of a second at 60 Hz. */
 const AROUND = 45;
 const POINTS = 2 * AROUND + 1;
-/** Opacity at the present frame, behind it and ahead of it. */
+/** Opacity behind the current frame and ahead of it. */
 const OPACITY = { behind: 0.85, ahead: 0.4 };
 
 const VERTEX = /* glsl */ `
@@ -27,7 +27,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Takes a clip's place to where its character stands: a turn about +Y, then a move over the ground. */
+/** Transform from a clip to its character: a rotation about +Y, then a translation over the ground. */
 export interface Placement {
   turn: number;
   x: number;
@@ -40,7 +40,7 @@ export class MotionTrail {
   readonly #lines: { positions: BufferAttribute; strengths: BufferAttribute; line: Line }[];
   #clip: Float32Array | null = null;
   #proportions: ArrayLike<number> = [];
-  /** Places of the traced joints in the clip, frames × joints × xyz; computed when they are first drawn. */
+  /** Positions of the traced joints in the clip, frames × joints × xyz; computed when they are first drawn. */
   #places = new Float32Array(0);
   #known = new Uint8Array(0);
   readonly #world = createWorldPose();
@@ -72,7 +72,7 @@ export class MotionTrail {
     this.#colour.value.set(signal);
   }
 
-  /** Takes the poses of a clip and the bones that they are on; `null` draws nothing. */
+  /** Sets the poses of a clip and the bones on which they are defined; `null` draws nothing. */
   setClip(clip: Float32Array | null, proportions: ArrayLike<number>): void {
     this.#clip = clip;
     this.#proportions = proportions;

@@ -1,12 +1,13 @@
 /**
- * Ambient occlusion of the ground by a body, in closed form: the body as spheres, each taking its share of the sky
- * (Quílez, "Sphere ambient occlusion"). It gives what a dome of lights would, without noise, blur or passes.
+ * Ambient occlusion of the ground by a body, in closed form: the body is a set of spheres, each of which hides a part
+ * of the sky (Quílez, "Sphere ambient occlusion"). The result is that of a dome of lights, without noise, blur or extra
+ * passes.
  */
 
 import { Vector4 } from "three";
 import { JOINT, type Role, type WorldPose } from "../../humanoid";
 
-/** A sphere between two joints: share of the way, radius in metres at the mannequin's own stature. */
+/** A sphere between two joints: relative position between them, radius in metres at the mannequin's own stature. */
 type Ball = readonly [from: Role, to: Role, share: number, radius: number];
 
 const side = (s: "left" | "right"): Ball[] => [
@@ -31,7 +32,7 @@ const BALLS: readonly Ball[] = [
 /** Number of spheres. */
 export const OCCLUDERS = BALLS.length;
 
-/** GLSL: the uniforms and `skyLeft(occluders, p)`, the share of the sky that the ground at p still sees. */
+/** GLSL: the uniforms and `skyLeft(occluders, p)`, the share of the sky that is visible from the ground at p. */
 export const OCCLUSION_SHADER = /* glsl */ `
 uniform vec4 bodyOccluders[${OCCLUDERS}];
 uniform vec4 ghostOccluders[${OCCLUDERS}];
@@ -46,7 +47,7 @@ float skyLeft(vec4 occluders[${OCCLUDERS}], vec3 p) {
   return open;
 }`;
 
-/** A fresh value of one of the uniforms; no sphere hides anything yet. */
+/** A new value of one of the uniforms, in which no sphere hides anything. */
 export function createOccluders(): Vector4[] {
   return BALLS.map(() => new Vector4());
 }

@@ -14,7 +14,7 @@ describe("the glide's easing", () => {
   });
 
   it("is cubic-bezier(.2, 0, 0, 1): most of the way in the first half", () => {
-    // At parameter s = 0.5 the curve is at time 0.2, way 0.5.
+    // At parameter s = 0.5 the curve is at time 0.2, value 0.5.
     expect(ease(0.2)).toBeCloseTo(0.5, 3);
   });
 });
@@ -23,7 +23,7 @@ describe("a camera that does not follow", () => {
   const HOME = { azimuth: 0, elevation: 0.2, distance: 4 };
   const made = () => new OrbitCamera(new EventTarget() as HTMLElement, { home: HOME, distances: [1, 10], far: 100 });
   const at = (x: number) => new Vector3(x, 0, 0);
-  /** Where it looks after updates in which what it could follow is at these places. */
+  /** The target after updates in which the followed point is at these positions. */
   const targetAfter = (camera: OrbitCamera, ...places: number[]) => {
     for (const x of places) camera.update(0.1, at(x), false);
     return camera.target.x;

@@ -1,11 +1,11 @@
-/** The camera: orbit by pointer, touch, wheel and keys, presets with a glide, and following. */
+/** The camera: orbit by pointer, touch, wheel and keys, preset views with a glide, and following. */
 
 import { MathUtils, Matrix4, PerspectiveCamera, Vector3 } from "three";
 
-/** The views one can ask for. */
+/** The views of the camera. */
 export type CameraView = "orbit" | "front" | "side" | "top";
 
-/** Where the camera is relative to its target: radians about +Y from +Z, radians above the ground, metres. */
+/** Position of the camera relative to its target: radians about +Y from +Z, radians above the ground, metres. */
 export interface OrbitState {
   azimuth: number;
   elevation: number;
@@ -13,25 +13,25 @@ export interface OrbitState {
 }
 
 /**
- * What zooms: the wheel, wherever the focus is; or the wheel only while the picture has the focus or Ctrl or Cmd is held, so that a
- * page can be scrolled with the pointer over the picture; or nothing.
+ * Which input zooms: the wheel, regardless of the focus; the wheel only while the picture has the focus or Ctrl or Cmd
+ * is held, so that a page can be scrolled with the pointer over the picture; or nothing.
  */
 export type Zooming = "always" | "focused" | "never";
 
-/** Field of view, degrees, vertical. */
+/** Vertical field of view, degrees. */
 const FIELD_OF_VIEW = 24;
 /** Height of the target, metres. */
 const TARGET_HEIGHT = 0.83;
 /** The first view: from the character's left front. */
 export const HOME: OrbitState = { azimuth: MathUtils.degToRad(33), elevation: MathUtils.degToRad(7.2), distance: 5.4 };
 const ELEVATIONS = [0.02, MathUtils.degToRad(89)] as const;
-/** What a camera shows: one character by default. */
+/** The range of a camera, by default for one character. */
 export interface CameraRange {
-  /** The first view, to whose distance the others keep. */
+  /** The first view; the other views have the same distance. */
   home: OrbitState;
-  /** Least and greatest distance from the target, metres. */
+  /** Smallest and largest distance from the target, metres. */
   distances: readonly [number, number];
-  /** How far the camera sees, metres. */
+  /** Far plane of the camera, metres. */
   far: number;
 }
 
@@ -39,13 +39,13 @@ const ONE_CHARACTER: CameraRange = { home: HOME, distances: [1.6, 16], far: 60 }
 
 /** Length of a glide between views, seconds. */
 const GLIDE = 0.42;
-/** Time in which the target covers half the distance to what it follows, seconds. */
+/** Half-life of the distance between the target and the followed point, seconds. */
 const FOLLOW_HALF_LIFE = 0.09;
-/** Farther than this the target jumps, metres. */
+/** Beyond this distance the target jumps, metres. */
 const JUMP = 3;
-/** Radians a pixel of drag. */
+/** Radians per pixel of drag. */
 const DRAG_SPEED = 0.0065;
-/** Changes of the camera's matrix that cannot be seen. */
+/** Largest change of the camera's matrix that is invisible. */
 const STILLNESS = 1e-5;
 const KEY_STEP = MathUtils.degToRad(5);
 
@@ -64,15 +64,15 @@ export function ease(time: number): number {
 /** An orbiting camera over a moving target. */
 export class OrbitCamera {
   readonly camera: PerspectiveCamera;
-  /** The point on the ground that is looked at; smoothed. */
+  /** The point on the ground at which the camera looks; smoothed. */
   readonly target = new Vector3();
-  /** Called when the view changes by the hand of the user. */
+  /** Called when the user changes the view. */
   onViewChange: ((view: CameraView) => void) | undefined;
-  /** Half the width that has to fit into the picture, metres. */
+  /** Half the width that must fit into the picture, metres. */
   halfWidth = 1.15;
-  /** Distance of the view from above, metres. */
+  /** Distance of the top view, metres. */
   above: number;
-  /** Height of what is looked at as a share of the mannequin's: a giant is seen from farther away. */
+  /** Height of the subject relative to the mannequin: a taller one is seen from farther away. */
   scale = 1;
   zooming: Zooming = "always";
   readonly #range: CameraRange;
@@ -103,22 +103,22 @@ export class OrbitCamera {
     element.addEventListener("keydown", (event) => this.#key(event), options);
   }
 
-  /** The present view. */
+  /** The current view. */
   get view(): CameraView {
     return this.#view;
   }
 
-  /** Where the camera looks from, radians about +Y from +Z. */
+  /** Direction from which the camera looks, radians about +Y from +Z. */
   get azimuth(): number {
     return this.#state.azimuth;
   }
 
-  /** Distance from what is looked at, metres. */
+  /** Distance from the target, metres. */
   get distance(): number {
     return this.camera.position.distanceTo(this.target);
   }
 
-  /** Goes to a view of something that faces `heading` (radians about +Y). */
+  /** Moves to a view of a subject that faces `heading` (radians about +Y). */
   setView(view: CameraView, heading: number, animate: boolean): void {
     this.#view = view;
     const level = MathUtils.degToRad(3);
@@ -138,25 +138,25 @@ export class OrbitCamera {
     }
   }
 
-  /** Makes another orbit the free one, and goes there. */
+  /** Makes another orbit the free one, and moves there. */
   orbitAt(orbit: OrbitState, animate: boolean): void {
     this.#free = orbit;
     this.setView("orbit", 0, animate);
   }
 
-  /** Turns about what is looked at by so many radians at once, as when something that faces elsewhere takes its place. */
+  /** Rotates about the target by `by` radians at once, as when a subject with another heading replaces the last one. */
   turn(by: number): void {
     this.#glide = undefined;
     this.#state.azimuth = wrap(this.#state.azimuth + by);
     this.#free = { ...this.#free, azimuth: wrap(this.#free.azimuth + by) };
   }
 
-  /** Goes to what is followed at once, as when the character jumps: with the next update, and until a glide that runs is over. */
+  /** Moves to the followed point at once, as when the character jumps: at the next update, and until the current glide ends. */
   settle(): void {
     this.#settled = false;
   }
 
-  /** Advances by `dtSecs`, after `point` if `follow` says so. Returns whether the camera has moved. */
+  /** Advances by `dtSecs`, following `point` if `follow` is true. Returns whether the camera has moved. */
   update(dtSecs: number, point: Vector3, follow: boolean): boolean {
     before.copy(this.camera.matrixWorld);
     if (follow || !this.#settled) {
@@ -180,14 +180,14 @@ export class OrbitCamera {
     return before.elements.some((value, i) => Math.abs(value - now[i]!) > STILLNESS);
   }
 
-  /** Looks at another place from the same side, `x` and `z` metres from the present one. */
+  /** Looks at another position from the same side, `x` and `z` metres from the current one. */
   shift(x: number, z: number): void {
     this.target.x += x;
     this.target.z += z;
     this.#place();
   }
 
-  /** Takes the size of the picture, of which `covered` pixels at the right are hidden: what is looked at is left of them. */
+  /** Sets the size of the picture, of which `covered` pixels at the right are hidden; the target is centred in the rest. */
   resize(width: number, height: number, covered = 0): void {
     this.camera.aspect = width / Math.max(1, height);
     if (covered > 0) this.camera.setViewOffset(width, height, covered / 2, 0, width, height);
@@ -201,7 +201,7 @@ export class OrbitCamera {
 
   #place(): void {
     const { azimuth, elevation } = this.#state;
-    // A narrow picture is seen from farther away, never through a wider lens.
+    // A narrow picture is seen from farther away, not with a wider field of view.
     const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2));
     const fit = Math.max(1, this.halfWidth / (half * this.camera.aspect) / this.#range.home.distance);
     const distance = this.#state.distance * fit * this.#zoom * this.scale;
@@ -213,7 +213,7 @@ export class OrbitCamera {
       height + distance * Math.sin(elevation),
       target.z + ground * Math.cos(azimuth),
     );
-    // Straight down, "up" is where the viewer would be looking.
+    // When looking straight down, "up" is the view's horizontal direction.
     camera.up.set(0, 1, 0);
     if (elevation > 1.5) camera.up.set(-Math.sin(azimuth), 0, -Math.cos(azimuth));
     camera.lookAt(target.x, height, target.z);
@@ -261,7 +261,7 @@ export class OrbitCamera {
   }
 
   #wheel(event: WheelEvent): void {
-    // Ctrl is also what browsers say of two fingers that spread on a touchpad.
+    // Browsers report a pinch on a touchpad as Ctrl and wheel.
     const isMeant = event.ctrlKey || event.metaKey || this.#element.matches(":focus");
     if (this.zooming === "never" || (this.zooming === "focused" && !isMeant)) return;
     event.preventDefault();

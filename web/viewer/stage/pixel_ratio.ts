@@ -1,8 +1,11 @@
-/** Screens of other densities: a window that is moved to one keeps its size in CSS pixels, and no observer tells of it. */
+/**
+ * Detects a change of the screen's pixel density. A window moved to another screen keeps its size in CSS pixels, so no
+ * observer reports it.
+ */
 
-/** Calls back whenever the pixels of the screen per CSS pixel have changed, until `signal` aborts. */
+/** Calls back whenever the device pixel ratio has changed, until `signal` aborts. */
 export function onPixelRatio(call: () => void, signal: AbortSignal): void {
-  // A query is about one ratio.
+  // A media query matches a single ratio.
   const watch = () => {
     if (signal.aborted) return;
     matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(

@@ -1,11 +1,11 @@
-/** Adaptive quality: fewer pixels and samples where frames come too slowly. */
+/** Adaptive quality: fewer pixels and samples if frames are too slow. */
 
 import type { Shading } from "../light/shading";
 import type { ShadowTaps } from "../light/soft_shadow";
 
-/** What a level of quality means. */
+/** Settings of a level of quality. */
 export interface QualityLevel {
-  /** Pixels of the picture; the pixel ratio follows from it, so that a small picture stays sharp. */
+  /** Pixels of the picture. The pixel ratio follows from it, so that a small picture stays sharp. */
   pixels: number;
   /** Side of the light's shadow map, texels. */
   shadowSize: number;
@@ -15,7 +15,7 @@ export interface QualityLevel {
   /** Detail of the mannequins' geometry, at most 1. */
   detail: number;
   shading: Shading;
-  /** Frames a second below which the next level is tried. */
+  /** Frames per second below which the next level is tried. */
   slowest: number;
 }
 
@@ -29,25 +29,25 @@ export const QUALITY_LEVELS: readonly QualityLevel[] = [
   level(1.8e5, 512, 128, { search: 6, filter: 8 }, 0.5, "matt", 0),
 ];
 
-/** Highest pixel ratio; more cannot be seen. */
+/** Largest pixel ratio; more is not visible. */
 const MAX_RATIO = 2;
-/** Samples per pixel of the screen, along a side, of a picture that stands still. */
+/** Samples per screen pixel, along a side, of a still picture. */
 const STILL_SAMPLES = 2;
-/** Factor on the pixels of a picture that stands still. */
+/** Factor on the pixels of a still picture. */
 const STILL_FACTOR = 4;
-/** Frames a second that allow a better level to be tried. */
+/** Frames per second that allow a better level to be tried. */
 const FAST = 55;
 /** Length of one measurement, seconds. */
 const WINDOW = 0.5;
-/** Measurements that decide nothing where a page is loading: it draws slowly then, whatever the quality. */
+/** Measurements that are ignored while a page is loading: drawing is slow then at any quality. */
 const WHILE_LOADING = 6;
-/** Slow measurements in a row that lower the quality; a single one may come from other work of the page. */
+/** Consecutive slow measurements that lower the quality; a single one may be caused by other work of the page. */
 const SLOW_TO_LOWER = 3;
-/** Fast measurements in a row that raise it, at first. */
+/** Consecutive fast measurements that raise it, initially. */
 const FAST_TO_RAISE = 10;
 /** Factor on that number after a level proved too slow again. */
 const BACKOFF = 4;
-/** A longer pause between frames is a hidden tab, not a slow one, seconds. */
+/** A longer pause between frames means a hidden tab, not a slow one, seconds. */
 const PAUSE = 0.9;
 
 function level(
@@ -62,13 +62,13 @@ function level(
   return { pixels, shadowSize, shadeSize, taps, detail, shading, slowest };
 }
 
-/** Pixel ratio of a picture of `area` CSS pixels on a screen of ratio `screen`; a still picture may take its time. */
+/** Pixel ratio of a picture of `area` CSS pixels on a screen with ratio `screen`; a still picture may take longer. */
 export function pixelRatio({ pixels }: QualityLevel, area: number, screen: number, still: boolean): number {
   const affordable = Math.sqrt((pixels * (still ? STILL_FACTOR : 1)) / Math.max(1, area));
   return Math.min(still ? STILL_SAMPLES * screen : screen, MAX_RATIO, affordable);
 }
 
-/** Counts frames, reports their rate, and decides about the level of quality. */
+/** Counts frames, reports their rate, and chooses the level of quality. */
 export class QualityGovernor {
   /** Called after each measurement. */
   onFps: ((fps: number) => void) | undefined;
@@ -82,19 +82,19 @@ export class QualityGovernor {
   #fastToRaise = FAST_TO_RAISE;
   #raised = false;
 
-  /** Starts at a level, which is never exceeded; 0 is the best. */
+  /** Starts at a level, which is the best one that will be used; 0 is the best. */
   constructor(best = 0, { isLoading = false } = {}) {
     this.#best = best;
     this.#level = best;
     this.#undecided = isLoading ? WHILE_LOADING : 0;
   }
 
-  /** The level in force. */
+  /** The current level. */
   get level(): number {
     return this.#level;
   }
 
-  /** Takes the time since the last frame; returns whether the level has changed. */
+  /** Adds the time since the last frame. Returns whether the level has changed. */
   frame(dtSecs: number): boolean {
     if (dtSecs <= 0) return false;
     if (dtSecs > PAUSE) {

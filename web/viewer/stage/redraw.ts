@@ -1,6 +1,6 @@
-/** When a picture is drawn: as long as it changes, and once more, finer, when it has not changed for a while. */
+/** Decides when a picture is drawn: while it changes, and once more in finer quality when it has not changed for a while. */
 
-/** Time after the last change in which glides and fades end, seconds; then the picture is still. */
+/** Time after the last change in which glides and fades end, seconds; after it the picture is still. */
 const SETTLING = 0.8;
 
 export class Redraw {
@@ -18,15 +18,15 @@ export class Redraw {
   }
 
   /**
-   * Whether nothing has changed for a while; `timeSecs` is any clock. A change that has not been drawn is a present one,
-   * however long the graphics processor is busy.
+   * Whether nothing has changed for a while; `timeSecs` is any clock. A change that has not been drawn counts as
+   * current, however long the GPU is busy.
    */
   settled(timeSecs: number): boolean {
     if (this.#pending) this.#changedAt = timeSecs;
     return timeSecs - this.#changedAt > SETTLING;
   }
 
-  /** The picture is on screen as it is now. */
+  /** Called when the current picture has been drawn. */
   drawn(): void {
     this.#pending = false;
   }

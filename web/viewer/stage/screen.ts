@@ -1,4 +1,4 @@
-/** One WebGL context and what belongs to it: the renderer, its queue, the room that materials reflect, the canvas's memory. */
+/** One WebGL context and its resources: the renderer, its queue, the room that materials reflect, the canvas's memory. */
 
 import {
   BasicShadowMap,
@@ -13,37 +13,37 @@ import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
 
-/** Quality that a renderer without a graphics processor starts with. */
+/** Initial quality of a renderer without a GPU. */
 const SOFTWARE_LEVEL = 2;
 
-/** Level of quality that a screen begins with unless it is told. */
+/** Default initial level of quality of a screen. */
 export function firstLevel(): number {
   return graphics() === "software" ? SOFTWARE_LEVEL : 0;
 }
 
-/** Frames that may be queued: more would only add latency. */
+/** Maximum number of queued frames; more would only add latency. */
 const MAX_FRAMES = 2;
 
 /**
- * Where frames take longer than this, milliseconds, a shared screen leaves room for others: it queues one at a time, and where
- * several stages draw, the page is given half as long again as they took to draw itself.
+ * Threshold of slow frames, milliseconds. If frames are slower, a shared screen leaves time for others: it queues one
+ * frame at a time, and if several stages draw, the page gets half as long again as they took.
  */
 const SLOW_MS = 12;
 const PAGE_SHARE = 1.5;
 
 /**
- * A screen of one stage gives memory back after so many pictures in a row that need less than this share of it: what shows the
- * canvas takes time for all of it.
+ * A screen of one stage releases memory after enough consecutive pictures that need less than this share of it, because
+ * compositing the canvas takes time for all of it.
  */
 const LEAST_USED = 0.2;
 const SPARE_FRAMES = 60;
 
-/** Longest wait for the graphics processor to become idle before the canvas gets new memory, milliseconds. */
+/** Longest wait for the GPU to become idle before the canvas gets new memory, milliseconds. */
 const IDLE_TIMEOUT_MS = 2000;
 
-/** What draws on a screen. */
+/** An object that draws on a screen. */
 export interface Drawn {
-  /** The context was lost and restored: what the screen drew for it must be drawn again. */
+  /** The context was lost and restored: everything that the screen drew for this object must be drawn again. */
   restore(): void;
   /** Whether it is the only one on its screen. */
   alone: boolean;
@@ -60,23 +60,23 @@ export interface ScreenOptions {
   /** Whether edges are smoothed by multisampling. */
   antialias: boolean;
   /**
-   * Whether the canvas's memory is kept, and a smaller picture has its lower left part: new memory is had from the graphics
-   * processor, and without a graphics card that has to be waited for.
+   * Whether the canvas's memory is kept, and a smaller picture uses its lower left part. Allocating new memory waits
+   * for the GPU, which is slow without a graphics card.
    */
   keepsMemory: boolean;
-  /** Pixels that have memory from the start. */
+  /** Pixels that are allocated from the start. */
   size?: Size;
   /** Whether several stages may draw on it. */
   isShared?: boolean;
-  /** Level of quality to begin with, 0 being the best; by default what the renderer suggests. */
+  /** Initial level of quality, 0 being the best; by default chosen for the renderer. */
   level?: number | undefined;
   /** Whether it is made while the page is loading. */
   isLoading?: boolean;
 }
 
 /**
- * Makes the context of a canvas, of the size that `options` ask for.
- * @throws where WebGL 2 is missing
+ * Creates the context of a canvas, of the size in `options`.
+ * @throws if WebGL 2 is missing
  */
 function contextOf(canvas: HTMLCanvasElement, { antialias, size }: ScreenOptions): WebGL2RenderingContext {
   const context = Object.assign(canvas, size).getContext("webgl2", {
@@ -88,26 +88,26 @@ function contextOf(canvas: HTMLCanvasElement, { antialias, size }: ScreenOptions
   return context;
 }
 
-/** A context that one stage draws on, or several in turn. Browsers have few contexts: pages with many figures share one. */
+/** A context on which one stage draws, or several in turn. Browsers have few contexts, so pages with many figures share one. */
 export class Screen {
-  /** Made ahead for the first stage with a screen of its own. */
+  /** Created in advance for the first stage with a screen of its own. */
   static #prepared: Screen | undefined;
   readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
   readonly #keepsMemory: boolean;
-  /** Pictures in a row that needed little of the canvas's memory. */
+  /** Consecutive pictures that needed little of the canvas's memory. */
   #spareFrames = 0;
-  /** Decides about the quality of all that is drawn here, by the mean rate of those that draw. */
+  /** Chooses the quality of everything drawn here, by the mean frame rate of the users. */
   readonly governor: QualityGovernor;
   readonly #isShared: boolean;
   readonly #gl: WebGL2RenderingContext;
   readonly #queue: GpuQueue;
   readonly #users = new Set<Drawn>();
   readonly #listeners = new AbortController();
-  /** Programs whose uniforms and attributes three.js has looked up. */
+  /** Programs whose uniforms and attributes three.js has queried. */
   readonly #queried = new WeakSet<object>();
   #environment: WebGLRenderTarget | undefined;
-  /** Whether synchronous calls are allowed now, the queue is being waited for, or neither. */
+  /** Whether synchronous calls are allowed now, the queue is being awaited, or neither. */
   #synchronous: "allowed" | "waiting" | "none" = "none";
   #counting = false;
 
@@ -122,22 +122,22 @@ export class Screen {
     this.#keepsMemory = keepsMemory;
     this.governor = new QualityGovernor(level ?? firstLevel(), { isLoading });
     this.renderer = new WebGLRenderer({ canvas, context, antialias, stencil: true });
-    // three.js takes a context with alpha, as its own are, for a canvas that the page shows through.
+    // three.js treats a given context with alpha, as it creates itself, as a transparent canvas.
     this.renderer.setClearAlpha(1);
     const { renderer } = this;
     renderer.toneMapping = NeutralToneMapping;
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = BasicShadowMap;
     renderer.shadowMap.autoUpdate = false;
-    // A frame is two passes; both count.
+    // A frame has two passes; both are counted.
     renderer.info.autoReset = false;
-    // Each check is a synchronous call. A shader that is wrong draws nothing, and the console says so.
+    // Each check is a synchronous call. An invalid shader draws nothing, and the console reports it.
     renderer.debug.checkShaderErrors = false;
-    // The first query of an extension is a synchronous call: here nothing is waiting to be drawn.
+    // The first query of an extension is a synchronous call; here the queue is still empty.
     renderer.capabilities.getMaxAnisotropy();
     this.#gl = context;
     this.#queue = new GpuQueue(this.#gl);
-    // three.js restores what it made from memory; the room was drawn by the lost context and must be drawn again.
+    // three.js restores its own resources from memory. The room was drawn by the lost context and must be drawn again.
     const restore = () => {
       this.#queue.forget();
       this.#dropEnvironment();
@@ -146,13 +146,13 @@ export class Screen {
     canvas.addEventListener("webglcontextrestored", restore, { signal: this.#listeners.signal });
   }
 
-  /** What draws, by the name that the browser gives it; empty where it tells none. */
+  /** Name of the renderer as reported by the browser; empty if it reports none. */
   get drawnBy(): string {
     const info = this.#gl.getExtension("WEBGL_debug_renderer_info");
     return String(this.#gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : this.#gl.RENDERER) ?? "");
   }
 
-  /** Makes ahead what {@link own} gives to the first stage, in steps, for a picture of this size in CSS pixels. */
+  /** Prepares in steps the screen that {@link own} gives to the first stage, for a picture of this size in CSS pixels. */
   static *prepare(picture: Size): Generator<undefined> {
     const options = { ...Screen.#ownOptions(undefined, picture), isLoading: true };
     const canvas = document.createElement("canvas");
@@ -178,7 +178,7 @@ export class Screen {
     return { antialias: level === 0, keepsMemory: true, size, level };
   }
 
-  /** A screen that many stages share, on a page that has more to draw than figures. */
+  /** A screen that many stages share, on a page with other content than figures. */
   static shared(): Screen {
     return new Screen({ antialias: graphics() !== "software", keepsMemory: true, isShared: true });
   }
@@ -188,13 +188,13 @@ export class Screen {
     return this.#gl.isContextLost();
   }
 
-  /** Lets something draw here. */
+  /** Registers an object that draws here. */
   add(user: Drawn): void {
     this.#users.add(user);
     this.#tellWhoIsAlone();
   }
 
-  /** Lets it draw no longer. */
+  /** Unregisters it. */
   remove(user: Drawn): void {
     this.#users.delete(user);
     this.#tellWhoIsAlone();
@@ -204,7 +204,7 @@ export class Screen {
     for (const user of this.#users) user.alone = this.#users.size === 1;
   }
 
-  /** Whether nothing can be drawn now: enough is queued, the queue is being waited for, or it is the page's turn. */
+  /** Whether nothing can be drawn now: enough frames are queued, the queue is being awaited, or it is the page's turn. */
   get busy(): boolean {
     if (this.#synchronous === "waiting") return true;
     const { frames } = this.#queue;
@@ -214,19 +214,19 @@ export class Screen {
     return rests || frames >= (leavesRoom ? 1 : MAX_FRAMES);
   }
 
-  /** Takes the size of the next picture, in pixels. */
+  /** Sets the size of the next picture, in pixels. */
   expect(width: number, height: number): void {
     const { canvas } = this;
     const used = (width * height) / (canvas.width * canvas.height);
     this.#spareFrames = !this.#isShared && used > 0 && used < LEAST_USED ? this.#spareFrames + 1 : 0;
   }
 
-  /** Whether what the canvas has too much of is kept. */
+  /** Whether excess memory of the canvas is kept. */
   get #keeps(): boolean {
     return this.#keepsMemory && this.#spareFrames < SPARE_FRAMES;
   }
 
-  /** Whether the canvas has the right memory for a picture, in pixels. */
+  /** Whether the canvas's memory fits a picture, in pixels. */
   fits(width: number, height: number): boolean {
     const { canvas } = this;
     if (this.#keeps || width * height === 0) return canvas.width >= width && canvas.height >= height;
@@ -238,7 +238,7 @@ export class Screen {
     return this.#synchronous === "allowed";
   }
 
-  /** Waits until the graphics processor has nothing to do; `then` draws in the same task, in which new memory is allowed. */
+  /** Waits until the GPU is idle; `then` draws in the same task, in which new memory may be allocated. */
   async whenIdle(then: () => void): Promise<void> {
     this.#synchronous = "waiting";
     await this.#queue.idle(IDLE_TIMEOUT_MS);
@@ -250,13 +250,13 @@ export class Screen {
     }
   }
 
-  /** Gives the canvas memory for a picture, in pixels. */
+  /** Allocates the canvas's memory for a picture, in pixels. */
   resize(width: number, height: number): void {
     const former = this.#keeps ? this.canvas : { width: 0, height: 0 };
     this.renderer.setDrawingBufferSize(Math.max(width, former.width), Math.max(height, former.height), 1);
   }
 
-  /** Counts what was drawn in this task as one frame of the queue. */
+  /** Counts everything drawn in this task as one frame of the queue. */
   addFrame(): void {
     if (this.#counting) return;
     this.#counting = true;
@@ -287,16 +287,16 @@ export class Screen {
   }
 
   /**
-   * Queries uniforms and attributes of new programs before anything is drawn: later each query would wait for the frames
-   * before it. Waits `timeoutMs` at most; gives up where `current` says so.
+   * Queries uniforms and attributes of new programs before anything is drawn; later each query would wait for the
+   * frames before it. Waits at most `timeoutMs`; stops when `current` returns false.
    */
   async queryPrograms(timeoutMs: number, current: () => boolean): Promise<void> {
     const programs = (this.renderer.info.programs ?? []).filter((program) => !this.#queried.has(program));
     if (programs.length === 0) return;
-    // WebGL has no fence for linking; validation comes after it in the queue.
+    // WebGL has no fence for linking; validation comes after linking in the queue.
     for (const { program } of programs) this.#gl.validateProgram(program as WebGLProgram);
     await this.#queue.idle(timeoutMs);
-    // A program may have been deleted meanwhile. In tasks of their own these queries would wait for each other's drawing.
+    // A program may have been deleted meanwhile. In separate tasks these queries would wait for each other's drawing.
     for (const program of programs.filter(({ program }) => current() && program !== undefined)) {
       program.getUniforms();
       program.getAttributes();
@@ -304,7 +304,7 @@ export class Screen {
     }
   }
 
-  /** Releases the context now, not when its canvas is collected: browsers have few of them. */
+  /** Releases the context now, not when its canvas is garbage-collected: browsers have few contexts. */
   dispose(): void {
     this.#listeners.abort();
     this.#dropEnvironment();

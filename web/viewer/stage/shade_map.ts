@@ -1,7 +1,7 @@
 /**
- * The shade on the ground, computed in the ground's own plane: one small texture around the characters, drawn before the
- * picture. Its cost does not depend on the size of the picture, and its samples' noise is smoothed away when it is
- * magnified.
+ * The shade on the ground, computed in the ground's own plane: one small texture around the characters, drawn before
+ * the picture. Its cost does not depend on the size of the picture, and the noise of its samples is smoothed by
+ * magnification.
  */
 
 import {
@@ -23,16 +23,16 @@ import { KEY_FRUSTUM } from "../light/lights";
 import { type ShadowTaps, setShadowTaps, useSoftShadow } from "../light/soft_shadow";
 import { createOccluders, hideOccluders, OCCLUSION_SHADER, placeOccluders } from "./occlusion";
 
-/** Side of the square that has shade, metres. */
+/** Side of the shaded square, metres. */
 export const SHADE_SIZE = 4.8;
-/** How much of the sky a ghost hides, compared with a body. */
+/** Share of the sky that a ghost hides, compared with a body. */
 const GHOST_SHARE = 0.6;
 /** Height of the camera over the ground, metres. */
 const ABOVE = 1;
 
 /** Red: share of the key light that is blocked. Green: share of the sky that is hidden. */
 export class ShadeMap {
-  /** To be put into the scene; invisible but for the map. */
+  /** To be added to the scene; invisible except for the map. */
   readonly object: Mesh<PlaneGeometry, ShadowMaterial>;
   /** Middle of the square on the ground. */
   readonly centre = new Vector2();
@@ -90,7 +90,7 @@ export class ShadeMap {
     setShadowTaps(this.object.material, taps);
   }
 
-  /** Places the occluders of a character; `null` if it gives no shade. `stature` as in `fit.ts`. */
+  /** Places the occluders of a character; `null` if it casts no shade. `stature` as in `fit.ts`. */
   setOccluder(who: "body" | "ghost", world: WorldPose | null, stature: number): void {
     const occluders = who === "body" ? this.#body : this.#ghost;
     if (world) placeOccluders(occluders, world, stature);
@@ -109,7 +109,7 @@ export class ShadeMap {
     renderer.setRenderTarget(null);
   }
 
-  /** Compiles what draws the map and the light's shadow map, as they are in a scene; resolves when it is done. */
+  /** Compiles the materials of the map and of the light's shadow map, as they are in a scene. Resolves when it is done. */
   async compile(renderer: WebGLRenderer, scene: Scene): Promise<void> {
     renderer.setRenderTarget(this.#target);
     const compiling: Promise<unknown>[] = [renderer.compileAsync(this.object, this.#camera, scene)];

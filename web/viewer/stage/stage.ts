@@ -1,4 +1,4 @@
-/** Everything in the scene but the characters, and where its picture goes. */
+/** Everything in the scene except the characters, and the output of its picture. */
 
 import { type Object3D, Plane, Raycaster, Scene, Vector2, Vector3 } from "three";
 import { Lights } from "../light/lights";
@@ -15,30 +15,30 @@ import { type Drawn, Screen, type Size } from "./screen";
 import { ShadeMap } from "./shade_map";
 import { otherTasks } from "./tasks";
 
-/** Attribute of a canvas on which the finer picture of what stands still is: there is nothing left to draw. */
+/** Attribute of a canvas that shows the finer picture of a still scene: there is nothing left to draw. */
 const STILL = "data-still";
 
-/** Longest waits for the graphics processor to become idle before shaders are queried, milliseconds. */
+/** Longest waits for the GPU to become idle before shaders are queried, milliseconds. */
 const TIMEOUT_MS = { first: 300, later: 2000 };
 
 /** Options of a stage. */
 export interface StageOptions {
-  /** Of {@link QUALITY_LEVELS}, to begin with; by default what the renderer suggests. */
+  /** Initial index into {@link QUALITY_LEVELS}; by default chosen for the renderer. */
   level?: number | undefined;
-  /** What is drawn on, shared with others; by default one of its own. */
+  /** The screen to draw on, shared with others; by default one of its own. */
   screen?: Screen | undefined;
-  /** What the camera shows; by default one character. */
+  /** Range of the camera; by default for one character. */
   camera?: CameraRange;
-  /** Whether there is no ground, shade, footprint or path: the scene brings its own, and no shadow map is drawn. */
+  /** Whether there is no ground, shade, footprint or path: the scene has its own, and no shadow map is drawn. */
   bare?: boolean;
 }
 
 /**
- * Scene, camera, light and ground. A stage with a screen of its own shows the screen's canvas. On a screen that it shares it
+ * Scene, camera, light and ground. A stage with a screen of its own shows the screen's canvas. On a shared screen it
  * draws in the corner of that canvas and copies the picture to a canvas of its own, unless it is alone there.
  */
 export class Stage implements Drawn {
-  /** What takes pointers and keys, and what a screen reader finds. */
+  /** The element that receives pointers and keys, and that screen readers find. */
   readonly canvas: HTMLCanvasElement;
   readonly scene = new Scene();
   readonly shade = new ShadeMap();
@@ -49,15 +49,15 @@ export class Stage implements Drawn {
   readonly view: OrbitCamera;
   /** Called when the quality changes, and once at the start. */
   onQuality: ((level: QualityLevel) => void) | undefined;
-  /** Called when the picture must be drawn again: it has another size, or its context was lost and restored. */
+  /** Called when the picture must be drawn again: its size has changed, or its context was lost and restored. */
   onInvalid: (() => void) | undefined;
-  /** Called when a frame that was put off can be drawn, but only at once. */
+  /** Called when a postponed frame can be drawn, but only at once. */
   onIdle: (() => void) | undefined;
   readonly #root = document.createElement("div");
   readonly #screen: Screen;
   readonly #owns: boolean;
   readonly #bare: boolean;
-  /** The copy of the picture where the screen is shared. */
+  /** The copy of the picture if the screen is shared. */
   readonly #copy: CanvasRenderingContext2D | undefined;
   #alone = false;
   #level: number;
@@ -77,7 +77,7 @@ export class Stage implements Drawn {
   #covered = 0;
   /** Size of the picture, CSS pixels. */
   #size = { width: 1, height: 1 };
-  /** The same in pixels of the canvas. */
+  /** The size in pixels of the canvas. */
   #pixels = { width: 1, height: 1 };
 
   constructor(container: HTMLElement, { level, screen, camera, bare = false }: StageOptions = {}) {
@@ -88,9 +88,9 @@ export class Stage implements Drawn {
     this.#level = this.#screen.governor.level;
     this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
     if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
-    // Hidden until it has the size of the picture: what is seen must not move.
+    // Hidden until it has the size of the picture, so that nothing visible moves.
     this.canvas.style.cssText = `${IN_THE_CORNER};touch-action:pan-y;visibility:hidden`;
-    // It takes the arrow keys, which no picture does; its label says what is seen.
+    // The element handles the arrow keys, which an image does not; its label describes the picture.
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-keyshortcuts", "ArrowLeft ArrowRight ArrowUp ArrowDown + -");
     this.canvas.tabIndex = 0;
@@ -122,7 +122,7 @@ export class Stage implements Drawn {
     this.onInvalid?.();
   }
 
-  /** Whether nothing else draws on its screen: the screen's canvas is shown then, and nothing need be copied. */
+  /** Whether nothing else draws on its screen: the screen's canvas is shown then, without a copy. */
   set alone(alone: boolean) {
     if (this.#owns || alone === this.#alone) return;
     this.#alone = alone;
@@ -134,12 +134,12 @@ export class Stage implements Drawn {
     } else {
       canvas.remove();
       this.onInvalid?.();
-      // What is shown is copied at once, as the next frame may be long in coming.
+      // The displayed picture is copied at once, as the next frame may come late.
       this.onIdle?.();
     }
   }
 
-  /** Level of quality in force. */
+  /** Current level of quality. */
   get quality(): QualityLevel {
     return QUALITY_LEVELS[this.#level]!;
   }
@@ -149,7 +149,7 @@ export class Stage implements Drawn {
     this.#screen.governor.onFps = callback;
   }
 
-  /** What draws, by the name that the browser gives it. */
+  /** Name of the renderer as reported by the browser. */
   get drawnBy(): string {
     return this.#screen.drawnBy;
   }
@@ -160,8 +160,8 @@ export class Stage implements Drawn {
   }
 
   /**
-   * A copy of the picture; only right after it was drawn.
-   * @throws Error while the browser has taken the picture away: the copy would be empty
+   * A copy of the picture; valid only right after it was drawn.
+   * @throws Error while the context is lost: the copy would be empty
    */
   copy(): HTMLCanvasElement {
     if (this.#screen.isLost)
@@ -172,20 +172,20 @@ export class Stage implements Drawn {
     return copy;
   }
 
-  /** Copies the picture that the screen's canvas has in its lower left corner. */
+  /** Copies the picture in the lower left corner of the screen's canvas. */
   #copyTo(target: CanvasRenderingContext2D): void {
     const { width, height } = this.#pixels;
     const { canvas } = this.#screen;
     target.drawImage(canvas, 0, canvas.height - height, width, height, 0, 0, width, height);
   }
 
-  /** Triangles and draw calls of the last frame, shadow pass included. */
+  /** Triangles and draw calls of the last frame, including the shadow pass. */
   get cost(): { triangles: number; calls: number } {
     const { triangles, calls } = this.#screen.renderer.info.render;
     return { triangles, calls };
   }
 
-  /** Takes the theme's colours and light levels; nothing is rebuilt. */
+  /** Sets the theme's colours and light levels; nothing is rebuilt. */
   setTheme(theme: Theme): void {
     this.#theme = theme;
     for (const part of [this.#background, this.#ground, this.footprints, this.path]) part.setTheme(theme);
@@ -193,7 +193,7 @@ export class Stage implements Drawn {
     this.scene.environmentIntensity = theme.light.environment;
   }
 
-  /** Puts the settings of the present quality into force. */
+  /** Applies the settings of the current quality. */
   applyQuality(): void {
     this.#level = this.#screen.governor.level;
     const { quality } = this;
@@ -208,8 +208,8 @@ export class Stage implements Drawn {
   }
 
   /**
-   * Compiles what draws an object that is not the mannequin's, before it is put into the scene. Its materials are physical at
-   * every level of quality, and need the room.
+   * Compiles the materials of an object other than the mannequin before it is added to the scene. Its materials are
+   * physical at every level of quality, and need the room.
    */
   async prepare(object: Object3D): Promise<void> {
     this.#hasOthers = true;
@@ -217,19 +217,19 @@ export class Stage implements Drawn {
     await this.compileObject(object);
   }
 
-  /** Compiles what draws an object with materials of its own light, before it is put into the scene. */
+  /** Compiles the materials of an object that does not use the stage's lighting, before it is added to the scene. */
   async compileObject(object: Object3D): Promise<void> {
     await this.#screen.renderer.compileAsync(object, this.view.camera, this.scene);
   }
 
-  /** Compiles what will be drawn, one thing at a time and without waiting for it; nothing is drawn meanwhile. */
+  /** Compiles everything that will be drawn, one object at a time and without blocking; nothing is drawn meanwhile. */
   async compile(): Promise<void> {
     const turn = ++this.#compilation;
     const current = () => turn === this.#compilation && !this.#screen.isLost;
     this.#compiled = false;
     try {
       await this.#compileScene(current);
-      // The first picture must come soon; later ones may wait.
+      // The first picture is urgent; later ones may wait.
       await this.#screen.queryPrograms(turn === 1 ? TIMEOUT_MS.first : TIMEOUT_MS.later, current);
     } finally {
       if (turn === this.#compilation) {
@@ -252,12 +252,12 @@ export class Stage implements Drawn {
     await Promise.all(compiling);
   }
 
-  /** Goes to a view of something that faces `heading`, gliding unless the user asked for less motion. */
+  /** Moves to a view of a subject that faces `heading`, with a glide unless the user prefers reduced motion. */
   setView(view: CameraView, heading: number): void {
     this.view.setView(view, heading, !matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
-  /** Goes behind something that faces `heading`, and looks down on the ground ahead of it. */
+  /** Moves behind a subject that faces `heading`, looking down on the ground ahead of it. */
   setBehind(heading: number): void {
     this.view.orbitAt(
       { azimuth: heading + Math.PI, ...BEHIND },
@@ -265,32 +265,32 @@ export class Stage implements Drawn {
     );
   }
 
-  /** Whether the picture on screen is the finer one of what stands still. */
+  /** Whether the displayed picture is the finer one of a still scene. */
   get still(): boolean {
     return this.#still;
   }
 
-  /** Width of what lies over the right of the picture, CSS pixels: the camera looks past it. */
+  /** Width of the overlay at the right of the picture, CSS pixels: the camera centres the subject in the rest. */
   set covered(width: number) {
     this.#covered = width;
     this.#measure();
   }
 
-  /** Size at which pictures are made that leave the page, pixels, whatever place the picture has in it; `undefined` for that. */
+  /** Size of exported pictures, pixels, regardless of the displayed size; `undefined` for the displayed size. */
   set filmed(size: Readonly<Size> | undefined) {
     this.#filmed = size;
     this.#measure();
   }
 
-  /** Number of columns that the picture is divided into; the camera's picture fills one of them. */
+  /** Number of columns of the picture; the camera's picture fills one of them. */
   set columns(columns: number) {
     this.#columns = columns;
   }
 
   /**
-   * Begins a frame `dtSecs` after the last call, with more pixels if the picture stands `still`; whether it is
-   * to be drawn now. The graphics processor is given few frames at a time, and what it has to be asked is put off until it
-   * has nothing to do, unless the picture is needed `atOnce`.
+   * Begins a frame `dtSecs` after the last call, with more pixels if the picture is `still`. Returns whether it is to
+   * be drawn now. The GPU gets few frames at a time, and synchronous queries are postponed until it is idle, unless the
+   * picture is needed `atOnce`.
    */
   begin(dtSecs: number, still: boolean, atOnce = false): boolean {
     this.#elapsed += dtSecs;
@@ -315,17 +315,17 @@ export class Stage implements Drawn {
     return true;
   }
 
-  /** Ends a frame of which all columns were drawn. */
+  /** Ends a frame after all columns were drawn. */
   end(): void {
     this.#screen.addFrame();
     if (this.#copy && !this.#alone) this.#copyTo(this.#copy);
   }
 
-  /** Draws the scene into a column, the light on `subject`. */
+  /** Draws the scene into a column, with the light on `subject`. */
   render(subject: Vector3, column = 0): void {
     this.#lights.follow(subject, this.view.azimuth);
     if (!this.#bare) {
-      // The shade map's pass draws the light's shadow map too; the picture's pass finds it there.
+      // The shade map's pass also draws the light's shadow map, which the picture's pass reuses.
       this.#screen.renderer.shadowMap.needsUpdate = true;
       this.shade.render(this.#screen.renderer, this.scene, middle.lerpVectors(subject, this.view.target, 0.5));
       this.#ground.follow(this.view.target);
@@ -336,13 +336,13 @@ export class Stage implements Drawn {
     this.#screen.renderer.render(this.scene, this.view.camera);
   }
 
-  /** Place of a point of the world (metres) in the picture, CSS pixels from its top left. */
+  /** Position of a point of the world (metres) in the picture, CSS pixels from its top left. */
   project(point: Vector3): { x: number; y: number } {
     const p = projected.copy(point).project(this.view.camera);
     return { x: ((p.x + 1) / 2) * this.#size.width, y: ((1 - p.y) / 2) * this.#size.height };
   }
 
-  /** The place on the ground under a place of the picture, CSS pixels from its top left; `undefined` at the sky. */
+  /** The point on the ground under a point of the picture, CSS pixels from its top left; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined {
     const { width, height } = this.#size;
     pointer.set((2 * x) / width - 1, 1 - (2 * y) / height);
@@ -352,7 +352,7 @@ export class Stage implements Drawn {
   }
 
   dispose(): void {
-    // What was put off until the screen is idle may come after this.
+    // Work postponed until the screen is idle may run after this.
     this.onQuality = this.onInvalid = this.onIdle = undefined;
     this.#screen.remove(this);
     this.#observer.disconnect();
@@ -374,7 +374,7 @@ export class Stage implements Drawn {
     this.#root.remove();
   }
 
-  /** Size that the picture should have in pixels of the canvas; nothing while it is hidden. */
+  /** Size that the picture should have in pixels of the canvas; empty while it is hidden. */
   #wanted(still: boolean): Size {
     if (this.#filmed) return this.#filmed;
     const { clientWidth, clientHeight } = this.#root;
@@ -382,7 +382,7 @@ export class Stage implements Drawn {
     return { width: Math.floor(clientWidth * ratio), height: Math.floor(clientHeight * ratio) };
   }
 
-  /** Fits the camera to the place of the picture. */
+  /** Fits the camera to the element's size. */
   #measure(): void {
     const { clientWidth: width, clientHeight: height } = this.#root;
     if (!width || !height) return;
@@ -391,21 +391,21 @@ export class Stage implements Drawn {
     else this.view.resize(width / this.#columns, height, this.#covered);
   }
 
-  /** Fits the picture to its place. */
+  /** Fits the picture to the element's size. */
   #resize(): void {
     this.#measure();
     const { width, height } = this.#size;
     const pixels = this.#wanted(this.#still);
     if (pixels.width * pixels.height === 0) return;
     const { canvas } = this.#screen;
-    // Every assignment to the canvas's size gives it new memory: one each at most.
+    // Every assignment to the canvas's size allocates new memory, so each is assigned at most once.
     if (!this.#screen.fits(pixels.width, pixels.height)) this.#screen.resize(pixels.width, pixels.height);
     this.#pixels = pixels;
     if (this.#owns || this.#alone) {
       canvas.style.width = `${width}px`;
       canvas.style.height = `${height}px`;
       canvas.style.objectFit = this.#filmed ? "contain" : "";
-      // By a transform: for the browser another size would be a shift of the layout, though nothing moves.
+      // Scaled by a transform: the browser would count another size as a layout shift, although nothing moves.
       canvas.style.transform = `scale(${canvas.width / pixels.width}, ${canvas.height / pixels.height})`;
     }
     if (this.#copy) this.#fitCopy(width, height, pixels);
@@ -413,7 +413,7 @@ export class Stage implements Drawn {
     this.#screen.renderer.setScissorTest(true);
   }
 
-  /** Fits the canvas of the copy; it stays empty, and takes pointers and keys only, while the screen's own is shown. */
+  /** Fits the copy's canvas. While the screen's own canvas is shown, it stays empty and only receives pointers and keys. */
   #fitCopy(width: number, height: number, pixels: Size): void {
     const { canvas } = this;
     const wanted = this.#alone ? { width: 1, height: 1 } : pixels;
@@ -424,7 +424,7 @@ export class Stage implements Drawn {
   }
 }
 
-/** Style of a canvas of which the lower left part is seen. */
+/** Style of a canvas whose lower left part is visible. */
 const IN_THE_CORNER = "display:block;position:absolute;left:0;bottom:0;transform-origin:0 100%";
 /** The view from behind: radians above the ground, metres away. */
 const BEHIND = { elevation: 0.3, distance: 6.4 };

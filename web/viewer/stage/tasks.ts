@@ -1,4 +1,4 @@
-/** Lets the page do what it has to do besides: what takes long is done in tasks of its own. */
+/** Yields to other tasks of the page: long work is split into tasks. */
 export function otherTasks(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }

@@ -11,7 +11,7 @@ const session: OpenSources = {
 };
 const fault = new StrutError({ code: "fault", message: "The engine failed.", hint: "" });
 
-/** An engine that, as the real one, knows nothing of database and input after it failed twice. */
+/** A fake engine that, like the real one, has no database and input after it failed twice. */
 class FakeEngine {
   open: string[] = [];
   calls: string[] = [];

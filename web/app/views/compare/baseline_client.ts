@@ -14,7 +14,7 @@ import {
 import type { Session } from "../../../player/session";
 import { mixed, shares } from "./counterpart";
 
-/** What is open in Play, as far as this engine opens the same. */
+/** The objects open in Play that this engine opens, too. */
 export type OpenSources = Pick<Session, "database" | "databaseSource" | "inputName"> & {
   library: Pick<Session["library"], "source">;
 };
@@ -22,25 +22,25 @@ export type OpenSources = Pick<Session, "database" | "databaseSource" | "inputNa
 export class BaselineClient {
   readonly #start: () => Promise<StrutClient>;
   #starting: Promise<StrutClient> | undefined;
-  /** What the engine has open; nothing after it failed, because it may have closed everything. */
+  /** The objects open in the engine; empty after it failed, because it may have closed everything. */
   #database: DatabaseSource | undefined;
   #input = "";
-  /** Requests to open run one after another: the second finds open what the first has opened. */
+  /** Open requests run one after another: the second one finds what the first has opened. */
   #opening: Promise<unknown> = Promise.resolve();
-  /** Performances of the input by style; `undefined` for a style in which it was never performed. */
+  /** Performances of the input by style; `undefined` for a style in which it was not performed. */
   readonly #counterparts = new Map<string, Performed | undefined>();
 
-  /** @param start starts the engine, when it is needed first */
+  /** @param start starts the engine on first use */
   constructor(start: () => Promise<StrutClient> = createCompareClient) {
     this.#start = start;
   }
 
-  /** The whole input in options whose method only this engine has. */
+  /** The whole input with options whose method only this engine has. */
   style(session: OpenSources, options: StylizeOptions, call: CallOptions) {
     return this.#ask(session, call, (client) => client.style(options, call));
   }
 
-  /** The input as it really is in a mixture of styles; `undefined` where a style of it was never performed. */
+  /** The input as performed in a mixture of styles; `undefined` if it was not performed in one of them. */
   counterpart(session: OpenSources, weights: StyleWeights, call: CallOptions): Promise<Performed | undefined> {
     return this.#ask(session, call, async (client) => {
       const { styles, neutral } = session.database!;
@@ -55,7 +55,7 @@ export class BaselineClient {
     });
   }
 
-  /** The search by kd-trees over the whole input, beside the exact one. */
+  /** Compares the search by kd-trees with the exact one over the whole input. */
   compareSearch(
     session: OpenSources,
     neighbours: number,
@@ -74,7 +74,7 @@ export class BaselineClient {
     this.#forgetOpen();
   }
 
-  /** Asks the engine once it has open what the session has; after a fault everything is opened again by the next call. */
+  /** Calls the engine after opening what the session has open. After a fault the next call opens everything again. */
   async #ask<T>(session: OpenSources, call: CallOptions, ask: (client: StrutClient) => Promise<T>): Promise<T> {
     try {
       return await ask(await this.#opened(session, call));

@@ -1,10 +1,10 @@
-/** The choices of a list, changed only where they differ, so that a list that is open stays open. */
+/** Updates the options of a list only if they differ, so that an open list stays open. */
 import { html } from "../../../ui/dom";
 
-/** A choice: its value, and what the list says. */
+/** An option: its value and its text. */
 export type Choice = readonly [value: string, text: string];
 
-/** Shows these choices in a list, with one of them chosen. */
+/** Shows these options in a list, with one of them selected. */
 export function showChoices(list: HTMLSelectElement, choices: readonly Choice[], chosen: string): void {
   const { options } = list;
   const same =

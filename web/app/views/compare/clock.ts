@@ -1,7 +1,7 @@
-/** The one clock of all columns. Pure. */
+/** The common clock of all columns. Pure functions. */
 import type { FrameRange } from "../../../client/protocol";
 
-/** How the clock runs. */
+/** Settings of the clock. */
 export interface Running {
   speed: number;
   rateHz: number;
@@ -10,11 +10,11 @@ export interface Running {
   loop: boolean;
 }
 
-/** Where the clock stands after a step. */
+/** Position of the clock after a step. */
 export interface Advanced {
   /** Fractional input frame. */
   frame: number;
-  /** Whether it went back to the first frame, or stopped at the last. */
+  /** Whether it returned to the first frame, or stopped at the last. */
   event: "restarted" | "ended" | undefined;
 }
 

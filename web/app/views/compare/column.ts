@@ -1,4 +1,4 @@
-/** A column of the Compare view: what it shows, above the picture, and its live figures, below. */
+/** A column of the Compare view: its title above the picture, and its live measurements below. */
 
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
@@ -16,7 +16,7 @@ const ROWS: readonly { field: keyof Figures; unit: string; digits: number; full:
   { field: "cost", unit: "ms", digits: 2, full: 1 },
 ];
 
-/** Figures whose smallest value is the best one and stands out. */
+/** Measurements whose smallest value is the best and is highlighted. */
 const LESS_IS_BETTER: readonly (keyof Figures)[] = ["skate", "cost"];
 
 export interface ColumnListeners {
@@ -30,7 +30,7 @@ export class CompareColumn {
   readonly #caption = html("p", { class: "caption" });
   readonly #rows: { term: HTMLElement; bar: HTMLElement; value: HTMLElement }[];
 
-  /** @param place number of the column, from 1 at the left */
+  /** @param place index of the column, from 1 at the left */
   constructor(
     readonly name: ColumnName,
     place: number,
@@ -79,8 +79,8 @@ export class CompareColumn {
   }
 
   /**
-   * Shows the figures of the instant, `undefined` while the column is being styled; the best of a row stands out. Against
-   * the real counterpart a difference is an error.
+   * Shows the measurements at the current instant, `undefined` while the column is being styled. The best of a row is
+   * highlighted. Compared with the real counterpart, a difference is an error.
    */
   showFigures(figures: Figures | undefined, all: readonly (Figures | undefined)[], real: boolean): void {
     for (const [i, { field, unit, digits, full }] of ROWS.entries()) {

@@ -15,7 +15,7 @@ const MOTION: ColumnMotion = {
 const failure = (code: "fault" | "cancelled" | "bad-input") =>
   new StrutError({ code, message: "It failed.", hint: "" });
 
-/** Columns whose motions were asked for, in order, with the answers that are outstanding. */
+/** Requested motions of columns, in order, with their pending answers. */
 let asked: ColumnName[];
 let answers: { resolve(motion: ColumnMotion | undefined): void; reject(error: unknown): void }[];
 let cancelled: number;
@@ -45,7 +45,7 @@ const state = (style = "old") => ({ ...initialState(), styles: [{ name: style, w
 const requests = (columns: readonly ColumnName[], style?: string): MotionRequest[] =>
   columns.flatMap((column) => motionRequest(column, state(style), "neutral") ?? []);
 const settle = () => vi.advanceTimersByTimeAsync(200);
-/** Answers what was asked for last. */
+/** Answers the last request. */
 async function answer(): Promise<void> {
   answers.at(-1)!.resolve(MOTION);
   await settle();

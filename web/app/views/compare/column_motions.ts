@@ -1,27 +1,27 @@
-/** The motions of the columns: each is made once, when a column first needs it, and kept while one shows it. */
+/** The motions of the columns. Each is made once, when a column first needs it, and kept while a column shows it. */
 import { type InputInfo, isCancellation, isFault } from "../../../client/protocol";
 import { measure } from "../../../player/measured";
 import type { MotionRequest } from "./columns";
 import type { ColumnMotion, MeasuredMotion } from "./figures";
 
-/** Nothing is made until the requests have not changed for so long. */
+/** Motions are made when the requests have not changed for this time. */
 const SETTLE_MS = 150;
 
-/** The input of all columns, and the bone offsets that it is performed with: 21 × xyz, metres. */
+/** The input of all columns, and its bone offsets: 21 × xyz, metres. */
 export interface ComparedInput {
   input: InputInfo;
   proportions: ArrayLike<number>;
 }
 
-/** What makes motions. */
+/** Makes motions. */
 export interface MotionMaker {
-  /** The motion that is requested; `undefined` where there is none. */
+  /** Makes the requested motion; `undefined` if there is none. */
   make(request: MotionRequest): Promise<ColumnMotion | undefined>;
-  /** Cancels what is being made: its promise rejects. */
+  /** Cancels the current motion: its promise rejects. */
   cancel(): void;
-  /** A motion is there. */
+  /** Called when a motion is finished. */
   onMade(): void;
-  /** A motion could not be made; cancellations are not reported. */
+  /** Called when a motion could not be made; cancellations are not reported. */
   onError(error: unknown): void;
 }
 
@@ -29,11 +29,11 @@ export class ColumnMotions {
   readonly #maker: MotionMaker;
   #of: ComparedInput | undefined;
   #requests: readonly MotionRequest[] = [];
-  /** Motions by their key; `undefined` where there is none. */
+  /** Motions by their key; `undefined` for a key without a motion. */
   readonly #motions = new Map<string, MeasuredMotion | undefined>();
-  /** Keys of motions that failed or were cancelled: they are not made again until another motion is requested. */
+  /** Keys of motions that failed or were cancelled. They are not made again until another motion is requested. */
   readonly #failed = new Set<string>();
-  /** Key of the motion that is being made. */
+  /** Key of the motion in progress. */
   #making: string | undefined;
   #settle: ReturnType<typeof setTimeout> | undefined;
   #paused = false;
@@ -42,17 +42,17 @@ export class ColumnMotions {
     this.#maker = maker;
   }
 
-  /** The motion of a key; `undefined` until it is made, and where there is none. */
+  /** The motion of a key; `undefined` until it is made, and if there is none. */
   get(key: string): MeasuredMotion | undefined {
     return this.#motions.get(key);
   }
 
-  /** Whether it is known that a key has no motion. */
+  /** Whether a key is known to have no motion. */
   isMissing(key: string): boolean {
     return this.#motions.has(key) && this.#motions.get(key) === undefined;
   }
 
-  /** Makes the motions that are missing. Nothing happens while input and requests are the same as before. */
+  /** Makes the missing motions. Does nothing while input and requests are unchanged. */
   request(of: ComparedInput, requests: readonly MotionRequest[]): void {
     const sameInput = this.#of?.input === of.input;
     if (sameInput && keysOf(requests) === keysOf(this.#requests)) return;
@@ -64,14 +64,14 @@ export class ColumnMotions {
     this.#makeSoon();
   }
 
-  /** Stops making motions until {@link resume}; those that are made stay. */
+  /** Stops making motions until {@link resume}; finished ones are kept. */
   pause(): void {
     this.#paused = true;
     clearTimeout(this.#settle);
     this.#stop();
   }
 
-  /** Makes what is still missing, also what failed. */
+  /** Makes the missing motions, including those that failed. */
   resume(): void {
     this.#paused = false;
     this.#failed.clear();
@@ -93,7 +93,7 @@ export class ColumnMotions {
     }, SETTLE_MS);
   }
 
-  /** Makes the missing motions one after the other; requests that are to settle wait. */
+  /** Makes the missing motions one after another; new requests wait until they settle. */
   async #makeNext(): Promise<void> {
     const of = this.#of;
     const next = this.#requests.find(({ key }) => !this.#motions.has(key) && !this.#failed.has(key));
@@ -118,7 +118,7 @@ export class ColumnMotions {
     await this.#makeNext();
   }
 
-  /** Retries once after an engine fault: the engine has been restarted. */
+  /** Retries once after an engine fault, when the engine has been restarted. */
   #make(request: MotionRequest): Promise<ColumnMotion | undefined> {
     return this.#maker.make(request).catch((error) => {
       if (!isFault(error)) throw error;
@@ -126,7 +126,7 @@ export class ColumnMotions {
     });
   }
 
-  /** Forgets what no column shows: the motions of long clips are large. */
+  /** Removes motions that no column shows: the motions of long clips are large. */
   #forgetUnused(): void {
     const used = new Set(this.#requests.map(({ key }) => key));
     for (const key of this.#motions.keys()) if (!used.has(key)) this.#motions.delete(key);

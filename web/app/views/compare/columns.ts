@@ -1,18 +1,18 @@
-/** The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure. */
+/** The columns of the Compare view: the input, a method, the real counterpart, or one of the two settings. Pure functions. */
 import { type StyleWeights, type StylizeOptions, TRAINED_METHODS } from "../../../client/protocol";
 import { engineOptions } from "../../../link/engine_options";
 import { type AppState, fromHash } from "../../state/state";
 
 import { strings } from "../../strings/strings";
 
-/** What a column may show, as the URL names it. */
+/** Contents of a column, as named in the URL. */
 export const COLUMN_NAMES = ["input", "mar", "lar", "knn", "nn", ...TRAINED_METHODS, "real", "a", "b"] as const;
 export type ColumnName = (typeof COLUMN_NAMES)[number];
 
-/** Minimum number of columns. */
+/** Fewest columns. */
 export const MIN_COLUMNS = 1;
 
-/** What a column shows, in a line. */
+/** The contents of a column in one line. */
 export function columnCaption(column: ColumnName, input: string, { k }: AppState): string {
   const { captions } = strings.compare;
   switch (column) {
@@ -43,7 +43,7 @@ export function columnOptions(column: ColumnName, state: AppState, neutral: stri
   return engineOptions(fromHash(state.other), neutral);
 }
 
-/** What a column's motion is made of. Motions with the same key are the same. */
+/** The request for a column's motion. Requests with equal keys give equal motions. */
 export type MotionRequest = { column: ColumnName; key: string } & (
   | { kind: "style"; options: StylizeOptions }
   | { kind: "counterpart"; styles: StyleWeights | undefined }
@@ -59,7 +59,7 @@ export function motionRequest(column: ColumnName, state: AppState, neutral: stri
   return options && { column, key: JSON.stringify(options), kind: "style", options };
 }
 
-/** The mixture that the real counterpart performs; `undefined` where the style changes over body or time. */
+/** The mixture that the real counterpart performs; `undefined` if the style varies over the body or over time. */
 export function counterpartStyles(state: AppState, neutral: string): StyleWeights | undefined {
   const { styles, parts, track } = engineOptions(state, neutral);
   return track.length === 0 && Object.keys(parts).length === 0 ? styles : undefined;

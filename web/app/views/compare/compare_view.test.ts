@@ -1,4 +1,4 @@
-/** What the Compare view holds, a second engine and a viewer, is released where nobody needs it any more. */
+/** The Compare view releases its resources, a second engine and a viewer, when they are no longer needed. */
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { StrutClient } from "../../../client/protocol";
 import { JOINTS, POSE_FLOATS } from "../../../humanoid";
@@ -8,7 +8,7 @@ import { initialState } from "../../state/state";
 import { Store } from "../../state/store";
 import type { View, ViewHost } from "../../view";
 
-/** What is held: an entry for every engine and viewer that was made and not disposed of. */
+/** An entry for every engine and viewer that was made and not disposed of. */
 const held = vi.hoisted(() => new Set<string>());
 
 vi.mock("../../../viewer/side_by_side_viewer", () => ({
@@ -40,7 +40,7 @@ vi.mock("../../../client/compare/client", () => ({
   },
 }));
 
-/** An element, as far as the view asks it. */
+/** A fake element with the properties that the view uses. */
 class FakeElement {
   value = "";
   hidden = false;
@@ -79,7 +79,7 @@ const session = {
   library: { builtIn: ["walk"], dropped: [], clips: [], isDropped: () => false, source: () => ({}) },
 } as unknown as Session;
 
-/** The Compare view among the views of a page, after its engine and its viewer were made. */
+/** The Compare view as a view of a page, after its engine and its viewer were made. */
 async function shownView() {
   const store = new Store({ ...initialState(), columns: ["input"], behind: "real" });
   const takeOver = vi.fn();
@@ -101,7 +101,7 @@ async function shownView() {
 }
 
 beforeEach(() => {
-  // A task of its own is a timer as well, and goes on.
+  // Yielding to other tasks uses a timer, too, which must continue.
   vi.useFakeTimers({ shouldAdvanceTime: true });
   held.clear();
   const create = () => new FakeElement();

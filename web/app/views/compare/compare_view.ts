@@ -1,4 +1,4 @@
-/** The Compare view: the same instant of one motion in several ways, side by side. */
+/** The Compare view: the same instant of one motion by several methods, side by side. */
 
 import "./compare.css";
 import type { InputInfo } from "../../../client/protocol";
@@ -43,7 +43,7 @@ export function createView(host: ViewHost): View {
   return new CompareView(host);
 }
 
-/** Time between two updates of the figures, so that they can be read. */
+/** Time between two updates of the measurements, so that they are readable. */
 const FIGURES_MS = 120;
 
 class CompareView implements View {
@@ -83,11 +83,11 @@ class CompareView implements View {
   });
   #columns: CompareColumn[] = [];
   #viewer: SideBySideViewer | undefined;
-  /** What each column, and the figure behind, requests in the present state. */
+  /** The requests of each column, and of the figure behind, in the current state. */
   #requests = new Map<ColumnName, MotionRequest>();
   #comparison: Comparison | undefined;
   #measuredInput: MeasuredMotion | undefined;
-  /** The input whose motions are shown. */
+  /** The input whose motions are displayed. */
   #openInput: InputInfo | undefined;
   #frame = 0;
   #lastTick = 0;
@@ -95,9 +95,9 @@ class CompareView implements View {
   #request = 0;
   #listening = new AbortController();
   #shown = false;
-  /** What the state said last of the playhead. */
+  /** The last state of the playhead. */
   #followed: Pick<AppState, "playing" | "frame">;
-  /** The frame whose poses the viewer has; `undefined` if they must be set again. */
+  /** The frame whose poses are set in the viewer; `undefined` if they must be set again. */
   #drawnFrame: number | undefined;
 
   constructor(host: ViewHost) {
@@ -179,8 +179,8 @@ class CompareView implements View {
   }
 
   /**
-   * Where nobody has chosen an input and the database is recorded, a clip of it is compared: what is computed is so like itself
-   * that a copied frame wins.
+   * If the user has not chosen an input and the database is recorded, a clip of it is compared. Generated motions are
+   * so similar to each other that copying a frame would be the best method.
    */
   #beginWithRecording(): void {
     const { store, session } = this.#host;
@@ -206,7 +206,7 @@ class CompareView implements View {
     this.#baselines.dispose();
   }
 
-  /** Shows what is open and what the state asks for. */
+  /** Shows the open objects and the state. */
   refresh(): void {
     const { session } = this.#host;
     const { database, input } = session;
@@ -319,7 +319,7 @@ class CompareView implements View {
     if (this.#viewer) this.#viewer.description = pictureOf(this.#comparison);
   }
 
-  /** The column that is drawn behind the others; `undefined` for none. */
+  /** The column drawn behind the others; `undefined` for none. */
   get #behindName(): ColumnName | undefined {
     return COLUMN_NAMES.find((name) => name === this.#behind.value);
   }
@@ -341,25 +341,25 @@ class CompareView implements View {
     );
   }
 
-  /** The motion of a column; `undefined` until it is made, and where there is none. */
+  /** The motion of a column; `undefined` until it is made, and if there is none. */
   #motionOf(name: ColumnName | undefined): MeasuredMotion | undefined {
     if (!name) return undefined;
     return name === "input" ? this.#measuredInput : this.#motions.get(this.#requests.get(name)?.key ?? "");
   }
 
-  /** Whether it is known that a column has no motion. */
+  /** Whether a column is known to have no motion. */
   #isMissing(name: ColumnName): boolean {
     const request = this.#requests.get(name);
     return request !== undefined && this.#motions.isMissing(request.key);
   }
 
-  /** A motion has been made: words and figures may be others. */
+  /** Updates texts and measurements after a motion was made. */
   #showMade(): void {
     this.#drawnFrame = undefined;
     this.#showWords(this.#host.store.state, this.#host.session);
   }
 
-  /** Goes where a link, undo or a pause puts the playhead; while it plays, the state has no frame. */
+  /** Moves the clock to the playhead set by a link, undo or a pause; during playback the state has no frame. */
   #followPlayhead(state: AppState): void {
     const { playing, frame } = this.#followed;
     if (!state.playing && (playing || state.frame !== frame)) this.#frame = state.frame;

@@ -3,7 +3,7 @@ import type { Performed } from "../../../client/protocol";
 import { restPose } from "../../../humanoid";
 import { mixed, shares } from "./counterpart";
 
-/** One frame in which the hips are turned by some degrees about +Y. */
+/** A single frame in which the hips are rotated by `degrees` about +Y. */
 function turned(degrees: number, secs: number, sign = 1): Performed {
   const pose = restPose();
   const half = (degrees * Math.PI) / 360;

@@ -1,9 +1,9 @@
-/** The real counterpart of a transfer: the input as it was performed in a style, or in a mixture of styles. Pure. */
+/** The real counterpart of a transfer: the input as performed in a style, or in a mixture of styles. Pure functions. */
 
 import type { Performed, StyleWeights } from "../../../client/protocol";
 import { POSE_FLOATS } from "../../../humanoid";
 
-/** The styles that take part, neutral among them, with weights that sum to 1; in the order of the database. */
+/** The styles of a mixture, including neutral, with weights that sum to 1; in the order of the database. */
 export function shares(
   weights: StyleWeights,
   styles: readonly string[],
@@ -15,7 +15,7 @@ export function shares(
     .filter(({ weight }) => Math.abs(weight) > 1e-6);
 }
 
-/** The weighted mean of performances of one content; feet are planted as in that of the largest weight. */
+/** The weighted mean of performances of one content; the contacts are those of the performance with the largest weight. */
 export function mixed(performances: readonly (Performed & { weight: number })[]): Performed {
   const [first] = performances;
   if (!first || performances.length === 1) return first ?? EMPTY;
@@ -36,7 +36,7 @@ export function mixed(performances: readonly (Performed & { weight: number })[])
 
 const EMPTY: Performed = { poses: new Float32Array(0), timeOut: new Float32Array(0), planted: new Uint8Array(0) };
 
-/** Adds a weighted pose to a sum; quaternions are negated where they lie in the other hemisphere than those of `like`. */
+/** Adds a weighted pose to a sum. Quaternions are negated if they are in the opposite hemisphere of those of `like`. */
 function addPose(sum: Float32Array, pose: Float32Array, like: Float32Array, at: number, weight: number): void {
   for (let k = at; k < at + 3; k++) sum[k]! += weight * pose[k]!;
   for (let q = at + 3; q < at + POSE_FLOATS; q += 4) {

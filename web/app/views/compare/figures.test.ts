@@ -6,7 +6,7 @@ import { figuresAt, type MeasuredMotion } from "./figures";
 const FRAMES = 120;
 const RATE_HZ = 60;
 
-/** A T-pose that slides along z as `z(seconds)` says, turned by `heading` about +Y; output is `slower` times as long. */
+/** A T-pose that moves along z by `z(seconds)`, rotated by `heading` about +Y; the output is `slower` times as long. */
 function sliding(z: (secs: number) => number, { heading = 0, slower = 1, planted = 1 } = {}): MeasuredMotion {
   const poses = new Float32Array(FRAMES * POSE_FLOATS);
   for (let f = 0; f < FRAMES; f++) {

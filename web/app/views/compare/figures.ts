@@ -1,13 +1,13 @@
-/** Figures of a motion at an instant, measured from poses, times and planted feet. Pure. */
+/** Measurements of a motion at an instant, from poses, times and contacts. Pure functions. */
 import { JOINT, JOINTS } from "../../../humanoid";
 import { type Measured, meanDistance } from "../../../player/measured";
 
-/** A motion, frame for frame with its input. */
+/** A motion that corresponds to its input frame by frame. */
 export interface ColumnMotion {
   poses: Float32Array;
   /** Output time of each frame, seconds. */
   timeOut: Float32Array;
-  /** Planted feet, left and right interleaved. */
+  /** Foot contacts, left and right interleaved. */
   planted: Uint8Array;
   /** Mean cost of a frame in the engine, milliseconds; `undefined` for the input. */
   frameMs: number | undefined;
@@ -16,13 +16,13 @@ export interface ColumnMotion {
 /** A motion of a column with the positions of its joints. */
 export type MeasuredMotion = Measured<ColumnMotion>;
 
-/** The figures under a column; `undefined` where there is nothing to measure. */
+/** The measurements below a column; `undefined` where nothing can be measured. */
 export interface Figures {
-  /** Mean distance of the joints from the reference's, hips and heading aside, centimetres. */
+  /** Mean distance of the joints from the reference's, regardless of hips and heading, centimetres. */
   difference: number | undefined;
-  /** By how much the output is later than the reference's, milliseconds. */
+  /** Time offset of the output from the reference's, milliseconds. */
   later: number | undefined;
-  /** Mean speed over the ground of planted feet around the instant, cm/s. */
+  /** Mean ground speed of planted feet around the instant, cm/s. */
   skate: number | undefined;
   /** Mean jerk of the joints around the instant as a multiple of the input's. */
   jerk: number | undefined;
@@ -30,10 +30,10 @@ export interface Figures {
   cost: number | undefined;
 }
 
-/** Skate and jerk are means over so many frames before and after the instant: half a second at 60 Hz. */
+/** Foot skate and jerk are means over this many frames before and after the instant: half a second at 60 Hz. */
 const AROUND = 30;
 
-/** The figures of a motion at an input frame; the reference is what it is compared with. */
+/** The measurements of a motion at an input frame, compared with the reference. */
 export function figuresAt(
   motion: MeasuredMotion,
   input: MeasuredMotion,
@@ -58,7 +58,7 @@ const window = ({ frames }: MeasuredMotion, f: number): [number, number] => [
   Math.min(frames - 1, f + AROUND),
 ];
 
-/** Mean speed over the ground of planted feet, cm/s; `undefined` where none is planted. */
+/** Mean ground speed of planted feet, cm/s; `undefined` if no foot is planted. */
 function footSkate(motion: MeasuredMotion, frame: number): number | undefined {
   const { world, planted, timeOut } = motion;
   const [from, to] = window(motion, frame);
@@ -69,7 +69,7 @@ function footSkate(motion: MeasuredMotion, frame: number): number | undefined {
       [1, JOINT.right_foot, JOINT.right_toes],
     ] as const) {
       if (planted[2 * f + side] !== 1 || planted[2 * (f + 1) + side] !== 1) continue;
-      // A foot rolls on its heel or on its ball: the joint that moves less is the one that stands.
+      // A foot rolls on its heel or on its ball: the joint that moves less is in contact.
       travel += Math.min(...[foot, toes].map((joint) => groundTravel(world, f, joint)));
       secs += timeOut[f + 1]! - timeOut[f]!;
     }
@@ -82,7 +82,7 @@ function groundTravel(world: Float32Array, frame: number, joint: number): number
   return Math.hypot(world[b]! - world[a]!, world[b + 2]! - world[a + 2]!);
 }
 
-/** Mean magnitude of the joints' third derivative, m/s³; `undefined` where there are too few frames. */
+/** Mean magnitude of the joints' third derivative, m/s³; `undefined` if there are too few frames. */
 function meanJerk(motion: MeasuredMotion, frame: number): number | undefined {
   const { world, timeOut } = motion;
   const [from, to] = window(motion, frame);

@@ -5,7 +5,7 @@ import { SearchMeasurement, type SearchRequest } from "./search_measurement";
 const FIGURES: SearchFigures = { recall: 0.9, exactMs: 0.2, treesMs: 0.4 };
 const request: SearchRequest = { input: {} as InputInfo, neighbours: 40, candidates: 160 };
 
-/** A measurement whose meter answers when the test does. */
+/** A measurement whose meter answers on the test's request. */
 function measured() {
   const calls: { call: CallOptions; resolve(figures: SearchFigures): void; reject(error: unknown): void }[] = [];
   const errors: unknown[] = [];

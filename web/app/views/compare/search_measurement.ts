@@ -1,29 +1,29 @@
-/** What is measured of the search by kd-trees on the input, once for each request. */
+/** Measurements of the search by kd-trees on the input, once per request. */
 import { type CallOptions, type InputInfo, isCancellation, type SearchFigures } from "../../../client/protocol";
 
-/** What is to be measured. */
+/** The search to measure. */
 export interface SearchRequest {
   input: InputInfo;
-  /** Neighbours that are looked for in every class. */
+  /** Number of neighbours in every class. */
   neighbours: number;
-  /** Candidates of every kd-tree. */
+  /** Number of candidates from every kd-tree. */
   candidates: number;
 }
 
-/** What measures. */
+/** Measures searches. */
 export interface SearchMeter {
-  /** The figures of a request; `undefined` where there are none. */
+  /** The measurements of a request; `undefined` if there are none. */
   measure(request: SearchRequest, call: CallOptions): Promise<SearchFigures | undefined>;
-  /** Figures are there, or measuring has come farther. */
+  /** Called when results have arrived, or the progress has changed. */
   onChange(): void;
-  /** The figures could not be had; cancellations are not reported. */
+  /** Called when measuring failed; cancellations are not reported. */
   onError(error: unknown): void;
 }
 
 export class SearchMeasurement {
-  /** The figures of the present request; `undefined` until they are there. */
+  /** The results of the current request; `undefined` until they arrive. */
   figures: SearchFigures | undefined;
-  /** How far measuring has come, 0–1. */
+  /** Progress of the measurement, 0–1. */
   fraction = 0;
   readonly #meter: SearchMeter;
   #request: SearchRequest | undefined;
@@ -33,7 +33,7 @@ export class SearchMeasurement {
     this.#meter = meter;
   }
 
-  /** Measures what is requested, `undefined` for nothing; nothing happens while the request is the same as before. */
+  /** Measures a request, `undefined` for none. Does nothing while the request is unchanged. */
   request(request: SearchRequest | undefined): void {
     if (isSame(request, this.#request)) return;
     this.stop();
@@ -42,7 +42,7 @@ export class SearchMeasurement {
     if (request) void this.#measure(request);
   }
 
-  /** Stops measuring; the next request begins anew unless the figures are there. */
+  /** Stops measuring; the next request restarts it unless there are results. */
   stop(): void {
     this.#running?.abort();
     this.#running = undefined;

@@ -1,4 +1,4 @@
-/** The search for neighbours: which one is shown beside the exact one, what it finds and how long it takes. */
+/** The search for neighbours: which one is compared with the exact one, its recall and its time. */
 
 import type { SearchFigures } from "../../../client/protocol";
 import { icon } from "../../../ui/controls/icons";
@@ -8,13 +8,13 @@ import { strings } from "../../strings/strings";
 
 const words = strings.compare.search;
 
-/** What the strip shows. */
+/** Contents of the strip. */
 export interface ShownSearch {
   search: SearchName;
-  /** Neighbours that are looked for in every class. */
+  /** Number of neighbours in every class. */
   neighbours: number;
   figures: SearchFigures | undefined;
-  /** How far measuring has come, 0–1. */
+  /** Progress of the measurement, 0–1. */
   fraction: number;
 }
 
@@ -55,13 +55,13 @@ export class SearchStrip {
   }
 }
 
-/** What a search finds, and its time. */
+/** Recall and time of a search. */
 interface Found {
   recall: number;
   ms: number;
 }
 
-/** The figures of one search; the better of two stands out. */
+/** The results of one search; the better of two is highlighted. */
 class SearchRow {
   readonly element: HTMLElement;
   readonly #at = html("span", {});
@@ -93,7 +93,7 @@ function noteOf({ search, neighbours, figures, fraction }: ShownSearch): string 
   return figures ? words.columnsNote : words.measuring(Math.round(100 * fraction));
 }
 
-/** A share with three decimals; what is not all never reads as 1. */
+/** A share with three decimals; a share below 1 is never rounded to 1. */
 function shareText(share: number): string {
   return formatNumber(share < 1 ? Math.min(share, 0.999) : 1, 3);
 }

@@ -1,29 +1,29 @@
-/** What the Compare view says about its columns. Pure. */
+/** Sentences of the Compare view about its columns. Pure functions. */
 import { strings } from "../../strings/strings";
 import { capitalised, numberWord } from "../../ui/words";
 import type { ColumnName } from "./columns";
 
 const words = strings.compare;
 
-/** What is compared. */
+/** Contents of the comparison. */
 export interface Comparison {
   /** The columns from left to right. */
   columns: readonly ColumnName[];
   /** The column whose figure is drawn behind the others. */
   behind: ColumnName | undefined;
-  /** Name of the input, and of the style that it is given. */
+  /** Name of the input, and of its target style. */
   input: string;
   manner: string;
-  /** Whether it is known that a column has no motion. */
+  /** Whether a column is known to have no motion. */
   isMissing(column: ColumnName): boolean;
 }
 
-/** The heading: how many ways are compared. */
+/** The heading: how many methods are compared. */
 export function titleOf({ columns }: Comparison): string {
   return columns.length === 1 ? words.one : words.several(numberWord(columns.length));
 }
 
-/** What goes in and comes out, and what the tinted figure is. */
+/** The input and the output, and the meaning of the tinted figure. */
 export function summaryOf(comparison: Comparison): string {
   const { input, manner } = comparison;
   return `${words.transfer(capitalised(input), manner)} ${tintedFigure(comparison)}`.trimEnd();

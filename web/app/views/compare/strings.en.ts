@@ -1,4 +1,4 @@
-/** What the Compare view says. */
+/** Texts of the Compare view. */
 export const compare = {
   one: "The same second",
   several: (count: string) => `The same second, ${count} ways`,

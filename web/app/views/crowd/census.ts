@@ -1,22 +1,22 @@
-/** Who walks how: people by style, now and over the last minute. */
+/** Counts agents by style, now and over the last minute. */
 
-/** Seconds that are remembered, and how often people are counted in them. */
+/** Seconds that are kept, and how often agents are counted in them. */
 export const REMEMBERED_SECS = 60;
 export const COUNTS_HZ = 2;
 
-/** Full weight of a style, as the crowd gives it. */
+/** Full weight of a style in the crowd's data. */
 const FULL = 255;
 
 /**
- * Counts people by style: a person of two halves is half a person of each, and who walks in no style, or for that part,
- * in the average. Writes a number a style, then that of the average; they sum to the number of people.
+ * Counts agents by style. An agent with two half weights counts half for each style; weight missing to 1 counts for the
+ * average. Writes one number per style, then that of the average; they sum to the number of agents.
  */
 export function countPeople(weights: Uint8Array, styles: number, into: Float32Array): void {
   into.fill(0);
   for (let at = 0; at < weights.length; at += styles) {
     let sum = 0;
     for (let i = 0; i < styles; i++) sum += weights[at + i]!;
-    // Exaggerated styles that overlap may be more than one person.
+    // Overlapping exaggerated styles may sum to more than one agent.
     const share = 1 / Math.max(FULL, sum);
     for (let i = 0; i < styles; i++) into[i]! += share * weights[at + i]!;
     into[styles]! += 1 - share * sum;
@@ -25,7 +25,7 @@ export function countPeople(weights: Uint8Array, styles: number, into: Float32Ar
 
 /** The counts of the last minute. */
 export class Census {
-  /** Kinds of people: the styles, then the average. */
+  /** Categories: the styles, then the average. */
   readonly kinds: number;
   readonly #samples: Float32Array[] = [];
 
@@ -33,12 +33,12 @@ export class Census {
     this.kinds = styles + 1;
   }
 
-  /** Counts, the oldest first; the last is of now, and they are {@link COUNTS_HZ} a second apart. */
+  /** Counts, the oldest first; the last one is current, and they are {@link COUNTS_HZ} per second. */
   get samples(): readonly Float32Array[] {
     return this.#samples;
   }
 
-  /** Counts the people of now. */
+  /** Adds the current count. */
   add(weights: Uint8Array): void {
     const full = this.#samples.length > REMEMBERED_SECS * COUNTS_HZ;
     const sample = (full ? this.#samples.shift() : undefined) ?? new Float32Array(this.kinds);
@@ -46,7 +46,7 @@ export class Census {
     this.#samples.push(sample);
   }
 
-  /** Kinds of which there was half a person at least within the minute; the average is the first. */
+  /** Categories with at least half an agent within the minute; the average is the first. */
   get present(): number[] {
     const average = this.kinds - 1;
     const order = [average, ...Array.from({ length: average }, (_, i) => i)];
@@ -54,7 +54,7 @@ export class Census {
   }
 }
 
-/** Edges between layers that are stacked, of 1: the first is 0, the last 1. */
+/** Boundaries between stacked layers, as shares of 1: the first is 0, the last 1. */
 export function stacked(sample: ArrayLike<number>, order: readonly number[]): number[] {
   const total = order.reduce((sum, kind) => sum + sample[kind]!, 0);
   const edges = [0];
@@ -62,7 +62,7 @@ export function stacked(sample: ArrayLike<number>, order: readonly number[]): nu
   return edges;
 }
 
-/** Places of labels that want to be at `wanted`, in this order, none nearer to another than `gap` and all within `from`…`to`. */
+/** Positions of labels near `wanted`, in this order, at least `gap` apart and within `from`…`to`. */
 export function spread(wanted: readonly number[], gap: number, from: number, to: number): number[] {
   const at = [...wanted];
   for (let i = 0; i < at.length; i++) at[i] = Math.max(at[i]!, i === 0 ? from : at[i - 1]! + gap);

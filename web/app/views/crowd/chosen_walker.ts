@@ -1,4 +1,4 @@
-/** The walker who is chosen: whose card is open, and whom the camera may follow. */
+/** The selected walker: its card is open, and the camera may follow it. */
 
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
@@ -11,7 +11,7 @@ import { asWalkBlock, Strides, sharesOf } from "./walker_facts";
 
 const words = strings.crowd;
 
-/** Everybody now. */
+/** All agents at the current tick. */
 export interface Walking {
   kind: CrowdKind;
   crowd: Crowd;
@@ -25,7 +25,7 @@ export class ChosenWalker {
   readonly #strides = new Strides();
   #walking: Walking | undefined;
 
-  /** @param save waits for a file, and says how that went */
+  /** @param save waits for a file, and reports the result */
   constructor(store: Store, save: (saving: Promise<string>) => Promise<void>) {
     this.#store = store;
     this.#card = new WalkerCard({
@@ -40,7 +40,7 @@ export class ChosenWalker {
     return this.#card.element;
   }
 
-  /** Number of who is chosen; `undefined` where nobody is, or there are fewer people. */
+  /** Index of the selected walker; `undefined` if there is none, or there are fewer agents. */
   get number(): number | undefined {
     const { crowdWalker } = this.#store.state;
     return crowdWalker >= 0 && crowdWalker < (this.#walking?.tick.count ?? 0) ? crowdWalker : undefined;
@@ -51,7 +51,7 @@ export class ChosenWalker {
     this.#store.edit({ crowdWalker: walker ?? -1, ...(leaves && { crowdFollow: false }) });
   }
 
-  /** Goes on to the next one, or back. */
+  /** Selects the next walker, or the previous one. */
   chooseNext(by: 1 | -1): void {
     const count = this.#walking?.tick.count ?? 0;
     if (count === 0) return;
@@ -63,7 +63,7 @@ export class ChosenWalker {
     if (this.number !== undefined) this.#store.edit({ crowdFollow: !this.#store.state.crowdFollow });
   }
 
-  /** Takes everybody after a tick; nobody where no crowd walks. */
+  /** Sets all agents after a tick; `undefined` without a crowd. */
   take(walking: Walking | undefined): void {
     this.#walking = walking;
     const { number } = this;
@@ -71,7 +71,7 @@ export class ChosenWalker {
     else this.#strides.forget();
   }
 
-  /** Shows the card, or none. */
+  /** Shows the card, or hides it. */
   show(): void {
     const [walking, walker] = [this.#walking, this.number];
     this.#card.show(
@@ -99,7 +99,7 @@ export class ChosenWalker {
     this.#card.exporting = false;
   }
 
-  /** Goes to the Walk view with a plan of the styles that they walk in, or to Play with those that they perform in. */
+  /** Opens the Walk view with a plan of the walker's styles, or Play with the styles in which it performs. */
   #openElsewhere(): void {
     const [walking, walker] = [this.#walking, this.number];
     if (!walking || walker === undefined) return;

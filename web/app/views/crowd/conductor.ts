@@ -1,10 +1,13 @@
-/** Has a crowd walk by settings: what has changed is sent to it, and of places that change faster than they are taken the last. */
+/**
+ * Applies settings to a crowd: changes are sent to it, and if the field changes faster than it is applied, only the
+ * last one is sent.
+ */
 
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
 import { Latest } from "../../../element/figure/latest";
 
-/** How a crowd is to walk. */
+/** Settings of a crowd. */
 export interface Conducted {
   playing: boolean;
   speed: number;
@@ -19,20 +22,20 @@ export class Conductor {
   readonly #onFailed: (error: unknown) => void;
   readonly #fields = new Latest<readonly FieldVertex[]>((field) => this.#try(this.#crowd?.setField(field)));
   #crowd: Crowd | undefined;
-  /** What was sent, lists as text. */
+  /** Settings that were sent, lists as text. */
   #sent = NOTHING;
 
   constructor(onFailed: (error: unknown) => void) {
     this.#onFailed = onFailed;
   }
 
-  /** Takes another crowd, which has heard nothing yet. */
+  /** Sets another crowd, to which nothing has been sent yet. */
   set crowd(crowd: Crowd | undefined) {
     this.#crowd = crowd;
     this.#sent = NOTHING;
   }
 
-  /** The crowd has made itself smaller. */
+  /** The crowd has reduced its number of agents. */
   set count(count: number) {
     this.#sent = { ...this.#sent, count };
   }
@@ -49,7 +52,7 @@ export class Conductor {
     if (this.#sent.route !== before.route) void this.#try(crowd.setRoute(route));
   }
 
-  /** Says what failed, unless the crowd was left meanwhile. */
+  /** Reports a failure, unless the crowd was left meanwhile. */
   async #try(work: Promise<void> | undefined): Promise<void> {
     const crowd = this.#crowd;
     try {
@@ -60,9 +63,9 @@ export class Conductor {
   }
 }
 
-/** Has so many walk; where time stands, they are seen all the same. */
+/** Sets the number of agents; while paused, they are shown at once. */
 async function setCount(crowd: Crowd, count: number): Promise<void> {
   await crowd.setCount(count);
-  // What was on its way has the former count.
+  // Ticks already requested have the previous count.
   for (let i = 0; i < 2 && !crowd.playing && crowd.count !== count; i++) await crowd.step();
 }

@@ -1,4 +1,4 @@
-/** Files of the picture: a poster, a video of the next seconds, and the motion of a walker. Loaded with the first of them. */
+/** Files of the picture: a poster, a video of the next seconds, and the motion of a walker. Loaded on first use. */
 
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { CallOptions } from "../../../client/protocol";
@@ -11,7 +11,7 @@ import type { CrowdPicture } from "./picture";
 
 const words = strings.crowd;
 
-/** Length of a video, and of the motion of a walker, seconds. */
+/** Length of a video, and of a walker's motion, seconds. */
 const VIDEO_SECS = 10;
 const BVH_SECS = 10;
 
@@ -25,7 +25,7 @@ const poster: Output = async (picture, _, { signal }) => {
   return name;
 };
 
-/** Goes on tick by tick, however long a picture takes; pictures between two ticks are mixed of both. */
+/** Advances tick by tick, however long a picture takes; pictures between two ticks are interpolated. */
 const video: Output = async (picture, crowd, { signal, onProgress }) => {
   const [begin, perTick] = [performance.now(), VIDEO_RATE / crowd.rateHz];
   const pictures = VIDEO_SECS * VIDEO_RATE;
@@ -41,7 +41,7 @@ const video: Output = async (picture, crowd, { signal, onProgress }) => {
   return name;
 };
 
-/** Saves what comes of somebody as a BVH file; gives its name. @param one what they are called */
+/** Saves an agent's next seconds as a BVH file; returns its name. @param one display name of the agent */
 export async function saveWalker(crowd: Crowd, walker: number, one: string): Promise<string> {
   return saveBvh(words.bvhName(one), await crowd.exportBvh(walker, BVH_SECS));
 }

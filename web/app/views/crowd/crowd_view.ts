@@ -1,4 +1,4 @@
-/** The Crowd view: people on open ground, each in the styles of the place where they walk. */
+/** The Crowd view: agents on open ground, each in the styles of the place where it walks. */
 import "../synthesis/editor.css";
 import "./crowd.css";
 import type { Crowd, CrowdTick } from "../../../client/crowd/crowd_client";
@@ -40,9 +40,9 @@ export function createView(host: ViewHost): View {
 const words = strings.crowd;
 
 const BUILT_IN: WalkSource = { name: "", file: undefined, neutral: "neutral" };
-/** Most who walk where the processor draws. */
+/** Maximum number of agents if the CPU draws. */
 const SOFTWARE_COUNT = 100;
-/** How often figures and the card are shown, a second of the crowd's time. */
+/** Updates of the figures and the card per second of the crowd's time. */
 const FIGURES_HZ = 5;
 
 class CrowdView implements View {
@@ -68,11 +68,11 @@ class CrowdView implements View {
   readonly #conductor: Conductor;
   #picture: CrowdPicture | undefined;
   #crowd: Crowd | undefined;
-  /** What the crowd performs. */
+  /** The motion that the crowd performs. */
   #performs: RecordedMotion | undefined;
   #styles: Styles | undefined;
   #replaced: WalkSource | undefined;
-  /** The count that was asked for, and how many the worker is fast enough for. */
+  /** The requested number of agents, and the number for which the worker is fast enough. */
   #asked = 0;
   #slowed: number | undefined;
   #tick: CrowdTick | undefined;
@@ -84,7 +84,7 @@ class CrowdView implements View {
   #drawsRoute = false;
   #films = false;
   #request = 0;
-  /** Ends when the view is hidden, with everything that listens; `undefined` while it is hidden. */
+  /** Aborts, with all listeners, when the view is hidden; `undefined` while it is hidden. */
   #shown: AbortController | undefined;
 
   constructor(host: ViewHost) {
@@ -203,20 +203,20 @@ class CrowdView implements View {
     cancelAnimationFrame(this.#request);
     this.#close();
     this.#picture = undefined;
-    // Those of another model may be shown next.
+    // The next model may have other styles.
     this.#styles = undefined;
     this.#tick = undefined;
     this.#chosen.take(undefined);
     this.#drawsRoute = false;
   }
 
-  /** Shows walkers of the database that is open, or those who perform the input on it. */
+  /** Shows walkers of the open database, or agents that perform the input on it. */
   refresh(): void {
     if (!this.#shown) return;
     const { state } = this.#host.store;
     const { database } = this.#host.session;
     this.#showState();
-    // A database that is kept on this device is opened first; the page asks again once it is.
+    // A database stored on this device is opened first; the page calls again when it is open.
     if (state.database !== "" && !database) return;
     if (!this.#canBegin) return;
     const { name, file } = this.#host.databaseFile();
@@ -233,25 +233,25 @@ class CrowdView implements View {
 
   // --- the crowd ---
 
-  /** Gathers people anew, by the model of a database. */
+  /** Creates a new crowd by the model of a database. */
   #open(source: WalkSource): void {
     this.#empty.hide();
     void this.#gathering.open(source);
   }
 
-  /** What is given to a crowd that is gathered. */
+  /** Initial settings of a crowd that is being created. */
   #start() {
     const { people, route } = this.#read();
     this.#asked = people.count;
     return { count: this.#fitting(people.count), seed: people.seed, route };
   }
 
-  /** Whether there is what people need: those who perform need an input. */
+  /** Whether all requirements are met: agents that perform need an input. */
   get #canBegin(): boolean {
     return this.#read().kind === "walkers" || this.#host.session.input !== undefined;
   }
 
-  /** What is to be performed: the input of Play, as Play is to style it. */
+  /** The motion to perform: the input of Play with its options. */
   #performance(): Performance | undefined {
     const { session, store } = this.#host;
     const { state } = store;
@@ -268,7 +268,7 @@ class CrowdView implements View {
     return this.#read().field;
   }
 
-  /** Shows a crowd in place of the one before. */
+  /** Shows a crowd instead of the previous one. */
   #present(crowd: Crowd, performs: RecordedMotion | undefined): void {
     this.#close();
     this.#crowd = crowd;
@@ -287,7 +287,7 @@ class CrowdView implements View {
       this.#refuse(this.#gathering.gathered?.source ?? BUILT_IN, errorText(error));
     };
     this.#showState();
-    // Who came paused is seen all the same.
+    // A crowd that starts paused is shown once.
     if (!crowd.playing) void crowd.step();
   }
 
@@ -297,7 +297,7 @@ class CrowdView implements View {
     this.#crowd = undefined;
   }
 
-  /** Says why nobody walks, and what can be done; a crowd that walks goes on. */
+  /** Shows why there is no crowd, and what can be done. An existing crowd continues. */
   #refuse(source: WalkSource, why: string): void {
     if (this.#crowd) {
       if (why !== "") this.#host.toasts.error(why);
@@ -328,7 +328,7 @@ class CrowdView implements View {
     return this.#settings.read(this.#styles);
   }
 
-  /** How many of those who are asked for can walk here. */
+  /** The number of agents that can run here, at most `count`. */
   #fitting(count: number): number {
     const most = graphics() === "software" ? SOFTWARE_COUNT : Number.POSITIVE_INFINITY;
     return Math.min(count, most, this.#slowed ?? count);
@@ -445,7 +445,7 @@ class CrowdView implements View {
     this.#showState();
   }
 
-  /** The colours of everybody follow those of the styles, though no tick comes. */
+  /** The agents' colours follow those of the styles, without waiting for a tick. */
   #recolour(): void {
     if (this.#crowd && this.#tick && !this.#crowd.playing) this.#picture?.setTick(this.#tick, this.#crowd.styles, true);
   }
@@ -492,9 +492,9 @@ class CrowdView implements View {
     f: () => this.#chosen.toggleFollow(),
   };
 
-  // --- what leaves the view ---
+  // --- exports ---
 
-  /** Saves the picture, or the next seconds of it as a video. */
+  /** Saves the picture, or a video of its next seconds. */
   async #export(what: "poster" | "video"): Promise<void> {
     const [crowd, picture] = [this.#crowd, this.#picture];
     if (!crowd || !picture || this.#films) return;
@@ -510,7 +510,7 @@ class CrowdView implements View {
     this.#showState();
   }
 
-  /** Says what was saved, or what failed, unless it was cancelled. */
+  /** Shows what was saved, or the error, unless it was cancelled. */
   async #say(saving: Promise<string>): Promise<void> {
     try {
       this.#host.toasts.note(strings.page.outputs.saved(await saving));
@@ -520,5 +520,5 @@ class CrowdView implements View {
   }
 }
 
-/** Radius of the ground of so many until the crowd says it, metres: four square metres for everybody. */
+/** Estimated radius of the ground until the crowd reports it, metres: four square metres per agent. */
 const radiusOf = (count: number): number => Math.max(8, Math.sqrt((4 * count) / Math.PI));

@@ -1,4 +1,4 @@
-/** The name of what draws, in as few words as it needs: browsers wrap that of the card in those of their translators. */
+/** The name of the renderer in few words: browsers wrap the GPU's name in those of their translation layers. */
 export function rendererName(drawnBy: string): string {
   if (/swiftshader/i.test(drawnBy)) return "SwiftShader";
   // ANGLE (vendor, renderer, driver)

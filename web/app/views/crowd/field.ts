@@ -4,26 +4,26 @@ import { type FieldVertex, MAX_VERTICES } from "../../../client/crowd/limits";
 import { firstStyles } from "../../../ui/polygon/selection";
 import { CROWD_RANGES } from "../../state/crowd";
 
-/** Where the first three styles are, metres, and what they reach. */
+/** Initial positions of the first three styles, metres, and their reach. */
 const FIRST_PLACES = [
   { x: -3.4, z: 3.4, reach: 3.2, intensity: 1 },
   { x: 4, z: 0.8, reach: 3.2, intensity: 1.1 },
   { x: -1.5, z: -5.2, reach: 4, intensity: 1 },
 ] as const;
-/** Where they are for a smaller crowd, whose ground is smaller. */
+/** Initial positions for a smaller crowd, whose ground is smaller. */
 const NEW = { reach: 3, intensity: 1 } as const;
-/** Distance between two vertices from which a new one has room, metres. */
+/** Minimum distance of a new vertex from the others, metres. */
 const ROOM = 3;
-/** Turn from one candidate for a new vertex's place to the next, radians, and how far they go out a turn, metres. */
+/** Angle from one candidate position for a new vertex to the next, radians, and how far the spiral grows per turn, metres. */
 const GOLDEN_ANGLE = 2.4;
 const CANDIDATES = 60;
 
-/** The field of a first visit: up to three styles that differ clearly. */
+/** The field of a first visit: up to three clearly different styles. */
 export function firstField(styles: readonly string[], neutral: string): FieldVertex[] {
   return firstStyles(styles, neutral).map((style, i) => ({ style, ...FIRST_PLACES[i]! }));
 }
 
-/** The vertices with one of them changed, in its ranges and as precisely as links have it. */
+/** The vertices with one of them changed, clamped and rounded as in links. */
 export function withVertex(
   field: readonly FieldVertex[],
   index: number,
@@ -32,11 +32,11 @@ export function withVertex(
   return field.map((vertex, i) => (i === index ? rounded({ ...vertex, ...patch }) : vertex));
 }
 
-/** The vertices with one more of a style, where there is room in a circle. */
+/** The vertices with a new vertex of a style, at a free place within a circle. */
 export function withStyle(field: readonly FieldVertex[], style: string, radius: number): FieldVertex[] {
   if (field.length >= MAX_VERTICES) return [...field];
   const far = (x: number, z: number) => Math.min(...field.map((vertex) => Math.hypot(vertex.x - x, vertex.z - z)));
-  // Around the middle first, along a spiral, where it is seen at once.
+  // From the middle outwards along a spiral, where it is easily seen.
   const places = Array.from({ length: CANDIDATES }, (_, i) => {
     const out = 0.85 * radius * Math.sqrt(i / CANDIDATES);
     return { x: out * Math.sin(i * GOLDEN_ANGLE), z: out * Math.cos(i * GOLDEN_ANGLE) };

@@ -1,4 +1,4 @@
-/** The panel of the field: its vertices, the chosen one's reach and intensity, and styles to add. */
+/** The panel of the field: its vertices, the selected one's reach and intensity, and styles to add. */
 
 import { type FieldVertex, MAX_VERTICES } from "../../../client/crowd/limits";
 import { button } from "../../../ui/controls/buttons";
@@ -75,7 +75,7 @@ export class FieldPanel {
     );
   }
 
-  /** Takes the styles of the model. */
+  /** Sets the styles of the model. */
   setStyles(styles: readonly string[]): void {
     if (styles.join() === this.#styles.join()) return;
     this.#styles = styles;

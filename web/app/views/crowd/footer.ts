@@ -1,4 +1,4 @@
-/** The footer of the view: transport, clock, who walks how, and what leaves the view. */
+/** The footer of the view: transport, clock, chart of styles, and exports. */
 
 import { SPEEDS } from "../../../link/page";
 import { button } from "../../../ui/controls/buttons";
@@ -37,7 +37,7 @@ export class Footer {
     this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
     const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
     const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
-    // On a narrow screen there is no room for their words.
+    // On a narrow screen there is no room for their text.
     for (const [output, name] of [
       [poster, words.poster],
       [video, words.video],
@@ -65,7 +65,7 @@ export class Footer {
     for (const element of [this.#play.element, this.#step, ...this.#outputs]) element.disabled = !ready;
   }
 
-  /** Seconds that the crowd has walked. */
+  /** Time of the crowd, seconds. */
   set secs(secs: number) {
     setText(this.#clock, clock(secs));
   }

@@ -1,6 +1,6 @@
 /**
- * Gathers a crowd: its model is trained, or what it performs is recorded, unless that is known, and of several requests the last
- * one is met.
+ * Creates a crowd: its model is trained, or its motion is recorded, unless they are known. Of several requests only the
+ * last one counts.
  */
 
 import { type Crowd, type CrowdStart, createCrowd } from "../../../client/crowd/crowd_client";
@@ -14,38 +14,38 @@ import type { WalkModels, WalkSource } from "../synthesis/walk_models";
 
 const words = strings.crowd;
 
-/** What is gathered, or was. */
+/** The crowd that is being created, or was created. */
 export interface Gathered {
   source: WalkSource;
   seed: number;
-  /** {@link Performance.key}; empty where they walk. */
+  /** {@link Performance.key}; empty for walkers. */
   performs: string;
 }
 
-/** What is performed. */
+/** The motion to perform. */
 export interface Performance {
-  /** Another one has another key. */
+  /** Motions with different keys differ. */
   key: string;
   record(call: CallOptions): Promise<RecordedMotion>;
 }
 
 export interface GatheringListeners {
-  /** What a crowd begins with. */
+  /** Initial settings of the crowd. */
   start: () => CrowdStart;
-  /** What they are to perform; `undefined` where they are to walk. */
+  /** The motion to perform; `undefined` for walkers. */
   performance: () => Performance | undefined;
-  /** Chooses the field, among the styles of the model. */
+  /** Chooses the field from the styles of the model. */
   fieldOf: (styles: readonly string[], source: WalkSource) => readonly FieldVertex[];
-  /** `performs` is what they perform. */
+  /** Called when the crowd is ready; `performs` is the motion it performs. */
   onReady: (crowd: Crowd, performs: RecordedMotion | undefined) => void;
-  /** There is no crowd; why, or nothing where the person cancelled it. */
+  /** Called when there is no crowd, with the reason, which is empty if the user cancelled. */
   onFailed: (source: WalkSource, why: string) => void;
 }
 
 export class Gathering {
-  /** Models of databases other than the built-in one, whose walks need no training. */
+  /** Models of databases other than the built-in one, whose model needs no training. */
   #models: WalkModels | undefined;
-  /** What was recorded last. */
+  /** The last recording. */
   #recorded: { source: WalkSource; key: string; motion: RecordedMotion } | undefined;
   readonly #progress: ProgressLine;
   readonly #listeners: GatheringListeners;
@@ -58,17 +58,17 @@ export class Gathering {
     this.#listeners = listeners;
   }
 
-  /** What was asked for last; `undefined` where it failed or was given up. */
+  /** The last request; `undefined` if it failed or was cancelled. */
   get gathered(): Gathered | undefined {
     return this.#gathered;
   }
 
-  /** The same, though it failed or was given up. */
+  /** The last request, even if it failed or was cancelled. */
   get asked(): Gathered | undefined {
     return this.#asked;
   }
 
-  /** Gathers people by the model of a database. */
+  /** Creates a crowd by the model of a database. */
   async open(source: WalkSource): Promise<void> {
     this.#opening?.abort();
     const opening = new AbortController();
@@ -92,7 +92,7 @@ export class Gathering {
     }
   }
 
-  /** Gives up what is being gathered, and forgets what was. */
+  /** Cancels the current request, and forgets the last one. */
   cancel(): void {
     this.#opening?.abort();
     this.#progress.cancel();

@@ -1,4 +1,4 @@
-/** The handles of a field: they lie on the ground of the picture, and are dragged over it. */
+/** The handles of a field: they lie on the ground of the picture, and can be dragged over it. */
 
 import type { FieldVertex } from "../../../client/crowd/limits";
 import { formatNumber, html, keepCount, setAttributes } from "../../../ui/dom";
@@ -9,9 +9,9 @@ import { spoken } from "../../ui/words";
 
 const words = strings.crowd;
 
-/** What an arrow key moves a handle by, metres. */
+/** Step of an arrow key, metres. */
 const STEP = 0.25;
-/** What a key changes its reach by, metres, and a pixel of the wheel, as a share of it. */
+/** Change of the reach by a key, metres, and by a pixel of the wheel, as a share of it. */
 const REACH_STEP = 0.2;
 const WHEEL_SHARE = 0.0012;
 
@@ -22,12 +22,12 @@ export interface HandleListeners extends GestureListeners {
   onRemove: (index: number) => void;
 }
 
-/** The picture that the handles lie in. */
+/** The picture in which the handles lie. */
 export interface HandleGround {
-  /** The place on the ground under a place of the picture; `undefined` at the sky. */
+  /** The point on the ground under a point of the picture; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined;
   screenPosition(x: number, y: number, z: number): { x: number; y: number } | undefined;
-  /** Where the camera looks from, radians about +Y from +Z. */
+  /** Direction from which the camera looks, radians about +Y from +Z. */
   readonly azimuth: number;
 }
 
@@ -41,12 +41,12 @@ export class Handles {
     this.#listeners = listeners;
   }
 
-  /** Takes the picture that they lie in. */
+  /** Sets the picture in which they lie. */
   set ground(ground: HandleGround | undefined) {
     this.#ground = ground;
   }
 
-  /** Takes the field; nothing is shown where the field is not drawn. */
+  /** Sets the field; hidden if the field is not drawn. */
   show(field: readonly FieldVertex[], chosen: number): void {
     this.#field = field;
     keepCount(this.element, field.length, () => this.#make());
@@ -63,7 +63,7 @@ export class Handles {
     }
   }
 
-  /** Puts them where they lie in the picture; called for every picture. */
+  /** Moves the handles to their positions in the picture; called for every picture. */
   place(): void {
     for (const [i, { x, z }] of this.#field.entries()) {
       const handle = this.element.children[i] as HTMLElement;
@@ -102,7 +102,7 @@ export class Handles {
     handle.focus({ preventScroll: true });
     onSettle();
     handle.classList.add("dragging");
-    // The pointer keeps the place of the handle that it took.
+    // The handle keeps its offset from the pointer.
     const [dx, dz] = [vertex.x - from.x, vertex.z - from.z];
     return {
       move: (event) => {
@@ -147,13 +147,13 @@ export class Handles {
     if (!vertex) return;
     event.preventDefault();
     const by = Math.exp(-Math.max(-120, Math.min(120, event.deltaY)) * WHEEL_SHARE);
-    // A turn of the wheel that is too small to be seen is felt all the same.
+    // A turn of the wheel that is too small to change anything still has an effect.
     const change = vertex.reach * (by - 1);
     this.#listeners.onReach(index, vertex.reach + Math.sign(change) * Math.max(0.1, Math.abs(change)));
   }
 }
 
-/** A step to the right and away from a camera, along the axis of the ground that is nearest to each. */
+/** A step to the right and away from a camera, along the nearest axes of the ground. */
 export function alongAxes(right: number, away: number, azimuth: number): [x: number, z: number] {
   const quarter = (Math.round(azimuth / (Math.PI / 2)) * Math.PI) / 2;
   const [cos, sin] = [Math.round(Math.cos(quarter)), Math.round(Math.sin(quarter))];

@@ -1,17 +1,17 @@
-/** What drawing and walking take, smoothed: figures that jump are not read. */
+/** Time for drawing and for ticks, smoothed, since jumping numbers are not readable. */
 
-/** Share of a new measurement. */
+/** Weight of a new measurement. */
 const SHARE = 0.06;
 
 export class Pace {
   #ms: number | undefined;
 
-  /** Takes a measurement, milliseconds. */
+  /** Adds a measurement, milliseconds. */
   add(ms: number): void {
     this.#ms = this.#ms === undefined ? ms : this.#ms + SHARE * (ms - this.#ms);
   }
 
-  /** Milliseconds; `undefined` until something is measured. */
+  /** Milliseconds; `undefined` until there is a measurement. */
   get ms(): number | undefined {
     return this.#ms;
   }

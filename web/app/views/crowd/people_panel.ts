@@ -1,4 +1,4 @@
-/** The panels of the people, their route, and what drawing them costs. */
+/** The panels of the agents, their route, and the cost of drawing them. */
 
 import { button, Segment } from "../../../ui/controls/buttons";
 import { Slider } from "../../../ui/controls/slider";
@@ -13,12 +13,12 @@ export interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle">
   onKind: (kind: CrowdKind) => void;
   onCount: (count: number) => void;
   onSeed: (seed: number) => void;
-  /** Draws a route by hand, or ends that. */
+  /** Starts or ends drawing a route by hand. */
   onDraw: () => void;
   onClear: () => void;
 }
 
-/** What is measured; `undefined` until it is. */
+/** Measurements; `undefined` until they are available. */
 export interface Figures {
   fps: number | undefined;
   tickMs: number | undefined;
@@ -105,7 +105,7 @@ export class PeoplePanel {
 
   #shownSeed = 1;
 
-  /** `limit` says why there are fewer than were asked for. */
+  /** `limit` explains why there are fewer agents than requested. */
   showPeople(kind: CrowdKind, { count, seed }: People, limit: string): void {
     this.#kind.value = kind;
     this.#kind.element.title = words.of[kind].why;

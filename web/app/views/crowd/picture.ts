@@ -1,4 +1,4 @@
-/** The picture of the crowd: the drawing, and what lies over it: the handles, the route, and a line to the card. */
+/** The picture of the crowd: the drawing, and its overlays: the handles, the route, and a line to the card. */
 
 import type { CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
@@ -15,20 +15,20 @@ import { dense, routeOf } from "./route";
 import { tintsOf } from "./tints";
 
 const VIEWS = { orbit: "orbit", above: "top", along: "front" } as const satisfies Record<CrowdCamera, string>;
-/** A press that moves farther than this, pixels, turns the camera and chooses nobody. */
+/** A press that moves farther than this, pixels, turns the camera and selects nothing. */
 const CLICK_PX = 5;
 /** Height at which the line to the card begins, metres. */
 const WAIST = 1;
-/** A picture that the graphics processor was not ready for is tried again after this time, milliseconds. */
+/** A picture for which the GPU was not ready is tried again after this time, milliseconds. */
 const RETRY_MS = 4;
 
 export interface PictureListeners {
-  /** Somebody was clicked, or nobody. */
+  /** Called when a walker, or empty ground, was clicked. */
   onWalker: (walker: number | undefined) => void;
-  /** The camera was turned by hand. */
+  /** Called when the user turned the camera. */
   onTurn: () => void;
   onFps: (fps: number) => void;
-  /** A route was drawn; none where it was too short. */
+  /** Called when a route was drawn; empty if it was too short. */
   onRoute: (route: readonly Place[]) => void;
 }
 
@@ -41,7 +41,7 @@ export class CrowdPicture {
   readonly #leader = svg("path", { class: "crowd-leader" });
   readonly #route = svg("path", { class: "crowd-route" });
   readonly #overlay = svg("svg", { class: "crowd-overlay", "aria-hidden": "true" }, this.#route, this.#leader);
-  /** Lies over all while a route is drawn. */
+  /** Covers everything while a route is drawn. */
   readonly #sheet = html("div", { class: "crowd-sheet", hidden: true });
   #points: readonly Place[] = [];
   #tints = new Uint8Array(0);
@@ -73,12 +73,12 @@ export class CrowdPicture {
     signal.addEventListener("abort", () => this.#dispose(), { once: true });
   }
 
-  /** What draws, by the name that the browser gives it. */
+  /** Name of the renderer as reported by the browser. */
   get drawnBy(): string {
     return this.#viewer.drawnBy;
   }
 
-  /** Time of the page for a picture, milliseconds. */
+  /** Time of the page per picture, milliseconds. */
   get frameMs(): number | undefined {
     return this.#pace.ms;
   }
@@ -91,12 +91,12 @@ export class CrowdPicture {
     this.#viewer.theme = theme;
   }
 
-  /** Whose bones everybody is drawn on. */
+  /** Sets the bones on which all agents are drawn. */
   setProportions(proportions: Float32Array): void {
     this.#viewer.setProportions(proportions);
   }
 
-  /** Takes the field; `visible` says whether the ground shows it. */
+  /** Sets the field; `visible` tells whether the ground shows it. */
   setField(field: readonly FieldVertex[], chosen: number, visible: boolean, radius: number): void {
     const shown = visible ? field : [];
     const marks = shown.map(({ style, x, z, reach }, i) => ({
@@ -116,26 +116,26 @@ export class CrowdPicture {
     this.#placeRoute();
   }
 
-  /** Whether the hand draws a route, instead of turning the camera. */
+  /** Whether dragging draws a route instead of turning the camera. */
   set drawing(drawing: boolean) {
     this.#sheet.hidden = !drawing;
   }
 
-  /** Goes to a camera, gliding. */
+  /** Moves to a camera, with a glide. */
   set camera(camera: CrowdCamera) {
     if (camera === this.#camera) return;
     this.#camera = camera;
     this.#viewer.camera(VIEWS[camera]);
   }
 
-  /** Rings somebody, or nobody, whom the camera may follow. */
+  /** Marks a walker, or none, by a ring; the camera may follow it. */
   choose(walker: number | undefined, follow: boolean): void {
     this.#chosen = walker;
     this.#viewer.chosen = walker;
     this.#viewer.follow = follow;
   }
 
-  /** Takes everybody after a tick; `isOther` says that they are not those of the last one. */
+  /** Sets all agents after a tick; `isOther` means that they are not those of the last tick. */
   setTick({ joints, weights, count }: CrowdTick, styles: readonly string[], isOther: boolean): void {
     if (this.#tints.length !== 4 * count) this.#tints = new Uint8Array(4 * count);
     const colours = styles.map((style) => rgbOf(this.#colours.of(style)));
@@ -143,7 +143,7 @@ export class CrowdPicture {
     this.#viewer.setTick(joints, this.#tints, isOther);
   }
 
-  /** Draws at a time, milliseconds, a share of the way from the last tick to the present one. */
+  /** Draws at a time, milliseconds, interpolated at `share` between the last tick and the current one. */
   draw(now: number, share: number): void {
     const begin = performance.now();
     const drawn = this.#viewer.render(now / 1000, share);
@@ -154,8 +154,8 @@ export class CrowdPicture {
   }
 
   /**
-   * A copy of the picture at a time, milliseconds, as soon as the graphics processor is ready for it; `fine` as of what stands
-   * still.
+   * A copy of the picture at a time, milliseconds, as soon as the GPU is ready; `fine` gives the quality of a still
+   * picture.
    */
   async copyAt(now: number, share: number, fine: boolean, signal?: AbortSignal): Promise<HTMLCanvasElement> {
     for (;;) {
@@ -177,7 +177,7 @@ export class CrowdPicture {
     this.#route.setAttribute("d", path);
   }
 
-  /** Draws a line from whom the card is about to the card. */
+  /** Draws a line from the selected walker to its card. */
   #placeLeader(): void {
     const from = this.#chosen === undefined ? undefined : this.#viewer.screenPlace(this.#chosen, WAIST);
     const card = this.#card.getBoundingClientRect();
@@ -230,10 +230,10 @@ export class CrowdPicture {
   }
 }
 
-/** Farthest place of a route along x or z, metres. */
+/** Largest coordinate of a route along x or z, metres. */
 const FARTHEST = 100;
 
-/** Calls back with the place of a press that does not move. */
+/** Calls back with the position of a press that does not move. */
 function listenToClicks(element: HTMLElement, onClick: (x: number, y: number) => void, signal: AbortSignal): void {
   let pressed: { id: number; x: number; y: number } | undefined;
   const options = { signal };

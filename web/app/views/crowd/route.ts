@@ -1,12 +1,12 @@
-/** A route that is drawn by hand, as a crowd takes it. */
+/** Converts a route drawn by hand to the route of a crowd. */
 import { MAX_ROUTE_POINTS, type Place } from "../../../client/crowd/limits";
 
 /** Distance between points of a route, metres: the hand is not more precise. */
 const STEP = 0.5;
-/** Ends nearer than this meet: people then go round, metres. */
+/** If the ends are nearer than this, the route is closed, metres. */
 const MEETS = 1.2;
 
-/** The points of a drawn line, no two nearer than a step, at most as many as a route has; none where it is too short. */
+/** The points of a drawn line, at least one step apart, at most as many as a route has; empty if it is too short. */
 export function routeOf(drawn: readonly Place[]): Place[] {
   const points: Place[] = [];
   for (const point of drawn) {
@@ -27,7 +27,7 @@ function thin(points: readonly Place[]): Place[] {
   });
 }
 
-/** The points of a route and others between them, so that a line through their places in the picture lies on the ground. */
+/** The points of a route with intermediate points, so that a line through their positions in the picture lies on the ground. */
 export function dense(route: readonly Place[]): Place[] {
   return route.flatMap((to, i) => {
     const from = route[i - 1];

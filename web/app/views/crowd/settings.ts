@@ -1,4 +1,4 @@
-/** The settings of the state as a crowd can have them: what a link says that cannot be is told, and what there was stays. */
+/** The settings of the state, made valid for a crowd: invalid values of a link are reported, and the previous ones stay. */
 
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
 import { type CrowdKind, type People, Refused } from "../../state/crowd";
@@ -10,7 +10,7 @@ import { firstField, unknownStyle } from "./field";
 
 const words = strings.crowd;
 
-/** What a crowd goes by. */
+/** Settings of a crowd. */
 export interface CrowdSettings {
   kind: CrowdKind;
   people: People;
@@ -37,7 +37,7 @@ export class Settings {
     this.#onRefused = onRefused;
   }
 
-  /** The settings of the state, for a model of these styles. What cannot be is said, and taken out of the state. */
+  /** The settings of the state for a model with these styles. Invalid values are reported, and removed from the state. */
   read(styles: Styles | undefined): CrowdSettings {
     const { crowdKind, crowd, field, route } = this.#store.state;
     this.#kind = this.#accept(crowdKind, this.#kind, (kept) => ({ crowdKind: kept }));
@@ -55,7 +55,7 @@ export class Settings {
     return kept;
   }
 
-  /** The field with styles of the model alone; the first one where none is chosen. */
+  /** The field with styles of the model only; the default field if none is chosen. */
   #known(asked: readonly FieldVertex[] | undefined, { all, neutral }: Styles): readonly FieldVertex[] {
     if (!asked) return this.#adopted(firstField(all, neutral));
     const unknown = unknownStyle(asked, all);
@@ -72,7 +72,7 @@ export class Settings {
   }
 }
 
-/** A link's text as a sentence has room for it. */
+/** A link's text, cut to fit into a sentence. */
 function shortened(text: string): string {
   return text.length > 40 ? `${text.slice(0, 40)}…` : text;
 }

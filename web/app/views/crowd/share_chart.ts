@@ -1,4 +1,4 @@
-/** The chart of who walks how: the last minute, stacked, the present at the right. */
+/** The chart of the styles: the last minute, stacked, the current moment at the right. */
 
 import { formatNumber, html } from "../../../ui/dom";
 import { sizeOf } from "../../../ui/drawing";
@@ -12,17 +12,17 @@ import type { StyleColours } from "./colours";
 
 const words = strings.crowd;
 
-/** Margins, units; narrow pictures have no room for names at the left. */
+/** Margins, units; a narrow chart has no room for names at the left. */
 const PAD = { top: 16, bottom: 18, left: 76, right: 34 };
 const LABEL_PX = 13;
-/** Seconds between two marks of the axis. */
+/** Seconds between two ticks of the axis. */
 const MARK_SECS = 10;
 
 export class ShareChart {
   readonly element: HTMLElement;
   readonly #canvas = html("canvas", { role: "img" });
   readonly #colours: StyleColours;
-  /** Who is counted. */
+  /** Kind of agents. */
   kind: CrowdKind = "walkers";
   #census: Census | undefined;
   #styles: readonly string[] = [];
@@ -37,7 +37,7 @@ export class ShareChart {
     onResize(this.element, () => this.draw(), signal);
   }
 
-  /** Takes what is counted, and the names of the styles. */
+  /** Sets the counts, and the names of the styles. */
   show(census: Census | undefined, styles: readonly string[]): void {
     this.#census = census;
     this.#styles = styles;
@@ -66,7 +66,7 @@ export class ShareChart {
     const x = (i: number) =>
       area.right - ((samples.length - 1 - i) / (REMEMBERED_SECS * COUNTS_HZ)) * (area.right - area.left);
     const y = (share: number) => area.bottom - share * (area.bottom - area.top);
-    // The very first count is drawn as wide as a pixel.
+    // The first count is drawn one pixel wide.
     const columns = samples.length === 1 ? [0, 0] : samples.map((_, i) => i);
     const xs = samples.length === 1 ? [area.right - 1, area.right] : columns.map(x);
     for (const [layer, kind] of order.entries()) {
@@ -106,7 +106,7 @@ export class ShareChart {
     }
   }
 
-  /** Names at the left and numbers at the right of the layers, the thickest ones where not all have room. */
+  /** Draws names at the left and numbers at the right of the layers; of the thickest ones if there is no room for all. */
   #drawLabels(
     context: CanvasRenderingContext2D,
     area: Area,

@@ -1,4 +1,4 @@
-/** What the Crowd view says. */
+/** Texts of the Crowd view. */
 export const crowd = {
   title: (people: string, ways: string) => `${people}, ${ways}`,
   people: (count: number, word: string) => (count === 1 ? "One person" : `${word} people`),
@@ -10,7 +10,7 @@ export const crowd = {
   performed: (motion: string, secs: string) => `${secs} s of “${motion}” of Play, over and over`,
   picture: (count: number, does: string, styles: string) =>
     `${count} mannequins who ${does} on open ground${styles ? `, in the styles of the places where they are: ${styles}` : ""}.`,
-  /** What is said of those who walk, and of those who perform. */
+  /** Texts for walkers, and for agents that perform a motion. */
   of: {
     walkers: {
       kind: "Walkers",

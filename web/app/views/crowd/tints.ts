@@ -1,9 +1,9 @@
-/** Colours of people by the styles that they walk in. */
+/** Colours of agents by their styles. */
 
-/** Share of the colour of a style on whoever walks in it alone. */
+/** Share of a style's colour on an agent with full weight. */
 const TINT = 0.35;
 
-/** Mixes everybody's colour by weights: red, green, blue and its share, a byte each. */
+/** Mixes each agent's colour by weights: red, green, blue and its share, one byte each. */
 export function tintsOf(weights: Uint8Array, colours: readonly (readonly number[])[], into: Uint8Array): void {
   const styles = colours.length;
   for (let walker = 0; 4 * walker < into.length; walker++) {

@@ -1,4 +1,4 @@
-/** What the stage is called. */
+/** Titles of the stage. */
 import type { FieldVertex } from "../../../client/crowd/limits";
 import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
@@ -6,13 +6,13 @@ import { capitalised, numberWord, spoken } from "../../ui/words";
 
 const words = strings.crowd;
 
-/** “Two hundred people, three ways of walking”. */
+/** For example “Two hundred people, three ways of walking”. */
 export function crowdTitle(kind: CrowdKind, count: number, field: readonly FieldVertex[]): string {
   const ways = new Set(field.map(({ style }) => style)).size;
   return words.title(words.people(count, capitalised(countWord(count))), words.of[kind].ways(ways, numberWord(ways)));
 }
 
-/** The picture for those who do not see it. */
+/** Description of the picture for screen readers. */
 export function pictureOf(kind: CrowdKind, count: number, field: readonly FieldVertex[]): string {
   return words.picture(count, words.of[kind].does, [...new Set(field.map(({ style }) => spoken(style)))].join(", "));
 }

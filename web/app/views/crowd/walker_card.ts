@@ -1,4 +1,4 @@
-/** The card of a walker: how fast, in which styles, and what can be done. */
+/** The card of a walker: its speed, its styles, and actions. */
 
 import { button } from "../../../ui/controls/buttons";
 import { formatNumber, html, keepCount, setText } from "../../../ui/dom";
@@ -14,13 +14,13 @@ export interface CardListeners {
   onClose: () => void;
 }
 
-/** What the card says. */
+/** Contents of the card. */
 export interface CardModel {
   kind: CrowdKind;
   walker: number;
   /** m/s. */
   speed: number;
-  /** Styles, the average among them, and how much of each, 0 to 1. */
+  /** Styles, including the average, and their weights, 0 to 1. */
   shares: readonly { name: string; share: number }[];
   follows: boolean;
 }
@@ -49,7 +49,7 @@ export class WalkerCard {
     );
   }
 
-  /** Shows somebody, or nobody. */
+  /** Shows a walker's card, or hides it. */
   show(model: CardModel | undefined): void {
     this.element.hidden = model === undefined;
     if (!model) return;
@@ -71,7 +71,7 @@ export class WalkerCard {
     }
   }
 
-  /** Whether a file is being made. */
+  /** Whether a file is being exported. */
   set exporting(exporting: boolean) {
     this.#export.disabled = exporting;
   }

@@ -1,4 +1,4 @@
-/** What is known of one walker: speed, styles, and the plan that the Walk view has of them. */
+/** Properties of one walker: speed, styles, and the corresponding plan of the Walk view. */
 
 import type { CrowdTick } from "../../../client/crowd/crowd_client";
 import type { FieldVertex } from "../../../client/crowd/limits";
@@ -8,19 +8,19 @@ import { spoken } from "../../ui/words";
 
 /** Full weight of a style. */
 const FULL = 255;
-/** Weights below this are not seen. */
+/** Weights below this are ignored. */
 const NEGLIGIBLE = 0.005;
-/** Ticks over which a speed is measured: about a step. */
+/** Number of ticks over which a speed is measured: about a step. */
 const TICKS = 15;
-/** Steps of a plan. */
+/** Number of steps of a plan. */
 const STEPS = 8;
 
-/** Where one walker has been lately. */
+/** Recent positions of one walker. */
 export class Strides {
   #walker = -1;
   #places: (readonly [x: number, z: number])[] = [];
 
-  /** Takes down where a walker is after a tick; another one than before begins anew. */
+  /** Adds a walker's position after a tick; another walker restarts the list. */
   add({ joints }: Pick<CrowdTick, "joints">, walker: number): void {
     if (walker !== this.#walker) this.forget();
     this.#walker = walker;
@@ -46,7 +46,7 @@ export class Strides {
 const weightsOf = ({ weights }: Pick<CrowdTick, "weights">, walker: number, styles: readonly string[]) =>
   styles.map((name, i) => ({ name, weight: weights[walker * styles.length + i]! / FULL }));
 
-/** The field's styles, each once, and the rest by its name: how much of each somebody walks in, 0 to 1. */
+/** Weights of the field's styles, each once, and of the rest by its name, for one agent, 0 to 1. */
 export function sharesOf(
   tick: Pick<CrowdTick, "weights">,
   walker: number,
@@ -65,7 +65,7 @@ export function sharesOf(
   ];
 }
 
-/** A block of a plan in the styles of somebody: what is missing to 1 is the average of all styles there too. */
+/** A block of a plan with an agent's styles. The remainder to 1 is the average of all styles there too. */
 export function asWalkBlock(tick: Pick<CrowdTick, "weights">, walker: number, styles: readonly string[]): WalkBlock {
   const all = weightsOf(tick, walker, styles).filter(({ weight }) => weight >= NEGLIGIBLE);
   const sum = all.reduce((total, { weight }) => total + weight, 0);

@@ -1,4 +1,4 @@
-/** The database to be built: the skeletons of the clips, its name, what it will lack, and the button. */
+/** The database to be built: the skeletons of the clips, its name, missing data, and the button. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
@@ -8,7 +8,7 @@ import { type KnownSkeleton, SURE } from "./corpus";
 
 const words = strings.data.build;
 
-/** Maximum number of sentences about what the database will lack. */
+/** Maximum number of sentences about missing data. */
 const MAX_CONCERNS = 3;
 
 export interface BuildPanelListeners {
@@ -16,12 +16,12 @@ export interface BuildPanelListeners {
   onRoles: (skeleton: number) => void;
 }
 
-/** What the panel shows. */
+/** Contents of the panel. */
 export interface BuildPlan {
   usable: number;
   styles: number;
   skeletons: readonly KnownSkeleton[];
-  /** Clips of each skeleton. */
+  /** Number of clips of each skeleton. */
   clipsOf: readonly number[];
   concerns: readonly string[];
 }
@@ -34,7 +34,7 @@ export class BuildPanel {
   readonly #concerns = html("ul", { class: "concerns" });
   readonly #build: HTMLButtonElement;
   readonly #listeners: BuildPanelListeners;
-  /** What is shown, to change the page only where it differs. */
+  /** The displayed contents, so that the page changes only if they differ. */
   #shown = "";
 
   constructor(listeners: BuildPanelListeners) {

@@ -1,4 +1,4 @@
-/** The catalogue of public data sets: what `catalog.json` says of them, checked before anything of it is used. */
+/** The catalogue of public data sets: the contents of `catalog.json`, checked before use. */
 import { StrutError } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
 
@@ -8,20 +8,20 @@ const words = strings.data.sets;
 export interface PublicSet {
   id: string;
   name: string;
-  /** What is in it, in a few words. */
+  /** Its contents in a few words. */
   about: string;
   licence: { name: string; url: string; note: string };
   citation: string;
-  /** Where people read about it, and get it by hand. */
+  /** Web page with information, and for manual download. */
   page: string;
-  /** Bytes in all; 0 if unknown. */
+  /** Total bytes; 0 if unknown. */
   bytes: number;
-  /** What the files' addresses begin with: https, with a slash at the end. */
+  /** Prefix of the files' URLs: https, with a slash at the end. */
   base: string;
   files: SetFile[];
-  /** Pattern of the clips' names, where they tell their labels. */
+  /** Pattern of the clips' names, if they contain the labels. */
   pattern?: string;
-  /** Table of labels (CSV), where the names tell nothing. */
+  /** Table of labels (CSV), if the names do not contain them. */
   labels?: string;
 }
 
@@ -29,18 +29,18 @@ export interface PublicSet {
 export interface SetFile {
   /** Path in the set. */
   path: string;
-  /** What follows `base` in its address; without it the path. */
+  /** Path after `base` in its URL; by default `path`. */
   url?: string;
-  /** SHA-256 of its bytes, 64 hexadecimal digits, where it is known. */
+  /** SHA-256 of its bytes, 64 hexadecimal digits, if it is known. */
   sha256?: string;
 }
 
-/** Longest list of files. */
+/** Maximum number of files of a set. */
 const MAX_FILES = 10_000;
 
 /**
- * The sets of a catalogue.
- * @throws StrutError if it cannot be had, or is not as {@link parseCatalogue} expects
+ * Loads the sets of a catalogue.
+ * @throws StrutError if it cannot be loaded, or does not meet {@link parseCatalogue}
  */
 export async function loadCatalogue(url: string | URL = "catalog.json"): Promise<PublicSet[]> {
   const response = await fetch(url, { credentials: "omit", referrerPolicy: "no-referrer" }).catch(() => undefined);
@@ -53,7 +53,7 @@ export async function loadCatalogue(url: string | URL = "catalog.json"): Promise
 
 /**
  * Checks a catalogue.
- * @throws StrutError that names the first field that is not as it should be
+ * @throws StrutError that names the first invalid field
  */
 export function parseCatalogue(catalogue: unknown): PublicSet[] {
   const { version, sets } = recordAt("", catalogue);
@@ -63,7 +63,7 @@ export function parseCatalogue(catalogue: unknown): PublicSet[] {
   return checked;
 }
 
-/** The files of a set with their whole addresses. */
+/** The files of a set with complete URLs. */
 export function filesOf({ base, files }: PublicSet): (SetFile & { url: string })[] {
   return files.map((file) => ({ ...file, url: base + (file.url ?? encodeURI(file.path)) }));
 }
@@ -98,7 +98,7 @@ function checkedSet(at: string, value: unknown): PublicSet {
   };
 }
 
-/** A file is its path, or an object. Its address stays below that of the set, and its path in the set. */
+/** A file is a path, or an object. Its URL must stay below that of the set, and its path within the set. */
 function checkedFile(at: string, base: string, value: unknown): SetFile {
   const file = typeof value === "string" ? { path: value } : recordAt(at, value);
   const path = textAt(`${at}.path`, file.path);

@@ -1,4 +1,4 @@
-/** Public data sets: what there is, its licence, and the way to get it. */
+/** Public data sets: the list, licences, and downloads. */
 
 import { type CallOptions, isCancellation } from "../../../client/protocol";
 import { button } from "../../../ui/controls/buttons";
@@ -13,7 +13,7 @@ import { type FileCache, fetchSet, filesKept, forgetSet, forgetUnlisted, openCac
 
 const words = strings.data.sets;
 
-/** A set, and the number of its files that the browser's cache has. */
+/** A set, and the number of its files in the browser's cache. */
 interface Entry {
   set: PublicSet;
   kept: number;
@@ -24,7 +24,7 @@ export class CataloguePanel {
   readonly #progress = new ProgressLine();
   readonly #list = html("ul", { class: "stored" });
   readonly #note = html("p", { class: "caption", role: "status" });
-  /** Loads the list again where it did not come. */
+  /** Loads the list again if loading failed. */
   readonly #again = button(strings.page.tryAgain, () => this.show(), { label: true, class: "outlined" });
   readonly #onFiles: (set: PublicSet, files: Awaited<ReturnType<typeof fetchSet>>) => void;
   #entries: Entry[] = [];
@@ -32,7 +32,7 @@ export class CataloguePanel {
   #loading: Promise<void> | undefined;
   #busy = false;
 
-  /** @param onFiles is called with the files of a set when all of them are there */
+  /** @param onFiles called with the files of a set when all have arrived */
   constructor(onFiles: (set: PublicSet, files: Awaited<ReturnType<typeof fetchSet>>) => void) {
     this.#onFiles = onFiles;
     this.element = html(
@@ -83,7 +83,7 @@ export class CataloguePanel {
     const word = whole ? words.use : kept > 0 ? words.resume : words.get;
     const get = button(word, () => void this.#get(entry), { label: true, class: "outlined" });
     get.setAttribute("aria-label", strings.data.saved.does(word, set.name));
-    // Where files are kept is known a moment after the list.
+    // The state of the cache is known a moment after the list.
     get.disabled = this.#busy || !this.#cache;
     const size = set.bytes > 0 ? megabytes(set.bytes) : words.files(set.files.length);
     const state = whole ? words.here : kept > 0 ? words.some(kept, set.files.length) : size;

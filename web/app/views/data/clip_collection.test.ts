@@ -13,16 +13,16 @@ import { skeletonKey } from "./corpus";
 
 const CHOSEN = [0, 1] as unknown as Roles;
 
-/** What the client was told to label with. */
+/** The arguments of the client's labelling calls. */
 let labelled: { pattern: string | undefined; table: string | undefined }[];
 let opened: string[];
-/** What a build finds. */
+/** The result of a build. */
 let twoManners: TwoManners[];
 let clips: ClipCollection;
 let changes: number;
 beforeEach(() => {
   [labelled, opened, twoManners, changes] = [[], [], [], 0];
-  // Takes “action_style.bvh” apart; a table calls everything “tabled”, unless it is broken.
+  // Splits “action_style.bvh”; a table labels everything “tabled”, unless it is invalid.
   const client = {
     open: async (files: DroppedFile[]) => {
       opened = files.map(({ path }) => path).sort();

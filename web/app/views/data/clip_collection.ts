@@ -1,4 +1,4 @@
-/** The clips of the Data view: opened, labelled, read and edited, without the page. */
+/** The clips of the Data view, independent of the page: opened, labelled, read and edited. */
 import type {
   BuildClient,
   BuiltDatabase,
@@ -31,11 +31,11 @@ import { renamedStyles } from "./renamed_styles";
 
 const words = strings.data;
 
-/** How clips are labelled where no person says it. */
+/** Labelling of clips that the user has not labelled. */
 export interface Labelling {
   /** Pattern of the file names. */
   pattern?: string;
-  /** A CSV that goes before the pattern. */
+  /** A CSV table that has precedence over the pattern. */
   table?: File;
 }
 
@@ -50,23 +50,26 @@ export class ClipCollection {
   readonly #onChange: () => void;
   #files: DroppedFile[] = [];
   #table: File | undefined;
-  /** What the last build found. */
+  /** Bimodal styles found by the last build. */
   #twoManners: readonly TwoManners[] = [];
   /** The style of each clip of the last build, by its path. */
   #built: ReadonlyMap<string, string> = new Map();
   /** The {@link ClipCollection.#labels} of the last build. */
   #builtLabels = "";
-  /** New names of styles, by their former ones: in the last build all their clips had another style than in the one before. */
+  /**
+   * New names of styles, by their former ones: in the last build all clips of the style had another style than in the
+   * previous one.
+   */
   renamed: ReadonlyMap<string, string> = new Map();
 
-  /** @param onChange is called whenever rows, labels or the neutral style are others */
+  /** @param onChange called whenever rows, labels or the neutral style change */
   constructor(client: BuildClient, onChange: () => void) {
     this.#client = client;
     this.#onChange = onChange;
     this.edits = new Edits(this.#edited, () => this.#labelled());
   }
 
-  /** Every clip that was found, usable or not. */
+  /** All clips that were found, usable or not. */
   get rows(): Row[] {
     return this.#edited.rows;
   }
@@ -76,29 +79,29 @@ export class ClipCollection {
     return this.rows.filter((row) => obstacle(row, this.skeletons) === "");
   }
 
-  /** Styles that the last build found to be performed in two manners, as long as they are labelled as one. */
+  /** Styles that the last build found to be bimodal, while they are still labelled as one. */
   get manners(): Manners[] {
     return mannersAmong(this.usable, this.#twoManners);
   }
 
-  /** Whether there are clips, or labels of theirs, that no database was built of. */
+  /** Whether there are clips, or labels, from which no database was built. */
   get isUnbuilt(): boolean {
     return this.rows.length > 0 && (this.#builtLabels === "" || this.#labels !== this.#builtLabels);
   }
 
-  /** The style that the others are compared with. */
+  /** The style to which the others are compared. */
   get neutral(): string {
     return this.#edited.neutral;
   }
 
-  /** What the database would be called after the folder or archive of the clips. */
+  /** Suggested name of the database, after the folder or archive of the clips. */
   get name(): string {
     return databaseName(this.rows.map(({ path }) => path));
   }
 
   /**
-   * Forgets all clips.
-   * @returns opens them again, with all that a person edited; they are still to be {@link read}
+   * Removes all clips.
+   * @returns a function that opens them again, with all edits; they must then be {@link read}
    */
   clear(): (options: CallOptions) => Promise<void> {
     const [files, before] = [this.#files, { ...this.#edited }];
@@ -122,8 +125,8 @@ export class ClipCollection {
   }
 
   /**
-   * Lists and labels the clips among files, beside those that are open; a file of the same path takes the place of the one
-   * before. What a person edited stays, and the pattern of the clips that were open. {@link read} reads the clips.
+   * Lists and labels the clips in files, in addition to the open ones; a file with the same path replaces the previous
+   * one. Edits by the user, and the pattern of the open clips, are kept. {@link read} reads the clips.
    * @returns sentences about what was left out
    */
   async open(files: readonly DroppedFile[], labelling: Labelling, options: CallOptions): Promise<string[]> {
@@ -145,7 +148,7 @@ export class ClipCollection {
     return found.clips.length === 0 && found.notes.length === 0 ? [words.noClips] : found.notes;
   }
 
-  /** Reads every clip for its length, rate and skeleton. */
+  /** Reads every clip for its length, frame rate and skeleton. */
   read(options: CallOptions): Promise<void> {
     const { rows, skeletons } = this;
     return this.#client.readAll((event) => {
@@ -155,7 +158,7 @@ export class ClipCollection {
     }, options);
   }
 
-  /** Takes the labels from the table, where there is one, and the pattern. */
+  /** Sets the labels from the table, if there is one, and the pattern. */
   async label({ pattern = this.pattern, table = this.#table }: Labelling = {}): Promise<void> {
     this.pattern = pattern;
     this.#table = table;
@@ -175,14 +178,14 @@ export class ClipCollection {
     this.#labelled();
   }
 
-  /** Changes a label of one clip to what a person typed. */
+  /** Sets a label of one clip to the user's text. */
   edit(row: Row, field: LabelField, value: string): void {
     const text = value.trim();
     const take = /^\d{1,9}$/.test(text) ? Number(text) : undefined;
     this.edits.edit([row], field === "take" ? { take } : { [field]: text });
   }
 
-  /** Renames an action or a style wherever it is; with the name of another the two become one. */
+  /** Renames an action or a style everywhere; with the name of another one, the two are merged. */
   rename(field: "action" | "style", from: string, to: string): void {
     const isNeutral = field === "style" && this.neutral === from;
     this.edits.edit(
@@ -192,7 +195,7 @@ export class ClipCollection {
     );
   }
 
-  /** Makes the second manner of a style a style of its own, under a name that is free in the action. */
+  /** Makes the second cluster of a bimodal style a style of its own, under a name that is free in the action. */
   divide({ action, style, rows }: Manners): void {
     const taken = this.rows.filter((row) => row.action === action).map((row) => row.style.trim());
     this.edits.edit(rows[1], { style: freeName(style.trim(), taken) });
@@ -203,7 +206,7 @@ export class ClipCollection {
     return this.#client.preview(row.index, this.#rolesOf(row));
   }
 
-  /** Builds a database of the usable clips; clips that turn out not to be are marked with the reason. */
+  /** Builds a database of the usable clips; clips that prove to be unusable are marked with the reason. */
   async build(options: CallOptions): Promise<BuiltDatabase> {
     const files = this.usable.map(
       (row): ChosenFile => ({
@@ -228,7 +231,7 @@ export class ClipCollection {
     return built;
   }
 
-  /** All that a person can say of the clips, to be compared. */
+  /** All user settings of the clips, for comparison. */
   get #labels(): string {
     const { rows, neutral, chosen } = this.#edited;
     return JSON.stringify([
@@ -242,7 +245,7 @@ export class ClipCollection {
     return read && this.skeletons[read.skeleton]?.chosen;
   }
 
-  /** Where no clip has the neutral style any more, another style takes its place. */
+  /** If no clip has the neutral style any more, another style replaces it. */
   #labelled(): void {
     this.#applyChosen();
     const { styles } = classTable(this.usable);

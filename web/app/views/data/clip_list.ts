@@ -1,13 +1,13 @@
-/** The table of clips: a virtual list, in which only the rows in sight are in the page, so that thousands are cheap. */
+/** The table of clips: a virtual list, in which only visible rows are in the page, so that it can have thousands. */
 
 import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
 import { isNarrow, textZoom } from "../../../ui/media";
 import { strings } from "../../strings/strings";
 import { type KnownSkeleton, type LabelField, obstacle, type Row } from "./corpus";
 
-/** Height of a row at a text size of 16 px, as `clips.css` has it: one line, two on a narrow screen; pixels. */
+/** Height of a row at a text size of 16 px, as in `clips.css`: one line, two on a narrow screen; pixels. */
 const ROW = { wide: 30, narrow: 92 };
-/** Rows above and below those in sight that are in the page too. */
+/** Rows above and below the visible ones that are in the page too. */
 const MARGIN = 6;
 
 /** Maximum number of names that the label fields suggest. */
@@ -36,14 +36,14 @@ export class ClipList {
   readonly #actions = html("datalist", { id: "actions" });
   readonly #styles = html("datalist", { id: "styles" });
   readonly #listeners: ClipListListeners;
-  /** The elements of the rows in the page; a row of other clips is another object, even where its number is the same. */
+  /** The elements of the rows in the page. A row of another clip is another object, even with the same index. */
   readonly #shown = new Map<Row, ShownRow>();
   #rows: readonly Row[] = [];
   #skeletons: readonly KnownSkeleton[] = [];
   #selected: number | undefined;
   #asked = 0;
   readonly #resized: ResizeObserver;
-  /** Place and height of the part in sight, pixels: measured only when they change, because measuring costs a layout. */
+  /** Position and height of the visible part, pixels: measured only when they change, because measuring causes a layout. */
   #top = 0;
   #height = 0;
 
@@ -74,7 +74,7 @@ export class ClipList {
     cancelAnimationFrame(this.#asked);
   }
 
-  /** Shows these rows; `names` are what the labels' fields suggest. */
+  /** Shows these rows; `names` are the suggestions of the label fields. */
   show(
     rows: readonly Row[],
     skeletons: readonly KnownSkeleton[],
@@ -98,7 +98,7 @@ export class ClipList {
     this.#asked = requestAnimationFrame(() => this.#fill());
   }
 
-  /** Puts the rows in sight into the page and removes the others. */
+  /** Adds the visible rows to the page and removes the others. */
   #fill(): void {
     const height = (isNarrow() ? ROW.narrow : ROW.wide) * textZoom();
     this.#body.style.height = `${height * this.#rows.length}px`;
@@ -167,14 +167,14 @@ export class ClipList {
     setAttributes(note, { title: text });
   }
 
-  /** The skeleton of a clip, where the clips have several. */
+  /** The skeleton of a clip, if the clips have several. */
   #skeletonNote({ read }: Row): string {
     const skeleton = read && this.#skeletons.length > 1 ? this.#skeletons[read.skeleton] : undefined;
     return skeleton ? words.skeleton(read!.skeleton + 1, skeleton.joints.length) : "";
   }
 }
 
-/** Fills a list of suggestions where they differ. */
+/** Updates a list of suggestions if it differs. */
 function suggest(list: HTMLDataListElement, values: readonly string[]): void {
   const same = list.options.length === values.length && values.every((value, i) => list.options[i]!.value === value);
   if (!same) list.replaceChildren(...values.map((value) => html("option", { value })));

@@ -1,4 +1,4 @@
-/** What is open in the Data view: the heading, the pattern of the names, the classes, and the table of clips. */
+/** The open clips of the Data view: the heading, the pattern of the names, the classes, and the table. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
@@ -12,11 +12,11 @@ import { type ClassFilter, Matrix } from "./matrix";
 
 const words = strings.data;
 
-/** What the table is narrowed to. */
+/** Filter of the table. */
 type Filter = ClassFilter | "left out" | undefined;
 
 export interface ClipsPanelListeners {
-  /** Files, or a folder, shall be chosen. */
+  /** Called when files, or a folder, are to be chosen. */
   onAddFiles: () => void;
   onAddFolder: () => void;
   onClear: () => void;
@@ -84,13 +84,13 @@ export class ClipsPanel {
     this.#list.dispose();
   }
 
-  /** Index of the clip that the preview shows. */
+  /** Index of the clip in the preview. */
   set selected(index: number | undefined) {
     this.#selected = index;
     this.#showList(classTable(this.#clips.usable));
   }
 
-  /** Shows other clips from their beginning. */
+  /** Shows other clips, scrolled to the top. */
   reset(): void {
     this.#filter = undefined;
     this.#selected = undefined;
@@ -115,7 +115,7 @@ export class ClipsPanel {
     this.#showList(classes);
   }
 
-  /** Narrows the table of clips to a class, and brings it into view. */
+  /** Filters the table of clips by a class, and scrolls it into view. */
   reveal(of: ClassFilter): void {
     this.#narrow(of);
     this.#list.element.scrollIntoView({ block: "nearest" });

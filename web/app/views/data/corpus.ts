@@ -1,49 +1,49 @@
-/** The clips of the Data view and their labels: plain data and what follows from it. */
+/** The clips of the Data view and their labels: plain data and functions on it. */
 import type { FoundClip, Labelled, ReadEvent, Roles, Skeleton } from "../../../client/build/protocol";
 import { strings } from "../../strings/strings";
 
 const words = strings.data;
 
-/** Roles of a lower confidence are shown to be checked; those found by joint names have 1, by shape alone 0.6. */
+/** Roles with a lower confidence are shown for checking; those found by joint names have 1, by shape alone 0.6. */
 export const SURE = 0.8;
 
 /** A clip with its labels. */
 export interface Row {
-  /** Number among the clips that were found. */
+  /** Index among the clips that were found. */
   readonly index: number;
   readonly path: string;
   readonly licence: string;
   action: string;
   style: string;
   take: number | undefined;
-  /** Whether a person typed the labels. */
+  /** Whether the user edited the labels. */
   edited: boolean;
   /** Why the name gives no labels; empty if it does. */
   unlabelled: string;
-  /** Why the file cannot be used; empty if it can, as far as is known. */
+  /** Why the file cannot be used; empty if it can, as far as known. */
   fault: string;
-  /** Undefined until the file was read. */
+  /** `undefined` until the file was read. */
   read: { frames: number; rateHz: number; skeleton: number } | undefined;
 }
 
-/** A skeleton, and the joints that a person chose for its roles. */
+/** A skeleton, and the joints that the user chose for its roles. */
 export interface KnownSkeleton extends Skeleton {
   chosen: Roles | undefined;
 }
 
-/** What skeletons of the same joints have in common. */
+/** A key shared by skeletons with the same joints. */
 export function skeletonKey({ joints }: Skeleton): string {
   return joints.join("\n");
 }
 
-/** How many clips every action has in every style. */
+/** Number of clips of every action in every style. */
 export interface ClassTable {
   actions: string[];
   styles: string[];
   count(action: string, style: string): number;
 }
 
-/** A field of a row that a person may type. */
+/** A field of a row that the user can edit. */
 export type LabelField = "action" | "style" | "take";
 
 /** The row of a clip that was found. */
@@ -62,7 +62,7 @@ export function rowOf({ path, licence }: FoundClip, index: number): Row {
   };
 }
 
-/** Sets the labels that names or a table give; labels that a person typed stay. */
+/** Sets the labels from names or a table; labels edited by the user are kept. */
 export function applyLabels(rows: readonly Row[], labels: readonly Labelled[]): void {
   for (const row of rows) {
     const found = labels[row.index];
@@ -72,7 +72,7 @@ export function applyLabels(rows: readonly Row[], labels: readonly Labelled[]): 
   }
 }
 
-/** Adds what was read of some clips to their rows, and new skeletons to those known. */
+/** Adds the read properties of some clips to their rows, and new skeletons to the known ones. */
 export function applyRead(rows: readonly Row[], skeletons: KnownSkeleton[], event: ReadEvent): void {
   skeletons.push(...event.skeletons.map((skeleton) => ({ ...skeleton, chosen: undefined })));
   for (const { index, ...read } of event.clips) {
@@ -114,7 +114,7 @@ export function likelyNeutral(styles: readonly string[]): string {
   return named ?? styles[0] ?? "";
 }
 
-/** Sentences about what the database will lack. */
+/** Sentences about data that the database will lack. */
 export function concerns({ actions, styles, count }: ClassTable): string[] {
   const sentences: string[] = [];
   if (styles.length === 1) sentences.push(words.oneStyle);
@@ -127,7 +127,7 @@ export function concerns({ actions, styles, count }: ClassTable): string[] {
   return sentences;
 }
 
-/** Name of the database to be made of these paths: the first folder's or archive's. */
+/** Name of a database of these paths: the first folder's or archive's. */
 export function databaseName(paths: readonly string[]): string {
   const [first = ""] = paths;
   const slash = first.indexOf("/");

@@ -1,4 +1,4 @@
-/** The Data view: clips that a person has become a database, here in the page. */
+/** The Data view: builds a database from the user's clips in the page. */
 import "./data.css";
 import { createBuildClient } from "../../../client/build/client";
 import type { DroppedFile } from "../../../client/build/protocol";
@@ -37,7 +37,7 @@ class DatabaseView implements View {
   readonly #client = createBuildClient();
   readonly #clips: ClipCollection;
   readonly #databases = new DeviceDatabases();
-  /** Takes the offer to play with what was built away. */
+  /** Removes the offer to play with the built database. */
   #takeReady = () => {};
   readonly #files = html("input", { type: "file", multiple: true, hidden: true, accept: ".bvh,.zip,.csv,.strutdb" });
   readonly #folder = html("input", { type: "file", webkitdirectory: true, hidden: true });
@@ -46,10 +46,10 @@ class DatabaseView implements View {
   readonly #build: BuildPanel;
   readonly #manners: MannersPanel;
   readonly #databasesPanel: DatabasesPanel;
-  /** Opens the clips again that were cleared last, until a person adds others. */
+  /** Opens the last cleared clips again, until the user adds others. */
   #cleared: ((options: CallOptions) => Promise<void>) | undefined;
   readonly #catalogue = new CataloguePanel((set, files) => this.#takeSet(set, files));
-  /** Index of the clip that the preview shows. */
+  /** Index of the clip in the preview. */
   #selected: number | undefined;
   #building = false;
 
@@ -93,7 +93,7 @@ class DatabaseView implements View {
     this.#show();
   }
 
-  /** Undo of the edits, and before them of the table that was cleared. */
+  /** Undo of the edits, and before them of clearing the table. */
   get history(): UndoRedo {
     const { edits } = this.#clips;
     const openAgain = this.#cleared;
@@ -176,7 +176,7 @@ class DatabaseView implements View {
     this.takeFiles(files);
   }
 
-  /** Takes a public data set in the place of what there was. */
+  /** Opens a public data set instead of the current clips. */
   #takeSet({ name, pattern, labels }: PublicSet, files: DroppedFile[]): void {
     this.#clear();
     void this.#open(files, {
@@ -185,7 +185,7 @@ class DatabaseView implements View {
     });
   }
 
-  /** Forgets all clips; undo has them back. */
+  /** Removes all clips; undo restores them. */
   #clear(): void {
     const hadClips = this.#clips.rows.length > 0;
     this.#clipsPanel.progress.cancel();
@@ -209,7 +209,7 @@ class DatabaseView implements View {
     return this.#read((options) => this.#clips.open(files, labelling, options));
   }
 
-  /** Reads the clips that `open` opens; the first that can be read is shown. */
+  /** Reads the clips that `open` opens, and previews the first readable one. */
   async #read(open: (options: CallOptions) => Promise<readonly string[]>): Promise<void> {
     const wereOpen = this.#clips.rows.length > 0;
     this.#forgetShown();
@@ -305,14 +305,14 @@ class DatabaseView implements View {
         const styles = built.styles.length;
         const ready = words.build.ready(capitalised(numberWord(styles)), styles, built.frames, seconds);
         const text = refused.length > 0 ? `${ready} ${words.build.refused(refused.length)}` : ready;
-        // It is what is played with from now on; whoever goes on with the clips stays here.
+        // Play uses it from now on; the user can continue with the clips here.
         const made = { name: placed.name, file: built.file };
         const opened = await this.#host.openBuilt(made, !placed.unkept, this.#clips.renamed);
         if (opened) {
           const { open, play } = words.build;
           this.#takeReady = this.#host.toasts.offer(`${text} ${open}`, play, () => this.#host.showPlay());
         } else this.#host.toasts.note(text);
-        // Opening it takes errors away.
+        // Opening it removes error messages.
         this.#sayUnkept(placed);
       }),
     );
@@ -330,7 +330,7 @@ class DatabaseView implements View {
     this.#listDatabases();
   }
 
-  // --- what is shown ---
+  // --- display ---
 
   #listDatabases(): void {
     const { file } = this.#host.databaseFile();

@@ -1,4 +1,4 @@
-/** The databases of this device: opened, exported, deleted and brought back. */
+/** The databases of this device: open, export, delete and restore. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
@@ -38,8 +38,8 @@ export class DatabasesPanel {
   }
 
   /**
-   * Lists them. Of the one that Play uses, `name` is that which it is kept by, and `file` what it was opened from; nothing is
-   * that of the built-in one.
+   * Lists them. For the one used by Play, `name` is its stored name, and `file` the file from which it was opened; both
+   * are empty for the built-in one.
    */
   show(databases: DeviceDatabases, { name, file }: { name: string; file: Blob | undefined }): void {
     const { all, deleted, fault, outdated } = databases;

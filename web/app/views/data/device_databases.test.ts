@@ -12,7 +12,7 @@ beforeEach(async () => {
   await databases.load();
 });
 
-/** A database that is told from others by its number of frames. */
+/** A database identified by its number of frames. */
 const database = (name: string, frames: number): SavedDatabase => ({
   name,
   frames,
@@ -29,7 +29,7 @@ describe("a database", () => {
   test("is never put in the place of another of its name", async () => {
     expect(await databases.add(database("My clips", 1))).toEqual({ name: "My clips", unkept: "" });
     expect(await databases.add(database("My clips", 2))).toEqual({ name: "My clips 2", unkept: "" });
-    // Another tab knows nothing of this one.
+    // Another tab does not know of this one.
     const other = new DeviceDatabases();
     expect((await other.add(database("My clips", 3))).name).toBe("My clips 3");
     expect(await addDatabase(database("My clips", 4))).toBe("My clips 4");

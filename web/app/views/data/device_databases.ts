@@ -1,6 +1,6 @@
 /**
- * The databases of this device while the Data view is open: those that the browser keeps, those that it refused to keep,
- * and those that were deleted and can be brought back. No method replaces a database but `replace`.
+ * The databases of this device while the Data view is open: those stored in the browser, those that it refused to
+ * store, and deleted ones that can be restored. Only `replace` replaces a database.
  */
 import { isUnloaded } from "../../../client/protocol";
 import { errorText } from "../../ui/words";
@@ -13,61 +13,61 @@ import {
   type SavedDatabase,
 } from "./saved_databases";
 
-/** Where a database went. */
+/** Where a database was stored. */
 export interface Placed {
-  /** The name that it has now. */
+  /** Its actual name. */
   name: string;
-  /** Why the browser does not keep it, a sentence; empty if it does. */
+  /** Why the browser did not store it, a sentence; empty if it did. */
   unkept: string;
 }
 
 export class DeviceDatabases {
   #saved: SavedDatabase[] = [];
-  /** Databases that the browser refused to keep: they last as long as the view. */
+  /** Databases that the browser refused to store; they are kept as long as the view. */
   readonly #unkept = new Map<string, SavedDatabase>();
   readonly #deleted = new Map<string, SavedDatabase>();
   #fault = "";
   #outdated = false;
 
-  /** Reads what the browser keeps; where it keeps nothing {@link fault} says so. */
+  /** Reads the stored databases; if there is no storage, {@link fault} has the reason. */
   async load(): Promise<void> {
     try {
       this.#saved = await listSavedDatabases();
       this.#fault = "";
       this.#outdated = false;
     } catch (error) {
-      // What was read before can still be opened.
+      // Databases that were read before can still be opened.
       this.#fault = errorText(error);
       this.#outdated = isUnloaded(error);
     }
   }
 
-  /** Why the browser keeps nothing for this page, a sentence; empty if it does. */
+  /** Why the browser stores nothing for this page, a sentence; empty if it does. */
   get fault(): string {
     return this.#fault;
   }
 
-  /** Whether a newer version of the page keeps them: this one can read them no longer. */
+  /** Whether a newer version of the page manages them, so that this one can no longer read them. */
   get outdated(): boolean {
     return this.#outdated;
   }
 
-  /** All that can be opened. */
+  /** All databases that can be opened. */
   get all(): SavedDatabase[] {
     return [...this.#saved, ...this.#unkept.values()];
   }
 
-  /** Those that were deleted since the view was opened. */
+  /** Databases deleted since the view was opened. */
   get deleted(): SavedDatabase[] {
     return [...this.#deleted.values()];
   }
 
-  /** Whether something here would be lost with the view. */
+  /** Whether something would be lost with the view. */
   get holdsUnkept(): boolean {
     return this.hasUnkept || this.#deleted.size > 0;
   }
 
-  /** Whether there are databases that the browser refused to keep. */
+  /** Whether there are databases that the browser refused to store. */
   get hasUnkept(): boolean {
     return this.#unkept.size > 0;
   }
@@ -80,7 +80,7 @@ export class DeviceDatabases {
     return !this.#unkept.has(name);
   }
 
-  /** The name, with a number where a database has it. */
+  /** The name, with a number if another database has it. */
   freeName(name: string): string {
     return freeName(
       name,
@@ -88,7 +88,7 @@ export class DeviceDatabases {
     );
   }
 
-  /** Adds a database beside the others, under a name that is free. */
+  /** Adds a database under a free name. */
   async add(database: SavedDatabase): Promise<Placed> {
     const wanted = this.freeName(database.name);
     try {
@@ -101,7 +101,7 @@ export class DeviceDatabases {
     }
   }
 
-  /** Puts a database in the place of the one of its name; where the browser refuses that, both stay. */
+  /** Replaces the database of the same name; if the browser refuses that, both are kept. */
   async replace(database: SavedDatabase): Promise<Placed> {
     const { name } = database;
     if (this.#unkept.delete(name)) return this.add(database);
@@ -117,7 +117,7 @@ export class DeviceDatabases {
     }
   }
 
-  /** Deletes a database, which {@link restore} brings back. @throws Error with a sentence where that fails */
+  /** Deletes a database, which {@link restore} can restore. @throws Error with a sentence if that fails */
   async delete(name: string): Promise<void> {
     const database = this.find(name);
     if (!database) return;
@@ -126,7 +126,7 @@ export class DeviceDatabases {
     await this.load();
   }
 
-  /** Brings a deleted database back, under another name where its own was taken meanwhile. */
+  /** Restores a deleted database, under another name if its own is in use. */
   async restore(name: string): Promise<Placed | undefined> {
     const database = this.#deleted.get(name);
     this.#deleted.delete(name);

@@ -6,16 +6,16 @@ import type { Row } from "./corpus";
 /** The fields of a row that an edit changes. */
 type LabelFields = Pick<Row, "action" | "style" | "take" | "edited" | "unlabelled">;
 
-/** What a person can edit. */
+/** Data that the user can edit. */
 export interface Edited {
   readonly rows: readonly Row[];
-  /** The style that the others are compared with. */
+  /** The style to which the others are compared. */
   neutral: string;
-  /** The joints that a person chose, by `skeletonKey`. */
+  /** The joints that the user chose, by `skeletonKey`. */
   chosen: ReadonlyMap<string, Roles>;
 }
 
-/** The labels of the rows of one edit by their paths, as rows are made anew when files are added; and all else. */
+/** The labels of the edited rows by path, as rows are created again when files are added, and all other data. */
 interface Saved {
   labels: ReadonlyMap<string, LabelFields>;
   neutral: string;
@@ -26,7 +26,7 @@ export class Edits extends History<Saved> {
   readonly #edited: Edited;
   readonly #onChange: () => void;
 
-  /** @param onChange is called after an edit, undo and redo */
+  /** @param onChange called after an edit, undo and redo */
   constructor(edited: Edited, onChange: () => void) {
     super(
       ({ labels }) =>
@@ -44,7 +44,7 @@ export class Edits extends History<Saved> {
     this.#onChange = onChange;
   }
 
-  /** Changes the labels of rows, and what the neutral style is called after that. */
+  /** Changes the labels of rows, and the name of the neutral style afterwards. */
   edit(
     rows: readonly Row[],
     change: Partial<Pick<Row, "action" | "style" | "take">>,
@@ -56,12 +56,12 @@ export class Edits extends History<Saved> {
     this.#onChange();
   }
 
-  /** Takes another style for the neutral one. */
+  /** Sets the neutral style. */
   setNeutral(style: string): void {
     this.edit([], {}, style);
   }
 
-  /** Chooses the joints of a skeleton. */
+  /** Sets the joints of a skeleton. */
   choose(key: string, roles: Roles): void {
     this.record(saved(this.#edited, []));
     this.#edited.chosen = new Map([...this.#edited.chosen, [key, roles]]);

@@ -1,6 +1,6 @@
-/** Names for what is kept beside other things: none takes the name of another. */
+/** Unique names. */
 
-/** The name, or where it is taken the name with the lowest free number from 2: “My clips 2”. */
+/** The name, or if it is in use the name with the lowest free number from 2: “My clips 2”. */
 export function freeName(name: string, taken: Iterable<string>): string {
   const names = new Set(taken);
   let found = name;

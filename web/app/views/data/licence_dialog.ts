@@ -1,4 +1,4 @@
-/** Shows the licence of a public data set before anything of it is fetched. */
+/** Shows the licence of a public data set before any of it is downloaded. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";

@@ -1,18 +1,18 @@
-/** Styles that are performed in two manners, as a build found them among the clips of the Data view: plain data. */
+/** Bimodal styles that a build found among the clips of the Data view: plain data. */
 import type { TwoManners } from "../../../client/build/protocol";
 import { strings } from "../../strings/strings";
 import type { Row } from "./corpus";
 
 const words = strings.data.manners;
 
-/** The clips of each manner of a style in an action. */
+/** The clips of each cluster of a style in an action. */
 export interface Manners {
   action: string;
   style: string;
   rows: [Row[], Row[]];
 }
 
-/** What was found of clips that are still open and still labelled as one style of one action. */
+/** The findings about clips that are still open and still labelled as one style of one action. */
 export function mannersAmong(rows: readonly Row[], found: readonly TwoManners[]): Manners[] {
   const rowAt = new Map(rows.map((row) => [row.path, row]));
   const open = (paths: string[]) => paths.flatMap((path) => rowAt.get(path) ?? []);
@@ -27,7 +27,7 @@ export function mannersAmong(rows: readonly Row[], found: readonly TwoManners[])
   });
 }
 
-/** Clips as people name them: “takes 1–4, 6”, or their files where the numbers do not tell them apart. */
+/** Clips in words: “takes 1–4, 6”, or their files if the take numbers are ambiguous. */
 export function clipsInWords(rows: readonly Row[]): string {
   const takes = rows.flatMap(({ take }) => take ?? []).sort((a, b) => a - b);
   if (new Set(takes).size < rows.length) return rows.map(({ path }) => fileName(path)).join(", ");

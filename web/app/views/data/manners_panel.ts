@@ -1,4 +1,4 @@
-/** Styles that are performed in two manners: which clips show which, and a button that makes them two styles. */
+/** Bimodal styles: the clips of each cluster, and a button that splits them into two styles. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";
@@ -9,7 +9,7 @@ import { clipsInWords, fileName, type Manners } from "./manners";
 const words = strings.data.manners;
 
 export interface MannersPanelListeners {
-  /** The clips of a style shall be listed. */
+  /** Called when the clips of a style are to be listed. */
   onShow: (found: Manners) => void;
   onDivide: (found: Manners) => void;
 }
@@ -18,7 +18,7 @@ export class MannersPanel {
   readonly element: HTMLElement;
   readonly #list = html("ul", { class: "manners" });
   readonly #listeners: MannersPanelListeners;
-  /** What is shown, to change the page only where it differs. */
+  /** The displayed contents, so that the page changes only if they differ. */
   #shown = "";
 
   constructor(listeners: MannersPanelListeners) {
@@ -60,7 +60,7 @@ export class MannersPanel {
   }
 }
 
-/** The clips of a manner, with their files where the pointer rests. */
+/** The clips of a cluster, with a tooltip of their files. */
 function clips(rows: readonly Row[]): HTMLElement {
   return html("span", { title: rows.map(({ path }) => fileName(path)).join("\n") }, clipsInWords(rows));
 }

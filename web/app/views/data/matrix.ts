@@ -1,4 +1,4 @@
-/** The classes of the clips: a row for every style, a column for every action, and which style is neutral. */
+/** The classes of the clips: a row for every style, a column for every action, and the choice of the neutral style. */
 
 import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
@@ -6,7 +6,7 @@ import type { ClassTable } from "./corpus";
 
 const words = strings.data.matrix;
 
-/** A class that the list is narrowed to. */
+/** A class by which the list is filtered. */
 export interface ClassFilter {
   action: string;
   style: string;
@@ -14,7 +14,7 @@ export interface ClassFilter {
 
 export interface MatrixListeners {
   onNeutral: (style: string) => void;
-  /** `undefined` to show all again. */
+  /** Called with a filter; `undefined` shows all clips. */
   onFilter: (filter: ClassFilter | undefined) => void;
   onRename: (field: "action" | "style", from: string, to: string) => void;
 }
@@ -22,7 +22,7 @@ export interface MatrixListeners {
 export class Matrix {
   readonly element = html("div", { class: "matrix", tabindex: 0, role: "region", "aria-label": words.name });
   readonly #listeners: MatrixListeners;
-  /** What is shown, to change the page only where it differs. */
+  /** The displayed contents, so that the page changes only if they differ. */
   #shown = "";
 
   constructor(listeners: MatrixListeners) {
@@ -53,7 +53,7 @@ export class Matrix {
     );
     const focused = this.element.contains(document.activeElement) && document.activeElement?.getAttribute("aria-label");
     this.element.replaceChildren(html("table", {}, html("thead", {}, head), html("tbody", {}, ...rows)));
-    // The element that had the focus was replaced.
+    // The focused element was replaced.
     if (focused) this.element.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus();
   }
 

@@ -1,4 +1,4 @@
-/** Asks what a style shall be called and what its clip shows, before it is made. */
+/** Asks for the name of a new style and the action of its clip. */
 
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
@@ -12,24 +12,24 @@ const words = strings.data.style;
 
 /** Longest name of a style, characters. */
 const LONGEST = 40;
-/** The engine refuses clips that are shorter than this, seconds. */
+/** The engine refuses shorter clips, seconds. */
 const SHORTEST = 1;
-/** Clips that are shorter than this, seconds, are about one cycle of a walk, which part of another action can fit as well. */
+/** Shorter clips, seconds, contain about one cycle of a walk, which may also fit a part of another action. */
 const BRIEF = 2;
 
-/** What is known before a person answers. */
+/** Data known before the user answers. */
 export interface StyleQuestion {
-  /** The name and the action that are suggested. */
+  /** The suggested name and action. */
   suggested: ClipStyle;
-  /** Names that other styles have. */
+  /** Names of other styles. */
   taken: readonly string[];
   /** Actions of the database. */
   actions: readonly string[];
-  /** How long the clip lasts; `undefined` where that is not known. */
+  /** Duration of the clip; `undefined` if it is not known. */
   seconds: number | undefined;
 }
 
-/** What a style of a clip shall be; `undefined` where none is wanted. */
+/** Asks for the style of a clip; `undefined` if the user cancels. */
 export function askForStyle({ suggested, taken, actions, seconds }: StyleQuestion): Promise<ClipStyle | undefined> {
   const input = html("input", { type: "text", class: "text", "aria-label": words.name, maxlength: LONGEST });
   const action = html(
@@ -72,7 +72,7 @@ export function askForStyle({ suggested, taken, actions, seconds }: StyleQuestio
   return asked;
 }
 
-/** What is said of a clip that is too short, or nearly. */
+/** A note about a clip that is too short, or nearly. */
 function lengthText(seconds: number | undefined): string {
   if (seconds === undefined || seconds >= BRIEF) return "";
   const secs = formatNumber(seconds, 1);

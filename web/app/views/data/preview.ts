@@ -1,4 +1,4 @@
-/** A clip as it will enter the database: the mannequin in the clip's own proportions. */
+/** Preview of a clip as it will be in the database: the mannequin in the clip's own proportions. */
 
 import type { Preview } from "../../../client/build/protocol";
 import { POSE_FLOATS } from "../../../humanoid";
@@ -32,7 +32,7 @@ export class ClipPreview {
     this.clear();
   }
 
-  /** Whether the preview moves: not while a build needs the processor. */
+  /** Whether the preview plays; it is paused while a build needs the CPU. */
   set playing(playing: boolean) {
     this.#playing = playing;
     this.#lease?.freeze(!playing);
@@ -48,7 +48,7 @@ export class ClipPreview {
     this.resume();
   }
 
-  /** Shows a sentence in the place of a clip. */
+  /** Shows a sentence instead of a clip. */
   fail(title: string, sentence: string): void {
     this.clear();
     setText(this.#title, title);
@@ -74,7 +74,7 @@ export class ClipPreview {
     this.#request = requestAnimationFrame(this.#tick);
   }
 
-  /** Stops, and gives the viewer back. */
+  /** Stops, and returns the viewer. */
   stop(): void {
     cancelAnimationFrame(this.#request);
     this.#lease = undefined;

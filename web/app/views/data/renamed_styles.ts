@@ -1,10 +1,10 @@
-/** Which styles have other names than before, by the clips that they are of. Pure. */
+/** Detects renamed styles by their clips. Pure functions. */
 
 type StyleOfClip = ReadonlyMap<string, string>;
 
 /**
- * New names of styles by their former ones. A style is renamed where all its clips that are still there have one other style,
- * which no clip had before.
+ * New names of styles by their former ones. A style is renamed if all its remaining clips have one other style, which
+ * no clip had before.
  */
 export function renamedStyles(before: StyleOfClip, now: StyleOfClip): Map<string, string> {
   const former = new Set(before.values());

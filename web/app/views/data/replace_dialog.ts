@@ -1,4 +1,4 @@
-/** Asks what shall become of a database whose name is taken by one that is here already. */
+/** Asks what to do with a database whose name is in use. */
 
 import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";

@@ -33,7 +33,7 @@ const data = recordings();
 let server: Server;
 let cache: FakeCache;
 let asked: string[];
-/** What the server answers; the default is recordings. */
+/** The server's answers; by default recordings. */
 let answer: (path: string) => Buffer | number;
 beforeEach(async () => {
   cache = new FakeCache();

@@ -1,6 +1,6 @@
 /**
- * Public data sets in the browser's cache: fetched, checked, and forgotten. What has arrived stays there, so that a
- * download that was cancelled goes on where it was.
+ * Public data sets in the browser's cache: downloaded, checked, and removed. Received files are kept, so that a
+ * cancelled download continues where it stopped.
  */
 import type { DroppedFile } from "../../../client/build/protocol";
 import { type CallOptions, StrutError } from "../../../client/protocol";
@@ -10,7 +10,7 @@ import { filesOf, type PublicSet } from "./catalogue";
 
 const words = strings.data.sets;
 
-/** Where files are kept: as much of a `Cache` as is needed here. */
+/** Where files are stored: the part of a `Cache` that is needed here. */
 export interface FileCache {
   match(url: string): Promise<Response | undefined>;
   put(url: string, response: Response): Promise<void>;
@@ -18,11 +18,11 @@ export interface FileCache {
   keys(): Promise<readonly { url: string }[]>;
 }
 
-/** Files that are fetched at the same time. */
+/** Number of simultaneous downloads. */
 const AT_ONCE = 6;
 const CACHE = "strut-sets";
 
-/** The browser's cache of sets. @throws StrutError where the browser offers none */
+/** The browser's cache of sets. @throws StrutError if the browser has none */
 export async function openCache(): Promise<FileCache> {
   try {
     return await caches.open(CACHE);
@@ -31,19 +31,19 @@ export async function openCache(): Promise<FileCache> {
   }
 }
 
-/** How many of the set's files the cache holds. */
+/** Number of the set's files in the cache. */
 export async function filesKept(set: PublicSet, cache: FileCache): Promise<number> {
   const found = await Promise.all(filesOf(set).map(({ url }) => cache.match(url)));
   for (const response of found) void response?.body?.cancel();
   return found.filter(Boolean).length;
 }
 
-/** Takes the set's files out of the cache. */
+/** Removes the set's files from the cache. */
 export async function forgetSet(set: PublicSet, cache: FileCache): Promise<void> {
   await Promise.all(filesOf(set).map(({ url }) => cache.delete(url)));
 }
 
-/** Takes out of the cache what no set names any more: nothing could use or delete it. */
+/** Removes files from the cache that no set lists any more, since nothing else could use or delete them. */
 export async function forgetUnlisted(sets: readonly PublicSet[], cache: FileCache): Promise<void> {
   const listed = new Set(sets.flatMap(filesOf).map(({ url }) => url));
   const unlisted = (await cache.keys()).filter(({ url }) => !listed.has(url));
@@ -51,9 +51,9 @@ export async function forgetUnlisted(sets: readonly PublicSet[], cache: FileCach
 }
 
 /**
- * Fetches what the cache lacks of a set and gives all of it, as if it had been dropped. What has arrived is kept if the
- * download fails or is cancelled.
- * @throws StrutError with what to do where that does not work
+ * Downloads the missing files of a set and returns all of them, as if they had been dropped. Received files are kept if
+ * the download fails or is cancelled.
+ * @throws StrutError that tells what to do if that fails
  */
 export async function fetchSet(set: PublicSet, cache: FileCache, options: CallOptions = {}): Promise<DroppedFile[]> {
   const files = filesOf(set);
@@ -94,7 +94,7 @@ export async function fetchSet(set: PublicSet, cache: FileCache, options: CallOp
   );
 }
 
-/** Fetches a file into the cache. One whose hash is known is kept only if it has that hash. */
+/** Downloads a file into the cache. A file with a known hash is kept only if its hash is correct. */
 async function fetchFile(
   set: PublicSet,
   { path, url, sha256 }: ReturnType<typeof filesOf>[number],
@@ -108,7 +108,7 @@ async function fetchFile(
     response = await fetch(url, { signal, credentials: "omit", referrerPolicy: "no-referrer" });
   } catch (error) {
     if (signal.aborted) throw error;
-    // Browsers do not tell a page why a request failed.
+    // Browsers do not report why a request failed.
     const why = globalThis.navigator?.onLine === false ? words.offline : words.unreachable(host);
     throw failure(why, words.byHand(set.page));
   }
@@ -124,7 +124,7 @@ async function fetchFile(
   });
   const body = new Response(response.body.pipeThrough(counting));
   try {
-    // Without a hash the cache takes the file as it arrives; one that breaks off is not kept.
+    // Without a hash the cache receives the file as a stream; an incomplete one is not kept.
     await cache.put(url, sha256 === undefined ? body : new Response(await checked(body, sha256, set, path)));
   } catch (error) {
     if (signal.aborted || error instanceof StrutError) throw error;
@@ -135,7 +135,7 @@ async function fetchFile(
   progress.done();
 }
 
-/** The bytes of a file, if they have the hash that the catalogue names. */
+/** The bytes of a file, after checking the hash in the catalogue. */
 async function checked(body: Response, sha256: string, set: PublicSet, path: string): Promise<ArrayBuffer> {
   const bytes = await body.arrayBuffer();
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
@@ -144,7 +144,7 @@ async function checked(body: Response, sha256: string, set: PublicSet, path: str
   return bytes;
 }
 
-/** How far a download is: by bytes where their number is known, else by files. */
+/** Progress of a download: by bytes if their number is known, otherwise by files. */
 class DownloadProgress {
   private files = 0;
   private bytes = 0;
@@ -159,7 +159,7 @@ class DownloadProgress {
     this.tell();
   }
 
-  /** One more file is there. */
+  /** Counts a finished file. */
   done(): void {
     this.files += 1;
     this.tell();

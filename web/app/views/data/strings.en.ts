@@ -1,11 +1,11 @@
-/** What the Data view says. */
+/** Texts of the Data view. */
 import { counted } from "../../strings/counted.en";
 import { grouped } from "../../strings/numerals";
 
 const [clips, styles] = [counted("clip"), counted("style")];
 const quoted = (name: string) => `“${name}”`;
 
-/** Names in quotes; of many the first few. */
+/** Names in quotes; of many only the first few. */
 function listed(names: readonly string[]): string {
   const first = names.slice(0, 3).map(quoted);
   const more = names.length - first.length;

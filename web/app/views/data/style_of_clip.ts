@@ -1,4 +1,4 @@
-/** A style from one clip: a clip dropped onto the polygon becomes a further style, in a database that is kept here. */
+/** A style from one clip: a clip dropped onto the polygon becomes a new style, in a database stored here. */
 import { createBuildClient } from "../../../client/build/client";
 import type { CallOptions, DatabaseInfo } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
@@ -6,33 +6,33 @@ import { errorText } from "../../ui/words";
 import { freeName } from "./free_name";
 import { addDatabase, replaceDatabase, type SavedDatabase } from "./saved_databases";
 
-/** The database that a clip was added to. */
+/** The database to which a clip was added. */
 export interface StyleOfClip {
   database: SavedDatabase;
-  /** Why the browser does not keep it, a sentence; empty if it does. */
+  /** Why the browser did not store it, a sentence; empty if it did. */
   lost: string;
-  /** Why the style may look wrong, a sentence; empty if nothing is known against it. */
+  /** Why the style may look wrong, a sentence; empty if no reason is known. */
   doubt: string;
 }
 
-/** A database that a clip is added to. */
+/** A database to which a clip is added. */
 export interface StyleBase {
   known: DatabaseInfo;
-  /** Its file; without one it is the built-in database. */
+  /** Its file; `undefined` for the built-in database. */
   file: Blob | undefined;
 }
 
-/** What a clip is to be. */
+/** Name and action of the new style. */
 export interface ClipStyle {
   style: string;
-  /** The action that it shows; `undefined`: the one that it fits best. */
+  /** The action that it shows; `undefined` for the one that fits best. */
   action: string | undefined;
 }
 
 /**
  * Adds a clip to a database as a style.
- * @param replaced name of a database on this device whose place the new one takes
- * @throws StrutError with why the clip is no style
+ * @param replaced name of a database on this device that the new one replaces
+ * @throws StrutError if the clip cannot become a style; the message says why
  */
 export async function styleOfClip(
   { known, file }: StyleBase,
@@ -64,10 +64,10 @@ export async function styleOfClip(
   }
 }
 
-/** So much of a file is read to know how long it lasts, bytes: the hierarchy comes first. */
+/** Number of bytes that are read to find the duration of a file: the hierarchy comes first. */
 const HEAD_BYTES = 512 * 1024;
 
-/** How long a clip lasts by what its file says, seconds; `undefined` where it does not say. */
+/** Duration of a clip according to its file, seconds; `undefined` if it is missing. */
 export async function secondsOf(clip: Blob): Promise<number | undefined> {
   const head = await clip.slice(0, HEAD_BYTES).text();
   const [, frames] = /^\s*Frames:\s*(\d+)/im.exec(head) ?? [];
@@ -76,7 +76,7 @@ export async function secondsOf(clip: Blob): Promise<number | undefined> {
   return Number.isFinite(length) ? length : undefined;
 }
 
-/** The action of a database that a file's name has as a word. */
+/** The action of a database that is a word of a file's name. */
 export function actionIn(file: string, actions: readonly string[]): string | undefined {
   const words = new Set(
     file
@@ -91,10 +91,10 @@ export function actionIn(file: string, actions: readonly string[]): string | und
 /** Words of file names that do not name a style. */
 const NOT_STYLES = new Set(["walk", "walking", "run", "running", "clip", "take", "motion", "dataset", "bvh", "mocap"]);
 
-/** Longest name that is suggested, characters. */
+/** Longest suggested name, characters. */
 const LONGEST = 40;
 
-/** The words of a file's name that are no action, no number and not usual: “dataset-2_walk_elderly_001” is elderly. */
+/** The words of a file's name that are not actions, numbers or common words: “dataset-2_walk_elderly_001” gives “elderly”. */
 export function styleName(file: string, actions: readonly string[], styles: readonly string[]): string {
   const stem = file.replace(/\.bvh$/i, "");
   const words = stem.split(/[\s_.-]+/).filter((word) => /\p{L}{2}/u.test(word));

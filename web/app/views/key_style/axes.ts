@@ -1,8 +1,8 @@
-/** Style variables: the measures that have names, and what a person calls them. */
+/** Style variables: the named measures and their titles. */
 import type { Axis } from "../../state/key_style";
 import { strings } from "../../strings/strings";
 
-/** Measures by the names that the engine has for them (`rust/strut-core/src/somn/measurement`). */
+/** Measures by their names in the engine (`rust/strut-core/src/somn/measurement`). */
 export const NAMED_AXES = [
   "hips_height",
   "reach_left",
@@ -23,17 +23,17 @@ export function isNamed(axis: Axis): axis is NamedAxis {
   return NAMED_AXES.some((name) => name === axis);
 }
 
-/** What a person calls a variable: its name, or the expression itself. */
+/** The title of a variable: its name, or the expression itself. */
 export function titleOf(axis: Axis): string {
   return isNamed(axis) ? strings.keyStyle.axes[axis].title : axis;
 }
 
-/** The shorter name beside a line in the picture. */
+/** The shorter name next to a line in the picture. */
 export function shortTitleOf(axis: Axis): string {
   return isNamed(axis) ? strings.keyStyle.axes[axis].short : axis;
 }
 
-/** Variables that make sense of an action. */
+/** Suitable variables for an action. */
 export function usualAxes(action: string): Axis[] {
   return /punch|box|hook|jab/.test(action)
     ? ["reach_left", "hips_height"]

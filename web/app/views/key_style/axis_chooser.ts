@@ -1,4 +1,4 @@
-/** Chooses one to three style variables: measures by their names, or expressions, whose errors point at the character. */
+/** Chooses one to three style variables: named measures, or expressions with errors that mark the character. */
 import { type CheckedAxis, checkAxis } from "../../../client/models/key_style";
 import { icon } from "../../../ui/controls/icons";
 import { html, setText } from "../../../ui/dom";
@@ -7,7 +7,7 @@ import { strings } from "../../strings/strings";
 import { errorText } from "../../ui/words";
 import { isNamed, NAMED_AXES, titleOf } from "./axes";
 
-/** Values of the choices that are no measures. */
+/** Values of the options that are not measures. */
 const NONE = "";
 const EXPRESSION = "=";
 
@@ -18,7 +18,7 @@ interface Field {
 
 export class AxisChooser {
   readonly element: HTMLElement;
-  /** The line where an expression is written, below the choices. */
+  /** The line in which an expression is typed, below the lists. */
   readonly line: HTMLElement;
   readonly #onChoose: (axes: Axis[]) => void;
   readonly #fields: Field[];
@@ -32,7 +32,7 @@ export class AxisChooser {
   });
   readonly #fault = html("p", { id: "axis-fault", class: "axis-fault", role: "status" });
   #axes: readonly Axis[] = [];
-  /** Which variable an expression is written for. */
+  /** Index of the variable whose expression is being typed. */
   #written = 0;
 
   constructor(onChoose: (axes: Axis[]) => void) {
@@ -60,7 +60,7 @@ export class AxisChooser {
   }
 
   show(axes: readonly Axis[]): void {
-    // A list that is open stays as it is.
+    // An open list is not changed.
     if (encodeAxes(axes) !== encodeAxes(this.#axes)) this.#fill(axes);
   }
 
@@ -79,7 +79,7 @@ export class AxisChooser {
       );
       select.value = axis ?? NONE;
       element.classList.toggle("absent", axis === undefined);
-      // A third variable can be had once there are two.
+      // A third variable is available once there are two.
       element.hidden = i > axes.length;
       const by = element.previousElementSibling;
       if (by instanceof HTMLElement) by.hidden = element.hidden;
@@ -121,7 +121,7 @@ export class AxisChooser {
     this.#fill(this.#axes);
   }
 
-  /** Says what is wrong with the expression, or takes it when it is finished. */
+  /** Shows the error of the expression, or applies it when it is finished. */
   async #check(finished: boolean): Promise<void> {
     const text = this.#input.value.trim();
     if (text === "") {
@@ -137,7 +137,7 @@ export class AxisChooser {
     this.#choose(this.#written, text);
   }
 
-  /** Points at the character. */
+  /** Marks the character. */
   #say(wrong: { message: string; column: number } | undefined, text: string): void {
     this.#input.setAttribute("aria-invalid", String(wrong !== undefined));
     if (!wrong) {

@@ -50,7 +50,7 @@ export class Comparison {
     return !this.element.hidden;
   }
 
-  /** Shows the pose of each of {@link WAYS}; they may all be in one array. */
+  /** Shows the pose of each of {@link WAYS}; they may share one array. */
   show(poseOf: (way: Between) => Float32Array): void {
     this.#viewer ??= this.#makeViewer();
     for (const [i, { pose }] of this.#figures.entries()) pose.set(poseOf(WAYS[i]!));
@@ -61,7 +61,7 @@ export class Comparison {
     if (this.#viewer && this.visible && !this.#viewer.still) this.#viewer.render(now / 1000);
   }
 
-  /** Releases the graphics context; the next pose gets another one. */
+  /** Releases the graphics context; the next pose creates another one. */
   release(): void {
     this.#viewer?.dispose();
     this.#viewer = undefined;

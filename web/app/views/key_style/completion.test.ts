@@ -1,4 +1,4 @@
-/** What the state of the Key-style view gets from a model. */
+/** Completion of the Key-style view's state from a model. */
 import { describe, expect, it } from "vitest";
 import { completed, hasHandle } from "./completion";
 

@@ -1,4 +1,4 @@
-/** The component map: a cell for each Gaussian of the mixture, as bright as its weight in the pose. */
+/** The component map: a cell for each Gaussian of the mixture, with the brightness of its weight in the pose. */
 
 import { formatNumber, html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
@@ -10,7 +10,7 @@ export class ComponentMap {
   #winner = -1;
 
   /**
-   * Takes another model's components.
+   * Shows another model's components.
    *
    * @param centres - Centre of each component, all variables of one component together.
    */

@@ -13,12 +13,12 @@ const BLUR = 2.4;
 /**
  * Density of points in the unit square, 1 at its maximum.
  *
- * @param points - x and y in turn, 0–1 from the top left.
+ * @param points - x and y alternating, 0–1 from the top left.
  */
 export function density(points: ArrayLike<number>, columns: number, rows: number): Grid {
   const values = new Float32Array(columns * rows);
   for (let i = 0; i + 1 < points.length; i += 2) {
-    // Bilinear weights: a point is shared among its four cells.
+    // Bilinear weights: a point is distributed to its four grid points.
     const [x, y] = [points[i]! * (columns - 1), points[i + 1]! * (rows - 1)];
     const [column, row] = [Math.floor(x), Math.floor(y)];
     for (const [c, r] of [
@@ -37,7 +37,7 @@ export function density(points: ArrayLike<number>, columns: number, rows: number
   return { columns, rows, values };
 }
 
-/** Blurs every line of a grid along itself. */
+/** Blurs a grid along its lines. */
 function blur(values: Float32Array, length: number, lines: number, step: number, stride: number): void {
   const reach = Math.ceil(3 * BLUR);
   const kernel = Float32Array.from({ length: 2 * reach + 1 }, (_, i) => Math.exp(-0.5 * ((i - reach) / BLUR) ** 2));
@@ -52,11 +52,12 @@ function blur(values: Float32Array, length: number, lines: number, step: number,
   }
 }
 
-/** A closed line: x and y in turn, 0–1 from the grid's top left. */
+/** A closed line: x and y alternating, 0–1 from the grid's top left. */
 export type Loop = number[];
 
 /**
- * The lines that enclose what is above a level. Cells beyond the grid count as below the level: lines close along its edge.
+ * The lines that enclose the area above a level. Cells beyond the grid count as below the level, so lines close along
+ * its edge.
  */
 export function contour({ columns, rows, values }: Grid, level: number): Loop[] {
   const width = columns + 2;
@@ -66,11 +67,11 @@ export function contour({ columns, rows, values }: Grid, level: number): Loop[] 
     const inside = column >= 1 && column <= columns && row >= 1 && row <= rows;
     return inside ? values[(row - 1) * columns + column - 1]! : outside;
   };
-  // Edges of cells by number: from a corner to the right, or down.
+  // Edges of cells by index: from a corner to the right, or down.
   const right = (column: number, row: number) => 2 * (row * width + column);
   const down = (column: number, row: number) => right(column, row) + 1;
   const next = new Map<number, number>();
-  // Most cells have no line: skip them before allocating anything.
+  // Most cells have no line: they are skipped before allocating anything.
   const isAbove = new Uint8Array(width * (rows + 2));
   for (let row = 1; row <= rows; row++)
     for (let column = 1; column <= columns; column++)
@@ -84,10 +85,11 @@ export function contour({ columns, rows, values }: Grid, level: number): Loop[] 
       const edges = [right(column, row), down(column + 1, row), right(column, row + 1), down(column, row)];
       const above = corners.map((value) => value >= level);
       const middle = corners.reduce((a, b) => a + b, 0) / 4 >= level;
-      // A line leaves through an edge where the corner before it is above, and enters where it is below.
+      // A line leaves through an edge whose first corner is above, and enters where it is below.
       const leaving = [0, 1, 2, 3].filter((i) => above[i] && !above[(i + 1) % 4]);
       for (const out of leaving) {
-        // Going round from there, it came in at the last edge before, or in a saddle whose middle is above at the next one.
+        // Going round from there, it entered at the previous such edge, or in a saddle whose middle is above at the
+        // next one.
         const turns = middle && leaving.length === 2 ? [1, 2, 3] : [3, 2, 1];
         const into = turns.map((by) => (out + by) % 4).find((i) => !above[i] && above[(i + 1) % 4])!;
         next.set(edges[into]!, edges[out]!);
@@ -117,7 +119,7 @@ export function contour({ columns, rows, values }: Grid, level: number): Loop[] 
   return loops;
 }
 
-/** Whether a point is enclosed by loops, those within others being holes. */
+/** Whether a point is enclosed by loops; loops inside others are holes. */
 export function encloses(loops: readonly Loop[], x: number, y: number): boolean {
   let inside = false;
   for (const loop of loops)

@@ -5,10 +5,10 @@ import { html, svg } from "../../../ui/dom";
 import type { Axis } from "../../state/key_style";
 import { dimensionOf, type Point } from "./dimensions";
 
-/** Where a place of the world is in the picture, pixels. */
+/** Projects a point of the world to the picture, pixels. */
 type Project = (point: Point) => { x: number; y: number };
 
-/** A measure of the present pose, in words. */
+/** A measure of the current pose, in words. */
 export interface Measured {
   axis: Axis;
   words: string;
@@ -22,7 +22,7 @@ interface Drawn {
   text: SVGTextElement;
 }
 
-/** Ends of a dimension line are so long, pixels. */
+/** Length of the ends of a dimension line, pixels. */
 const END = 5;
 
 export class DimensionLines {
@@ -34,7 +34,7 @@ export class DimensionLines {
     this.element.append(this.#root);
   }
 
-  /** Shows what is measured of a pose, the first measure in the signal's colour. */
+  /** Shows the measures of a pose, the first one in the signal's colour. */
   draw(measured: readonly Measured[], joints: WorldPose, project: Project): void {
     while (this.#rows.length > measured.length) this.#rows.pop()!.group.remove();
     while (this.#rows.length < measured.length) this.#rows.push(this.#add(this.#rows.length));
@@ -43,7 +43,7 @@ export class DimensionLines {
       const { group, line, leaders, text } = this.#rows[i]!;
       const dimension = dimensionOf(axis, joints, left);
       const [a, b] = dimension ? dimension.line.map(project) : [];
-      // Before the picture has a size places are not finite.
+      // Before the picture has a size, positions are not finite.
       const placed = dimension !== undefined && a && b && Number.isFinite(a.x + a.y + b.x + b.y);
       group.classList.toggle("absent", !placed);
       if (!placed) continue;
@@ -56,7 +56,7 @@ export class DimensionLines {
         return `M${at(p.x, p.y)}L${at(q.x, q.y)}`;
       });
       leaders.setAttribute("d", lead.join(""));
-      // Words stand beside an upright line, which is to the right of the body, and above a level one.
+      // The text is next to a vertical line, which is to the right of the body, and above a horizontal one.
       const upright = Math.abs(b.y - a.y) > Math.abs(b.x - a.x);
       text.setAttribute("text-anchor", upright ? "start" : "middle");
       text.setAttribute("x", ((a.x + b.x) / 2 + (upright ? 10 : 0)).toFixed(1));
@@ -81,7 +81,7 @@ export class DimensionLines {
     return { group, line, leaders, text };
   }
 
-  /** The direction on the ground that goes to the left of the picture; without one where it is seen from above. */
+  /** The direction on the ground towards the left of the picture; zero if it is seen from above. */
   #screenLeft(joints: WorldPose, project: Project): Point {
     if (joints.positions.length === 0) return [0, 0, 0];
     const [x, y, z] = hips(joints);

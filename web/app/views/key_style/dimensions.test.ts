@@ -16,7 +16,7 @@ const length = ([a, b]: readonly [Point, Point]) => Math.hypot(a[0] - b[0], a[1]
 describe("a dimension line", () => {
   it("is as long as what it measures", () => {
     const world = rest();
-    // The left hand goes 40 cm ahead of its shoulder, the left foot 30 cm ahead of the right one and 5 cm up.
+    // The left hand is 40 cm in front of its shoulder, the left foot 30 cm in front of the right one and 5 cm higher.
     world.positions[3 * JOINT.left_hand + 2] = world.positions[3 * JOINT.left_upper_arm + 2]! + 0.4;
     world.positions[3 * JOINT.left_foot + 2]! += 0.3;
     world.positions[3 * JOINT.left_foot + 1]! += 0.05;

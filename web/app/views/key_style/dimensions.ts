@@ -1,6 +1,6 @@
 /**
- * Dimension lines of measures beside the body, as in a technical drawing: the end points of each one in the world. Pure
- * geometry of the joints.
+ * Dimension lines of measures next to the body, as in a technical drawing: the end points of each one in the world.
+ * Pure geometry of the joints.
  */
 
 import { JOINT, type Role, type WorldPose } from "../../../humanoid";
@@ -8,27 +8,27 @@ import type { Axis } from "../../state/key_style";
 
 export type Point = readonly [x: number, y: number, z: number];
 
-/** A dimension: the line that is measured, and thinner ones that lead to it from the body. */
+/** A dimension: the measured line, and thinner extension lines from the body. */
 export interface Dimension {
   line: readonly [Point, Point];
   leaders: readonly (readonly [Point, Point])[];
-  /** Whether its words stand below it. */
+  /** Whether its text is below it. */
   below?: boolean;
 }
 
-/** Room between the body and the line, metres. */
+/** Distance between the body and the line, metres. */
 const ASIDE = 0.3;
 const ABOVE = 0.16;
 
-/** The dimension of a measure, by its name, on a body that the model lets face +Z; `undefined` for what has no picture. */
+/** The dimension of a measure, by its name, on a body that faces +Z; `undefined` for a measure without a drawing. */
 export function dimensionOf(axis: Axis, joints: WorldPose, onScreenLeft: Point): Dimension | undefined {
   const at = (role: Role): Point => {
     const [x, y, z] = joints.positions.subarray(3 * JOINT[role], 3 * JOINT[role] + 3);
     return [x!, y!, z!];
   };
-  /** A point moved forwards to where another one is, at another height. */
+  /** A point moved forwards to another one's depth, at another height. */
   const abreast = (point: Point, other: Point, y: number): Point => [point[0], y, other[2]];
-  /** Heights are drawn beside the body, on a given side of the picture. */
+  /** Heights are drawn next to the body, on a given side of the picture. */
   const aside = (point: Point, y: number, by: number): Point => [
     point[0] - by * onScreenLeft[0],
     y,

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { cycleOf, keysOfCycle, keysOfRecording } from "./first_keys";
 
-/** Two variables that go round in 36 frames. */
+/** Two variables with a period of 36 frames. */
 const round = Float32Array.from({ length: 400 }, (_, i) => {
   const angle = (2 * Math.PI * Math.floor(i / 2)) / 36;
   return i % 2 === 0 ? 30 * Math.cos(angle) : 5 * Math.sin(angle);

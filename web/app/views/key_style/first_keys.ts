@@ -1,34 +1,34 @@
-/** First keys of a model, taken from its training motions. */
+/** Initial keys of a model, taken from its training motions. */
 import { MAX_KEYS, type TimedValue } from "../../state/key_style";
 
-/** Shortest and longest cycle that is searched for, frames: a running stride and a slow walk. */
+/** Shortest and longest cycle that is searched, frames: a running stride and a slow walk. */
 const CYCLE = { min: 14, max: 80 };
-/** Maximum distance of a cycle's end from its beginning, and minimum length of its path, standard deviations. */
+/** Largest distance of a cycle's end from its beginning, and minimum length of its path, standard deviations. */
 const NEAR = 0.35;
 const MIN_WAY = 2.5;
-/** Keys of a cycle. */
+/** Number of keys of a cycle. */
 const KEYS = 8;
-/** Without a cycle: distance of keys, frames, and length of the animation, seconds (specification, §8). */
+/** Without a cycle: distance between keys, frames, and length of the animation, seconds (specification, §8). */
 const APART = 10;
 const LONGEST_SECS = 2.4;
 
-/** A cycle: frames of a training motion that end where they begin. */
+/** A cycle: frames of a training motion that end as they begin. */
 export interface Cycle {
   first: number;
   frames: number;
 }
 
 /**
- * The best cycle of a motion: at its end, values and rates of change of the variables are those of its beginning.
+ * The best cycle of a motion: at its end, values and rates of change of the variables equal those at its beginning.
  *
- * @param values - Values of every frame, one after the other.
- * @param deviation - What counts as far for each variable.
+ * @param values - Values of every frame, one after another.
+ * @param deviation - Scale of distances for each variable.
  */
 export function cycleOf(values: ArrayLike<number>, deviation: ArrayLike<number>): Cycle | undefined {
   const axes = deviation.length;
   const frames = Math.floor(values.length / axes);
   const at = (frame: number, axis: number) => values[frame * axes + axis]! / deviation[axis]!;
-  /** Distance between the places of two frames, or between how the variables change there. */
+  /** Distance between the variables of two frames, or between their rates of change. */
   const apart = (a: number, b: number, change: boolean): number => {
     let sum = 0;
     for (let axis = 0; axis < axes; axis++) {
@@ -49,14 +49,14 @@ export function cycleOf(values: ArrayLike<number>, deviation: ArrayLike<number>)
       const near = apart(first, last, false);
       if (near >= NEAR) continue;
       const gap = near + apart(first, last, true);
-      // Two cycles end as near as one: prefer the shorter.
+      // Of two cycles with nearly equal gaps, the shorter is preferred.
       if (gap < NEAR && (!best || gap < best.gap - 0.002 * (length - best.frames)))
         best = { first, frames: length, gap };
     }
   return best && { first: best.first, frames: best.frames };
 }
 
-/** Keys of a cycle, the last one being the first again. */
+/** Keys of a cycle; the last one equals the first. */
 export function keysOfCycle(
   values: ArrayLike<number>,
   axes: number,
@@ -75,7 +75,7 @@ export function keysOfCycle(
   }));
 }
 
-/** Keys taken from recorded values as they are. */
+/** Keys taken from recorded values unchanged. */
 export function keysOfRecording(values: ArrayLike<number>, axes: number, rateHz: number): TimedValue[] {
   const frames = Math.min(Math.floor(values.length / axes), Math.floor(LONGEST_SECS * rateHz + 1e-6) + 1);
   const count = Math.min(MAX_KEYS, Math.ceil(frames / APART));

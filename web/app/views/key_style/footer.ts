@@ -29,7 +29,7 @@ export class Footer {
     class: "length",
     min: LENGTH_RANGE.min,
     max: LENGTH_RANGE.max,
-    // It is shown to hundredths: coarser steps would make it invalid.
+    // Displayed with two decimals: coarser steps would make it invalid.
     step: 0.01,
     "aria-label": words.length,
   });

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import type { TimedValue } from "../../state/key_style";
 import { seamless } from "./key_motion";
 
-/** Keys of a turn in so many seconds. */
+/** Keys of a circle in `length` seconds. */
 const turn = (length: number): TimedValue[] =>
   Array.from({ length: 9 }, (_, i) => ({ secs: (length * i) / 8, values: [10 * Math.cos((Math.PI * (i % 8)) / 4)] }));
 

@@ -1,4 +1,4 @@
-/** An open model: poses the character by the handle or by keys, and has the data of the pad and the timelines. */
+/** An open model: poses the character by the handle or by keys, and provides the data of the pad and the timelines. */
 import type {
   Between,
   Curve,
@@ -14,15 +14,15 @@ import type { Grid } from "./contours";
 import { cycleOf, keysOfCycle, keysOfRecording } from "./first_keys";
 import type { Extent, RowName } from "./timeline_rows";
 
-/** Share of the range of the training data that the axes extend beyond it. */
+/** Share of the range of the training data by which the axes extend beyond it. */
 const MARGIN = 0.14;
-/** Size of the grid of the support of the training data on the pad. */
+/** Grid size of the training data's support on the pad. */
 const SUPPORT = { columns: 90, rows: 64 };
 /** Points per second of the drawn curve through the keys, and their maximum number. */
 const POINTS_PER_SEC = 60;
 const MAX_POINTS = 600;
 
-/** Keys, and how their motion passes through them. */
+/** Keys, and the interpolation of their motion. */
 export interface KeyedMotion {
   keys: readonly TimedValue[];
   length: number;
@@ -59,7 +59,7 @@ export class KeyMotion {
     return Array.from(this.model.mean);
   }
 
-  /** First keys: one cycle of the training motion, where it has one. */
+  /** Initial keys: one cycle of the training motion, if it has one. */
   readonly firstKeys = (): TimedValue[] => {
     const { axes, deviation, clips, values, rateHz } = this.model;
     const longest = clips.reduce((a, b) => (b.frames > a.frames ? b : a));
@@ -90,7 +90,7 @@ export class KeyMotion {
     return points;
   }
 
-  /** Centres of the components on the pad, x and y in turn. */
+  /** Centres of the components on the pad, x and y alternating. */
   get centres(): Float32Array {
     const { centres, axes } = this.model;
     if (axes.length < 2) return new Float32Array();
@@ -104,7 +104,7 @@ export class KeyMotion {
     this.#styling.mode = hard ? "hard" : "smooth";
   }
 
-  /** Takes keys. A motion that repeats is smooth where it begins again. */
+  /** Sets keys. A looping motion is smooth where it restarts. */
   set({ keys, length, curve, loop, hard }: KeyedMotion): void {
     this.hard = hard;
     if (keys.length === 0) {
@@ -115,7 +115,7 @@ export class KeyMotion {
     this.#curve = this.#styling.way(length, Math.min(MAX_POINTS, Math.ceil(length * POINTS_PER_SEC) + 1));
   }
 
-  /** The variables at equal times over the whole length, those of one time behind each other. */
+  /** The variables at equally spaced times over the whole length, time after time. */
   get curve(): Float32Array {
     return this.#curve;
   }
@@ -125,12 +125,12 @@ export class KeyMotion {
     return this.#styling.at(secs, between);
   }
 
-  /** Puts the root of the keys' motion back to where it began. */
+  /** Moves the root of the keys' motion back to its start. */
   goBack(): void {
     this.#styling.goBack();
   }
 
-  /** The pose for values of the handle, at once or after following it for so many seconds. */
+  /** The pose for values of the handle, at once or after following it for `secs` seconds. */
   follow(values: readonly number[], secs: number | undefined): KeyStyleFrame {
     return secs === undefined ? this.#poser.jump(values) : this.#poser.advance(secs, values);
   }
@@ -164,7 +164,7 @@ function* valuesOf(values: Float32Array, axis: number, axes: number): Generator<
   for (let i = axis; i < values.length; i += axes) yield values[i]!;
 }
 
-/** Keys that end as they begin get one key before and one after, so that the curve is smooth there; others stay as they are. */
+/** Keys that end as they begin get one key before and one after, so that the curve is smooth there; others are unchanged. */
 export function seamless(keys: readonly TimedValue[], length: number): readonly TimedValue[] {
   const [first, last] = [keys[0], keys.at(-1)];
   if (!first || !last || keys.length < 3) return keys;

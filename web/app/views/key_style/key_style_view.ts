@@ -1,4 +1,4 @@
-/** The Key-style view: a handle on a plane of style variables poses the character, and keys of its places are a motion. */
+/** The Key-style view: a handle on a plane of style variables poses the character, and keys at its positions make a motion. */
 import { MAX_KEYS } from "../../state/key_style";
 import "./key_style.css";
 import "../synthesis/editor.css";
@@ -30,10 +30,10 @@ export function createView(host: ViewHost): View {
 
 const words = strings.keyStyle;
 
-/** A model with other settings is trained once these have not changed for so long. */
+/** A model with other settings is trained once these have not changed for this time. */
 const TRAIN_DELAY_MS = 250;
 
-/** Fields that the motion of the keys depends on. */
+/** Fields on which the motion of the keys depends. */
 const MOTION_FIELDS = ["keys", "keyChosen", "keyLength", "keyCurve", "keyHard", "loop"] as const;
 
 class KeyStyleView implements View {
@@ -48,7 +48,7 @@ class KeyStyleView implements View {
   readonly #editor: KeyEditor;
   readonly #recorder = new Recorder();
   #open: OpenModel | undefined;
-  /** Ends when the view is hidden, with everything that listens; `undefined` while it is hidden. */
+  /** Aborts, with all listeners, when the view is hidden; `undefined` while it is hidden. */
   #shown: AbortController | undefined;
   #dirty = false;
   readonly #player: Player;
@@ -141,7 +141,7 @@ class KeyStyleView implements View {
     onSystemTheme(() => this.#showState(), signal);
     this.#picture.take((container) => this.#host.borrowViewer(container));
     if (this.#open) this.#picture.present(this.#open);
-    // A link that was followed meanwhile leaves out defaults.
+    // A link followed meanwhile omits defaults.
     if (this.#motion && this.#trainer.has(state)) store.adopt(completed(state, this.#motion));
     this.#player.start(performance.now(), state.keyTime);
     this.#dirty = true;
@@ -175,7 +175,7 @@ class KeyStyleView implements View {
     this.#trainer.request(store.state);
   }
 
-  /** Dropped files are only here. */
+  /** Dropped files exist only here. */
   get holdsWork(): boolean {
     return this.#trainer.files.length > 0;
   }
@@ -191,7 +191,7 @@ class KeyStyleView implements View {
 
   // --- the model ---
 
-  /** A link may ask for files or for a database that are not here. */
+  /** A link may name files or a database that do not exist here. */
   #adoptSet(): void {
     const { store, toasts } = this.#host;
     const { source, action } = parseSet(store.state.keySet);
@@ -207,7 +207,7 @@ class KeyStyleView implements View {
     const former = this.#open;
     this.#open = open;
     this.#player.motion = open.motion;
-    // The place of the handle means nothing to other variables.
+    // The handle's position has no meaning for other variables.
     const others = former !== undefined && former.axes.join() !== open.axes.join();
     const { model, rows, ranges } = open.motion;
     const handled = hasHandle(store.state, open.motion) && !others;
@@ -217,7 +217,7 @@ class KeyStyleView implements View {
     this.#recordings.show({ rows, ranges, clips, values, rateHz });
     this.#pad.present(open.motion);
     this.#dirty = true;
-    // A link may have left the handle beside the curve of the keys.
+    // A link may have placed the handle off the curve of the keys.
     if (handled && !store.state.playing && !this.#isOnCurve(store.state)) this.#player.grab();
     this.#showState();
   }
@@ -243,7 +243,7 @@ class KeyStyleView implements View {
     this.#recorder.begin();
   }
 
-  /** Moves the handle. The pose follows at once, so that the same display frame shows it. */
+  /** Moves the handle. The pose follows at once, in the same display frame. */
   #moveTo(values: readonly number[]): void {
     if (!this.#player.ready) return;
     const now = performance.now();
@@ -259,7 +259,7 @@ class KeyStyleView implements View {
     this.#host.store.endGesture();
   }
 
-  /** Puts the handle on a recorded pose. */
+  /** Moves the handle to a recorded pose. */
   #pick(frame: number): void {
     const { values, axes } = this.#motion!.model;
     this.#recording = false;
@@ -288,7 +288,7 @@ class KeyStyleView implements View {
     this.#picture.showFrame(frame, values, nearest, motion, this.#player);
   }
 
-  /** Gives the motion the keys of the state, if they have changed. */
+  /** Sets the keys of the state on the motion, if they have changed. */
   #prepare(): void {
     const motion = this.#motion;
     const { state } = this.#host.store;
@@ -310,7 +310,7 @@ class KeyStyleView implements View {
       clearTimeout(this.#trainingTimer);
       this.#trainingTimer = setTimeout(() => this.#trainer.request(this.#host.store.state), TRAIN_DELAY_MS);
     }
-    // A link leaves out defaults.
+    // A link omits defaults.
     const left = changed.has("keyHandle") && state.keyHandle.length === 0;
     if (left && this.#motion && this.#trainer.has(state)) this.#host.store.adopt(completed(state, this.#motion));
     if (MOTION_FIELDS.some((name) => changed.has(name))) {
@@ -365,7 +365,7 @@ class KeyStyleView implements View {
     const motion = this.#motion;
     const { keyLength, keyMethod } = this.#host.store.state;
     if (!motion) return;
-    // What has changed since the last display frame is saved as well.
+    // Changes since the last display frame are saved as well.
     this.#prepare();
     try {
       const name = await save(motion, keyLength, keyMethod === "all" ? "style" : keyMethod);

@@ -13,7 +13,7 @@ const LENGTH = 2.4;
 const inOrder = (keys: readonly TimedValue[]) =>
   keys.every(({ secs }, i) => secs >= 0 && (i === 0 || secs - keys[i - 1]!.secs > MIN_GAP - 1e-9));
 
-/** What a person may do to keys. */
+/** Actions of the user on keys. */
 const act = fc.oneof(
   fc.record({ kind: fc.constant("set" as const), secs: fc.double({ min: 0, max: LENGTH, noNaN: true }) }),
   fc.record({ kind: fc.constant("move" as const), key: fc.nat(20), secs: fc.double({ min: -9, max: 9, noNaN: true }) }),

@@ -1,4 +1,4 @@
-/** Opens the model that the state asks for: progress meanwhile, and a sentence where there is none. */
+/** Opens the model that the state asks for. Shows the progress, and a sentence if there is no model. */
 
 import type { DroppedFile, TrainedKeyStyle } from "../../../client/build/protocol";
 import { KeyStyleModel } from "../../../client/models/key_style";
@@ -16,10 +16,10 @@ import { type ClipSource, isSameRequest, KeyStyleModels, type ModelRequest, pars
 
 const words = strings.keyStyle;
 
-/** Fields that another model is trained for. */
+/** Fields whose change requires another model. */
 export const MODEL_FIELDS = ["keySet", "keyClips", "keyAxes", "keyComponents", "keyLearning"] as const;
 
-/** An open model, and how it was trained. */
+/** An open model, and its training request. */
 export interface OpenModel {
   motion: KeyMotion;
   trained: TrainedKeyStyle;
@@ -29,7 +29,7 @@ export interface OpenModel {
 
 export class ModelTrainer {
   readonly progress = new ProgressLine();
-  /** What is shown instead of the picture where nothing could be trained. */
+  /** Shown instead of the picture if nothing could be trained. */
   readonly empty = new EmptyPanel();
   files: readonly DroppedFile[] = [];
   readonly #host: ViewHost;
@@ -53,12 +53,12 @@ export class ModelTrainer {
     });
   }
 
-  /** The model that was opened last; of other motions while {@link isTraining}. */
+  /** The last opened model; while {@link isTraining} it may be one of other motions. */
   get open(): OpenModel | undefined {
     return this.#loader.model;
   }
 
-  /** Whether training of the last model failed. */
+  /** Whether the last training failed. */
   get refused(): boolean {
     return this.#loader.failed;
   }
@@ -82,7 +82,7 @@ export class ModelTrainer {
 
   /** Opens the model that the state asks for. */
   request(state: Readonly<AppState>): void {
-    // A database that is kept on this device is opened first; the page asks again once it is.
+    // A database stored on this device is opened first; the page calls again when it is open.
     if (state.database !== "" && !this.#host.session.database) return;
     const request = this.#requestOf(state);
     if (this.has(state)) return;
@@ -91,7 +91,7 @@ export class ModelTrainer {
     this.#onChange();
   }
 
-  /** Gives up what is being trained. */
+  /** Cancels the training. */
   cancel(): void {
     this.#loader.cancel();
   }
@@ -121,26 +121,26 @@ export class ModelTrainer {
     return { source, order };
   }
 
-  /** Says why there is nothing, and what can be done. */
+  /** Shows why there is no model, and what can be done. */
   #refuse(error: unknown): void {
     const { store } = this.#host;
     const again = { label: words.tryAgain, onChoose: () => this.request(store.state) };
     const undo = { label: strings.page.bar.undo, onChoose: () => store.undo() };
     const builtIn = { label: words.useBuiltIn, onChoose: () => store.edit(anotherSet("walk")) };
     const why = isCancellation(error) ? words.nothing : `${words.noModel} ${errorText(error)}`;
-    // Of these, no motions and no settings are the cause.
+    // Errors that are not caused by the motions or the settings.
     const mayWork = isCancellation(error) || isFault(error) || isUnloaded(error);
     this.empty.show(why, mayWork ? [again] : store.canUndo ? [undo, builtIn] : [builtIn]);
     this.#onChange();
   }
 }
 
-/** What changes with other style variables: values of the former ones mean nothing. */
+/** The changes for other style variables: values of the former ones have no meaning. */
 export function otherAxes(keyAxes: readonly string[]): Partial<AppState> {
   return { keyAxes, keys: [], keyLength: 0, keyChosen: -1, keyTime: 0, keyTrail: [], keyHandle: [] };
 }
 
-/** What changes with other motions. */
+/** The changes for other motions. */
 export function anotherSet(keySet: string): Partial<AppState> {
   return { ...otherAxes([]), keySet, keyClips: [] };
 }

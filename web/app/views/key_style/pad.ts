@@ -1,4 +1,4 @@
-/** The style pad: a plane of two style variables in their units, with a handle whose place is a pose. */
+/** The style pad: a plane of two style variables in their units, with a handle whose position determines the pose. */
 
 import { formatNumber, html, setAttributes, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
@@ -15,16 +15,16 @@ import type { Extent } from "./timeline_rows";
 /** Margins of the plot, units. */
 const ROOM = { left: 62, right: 12, top: 34, bottom: 50 };
 const NARROW_ROOM = { left: 50, right: 10, top: 28, bottom: 46 };
-/** Share of the range that an arrow key moves the handle by; finely with Shift. */
+/** Step of an arrow key as a share of the range; the fine one with Shift. */
 const STEP = { coarse: 0.02, fine: 0.004 };
-/** A press this near to the handle or to a key takes it, units. */
+/** A press within this distance of the handle or of a key grabs it, units. */
 const GRAB_PX = 12;
 
 export interface PadListeners extends GestureListeners {
-  /** A drag of the handle, or a run of key presses, begins. */
+  /** Called when a drag of the handle, or a run of key presses, begins. */
   onGrab: () => void;
   onMove: (x: number, y: number) => void;
-  /** The drag is over. */
+  /** Called when the drag ends. */
   onDrop: () => void;
   onChooseKey: (key: number) => void;
   onMoveKey: (key: number, x: number, y: number) => void;
@@ -33,23 +33,23 @@ export interface PadListeners extends GestureListeners {
 /** The axes and the data of a model. */
 export interface PadSubject {
   titles: readonly [x: string, y: string];
-  /** Decimals that each axis is read with. */
+  /** Number of decimals of each axis. */
   digits: readonly [x: number, y: number];
   ranges: readonly [x: Extent, y: Extent];
-  /** Recorded values, x and y in turn. */
+  /** Recorded values, x and y alternating. */
   points: Float32Array;
   support: Grid;
-  /** Centres of the components, x and y in turn. */
+  /** Centres of the components, x and y alternating. */
   centres: Float32Array;
   /** Whether there is only one variable: the vertical axis is the time of the recordings. */
   overTime: boolean;
 }
 
-/** Keys with the curve through them. */
+/** Keys and the curve through them. */
 export interface PadKeys {
   keys: readonly TimedValue[];
   chosen: number;
-  /** Points of the curve at equal times, x and y in turn. */
+  /** Points of the curve at equally spaced times, x and y alternating. */
   curve: Float32Array;
 }
 
@@ -98,13 +98,13 @@ export class Pad {
     onResize(this.element, () => this.#draw(), signal);
   }
 
-  /** Takes another model's axes and data. */
+  /** Sets another model's axes and data. */
   show(subject: PadSubject): void {
     this.#subject = subject;
     this.#draw();
   }
 
-  /** Places the handle; `reached` is the nearest place within the training data, if that is another one. */
+  /** Places the handle; `reached` is the nearest point within the training data, if it differs. */
   setHandle(x: number, y: number, spoken: string, reached?: readonly [x: number, y: number]): void {
     this.#at = { x, y: this.#subject?.overTime ? 0.5 : y };
     const [px, py] = [pixelOf(this.#x, x), pixelOf(this.#y, this.#at.y)];
@@ -132,7 +132,7 @@ export class Pad {
     this.#drawKeys();
   }
 
-  /** Share of the curve that lies before the playhead, 0–1. */
+  /** Share of the curve before the playhead, 0–1. */
   set played(share: number) {
     this.#share = share;
     this.#drawCurve();
@@ -190,7 +190,7 @@ export class Pad {
           class: i === chosen ? "pad-key chosen" : "pad-key",
           d: `M${x.toFixed(1)} ${(y - 6.5).toFixed(1)}l6.5 6.5-6.5 6.5-6.5-6.5z`,
         });
-        // A closed curve has one number where it ends as it begins.
+        // In a closed curve, the key that ends as it begins has a single number.
         const again = i > 0 && values.every((value, axis) => value === keys[0]!.values[axis]);
         return again ? [diamond] : [diamond, svg("text", { x: x + 12, y: y + 4 }, String(i + 1))];
       }),
@@ -277,7 +277,7 @@ export class Pad {
     };
   }
 
-  /** Moves the handle to values that were typed. */
+  /** Moves the handle to typed values. */
   #type(x: number, y: number): void {
     const { onGrab, onMove, onDrop } = this.#listeners;
     onGrab();

@@ -3,7 +3,7 @@ import { html, setAttributes } from "../../../ui/dom";
 import { rem } from "../../../ui/drawing";
 import type { Extent } from "./timeline_rows";
 
-/** Figures are tabular: a field is as wide as its characters, units of the pad's drawing. */
+/** Digits are tabular: width of a field per character, units of the pad's drawing. */
 const CHARACTER = 7;
 const PADDING = 18;
 const HEIGHT = 24;
@@ -30,7 +30,7 @@ export class PadField {
     });
   }
 
-  /** Takes another axis. */
+  /** Sets another axis. */
   set axis({ label, range, digits }: { label: string; range: Extent; digits: number }) {
     this.#digits = digits;
     this.#range = range;
@@ -38,10 +38,10 @@ export class PadField {
     setAttributes(this.element, { "aria-label": label, min, max, step: 10 ** -digits });
   }
 
-  /** Shows a value at a place of the pad's drawing, units: below the place, or left of it. */
+  /** Shows a value at a position of the pad's drawing, units: below it, or left of it. */
   show(value: number, x: number, y: number, side: "below" | "left"): void {
     this.#value = value;
-    // What is being typed stays.
+    // Text being typed is not changed.
     if (document.activeElement !== this.element) this.#write();
     const width = CHARACTER * this.element.value.length + PADDING;
     const [left, top] = side === "below" ? [x - width / 2, y] : [x - width, y - HEIGHT / 2];

@@ -1,4 +1,4 @@
-/** The pad with the choosers of its motions and variables, and a slider of the variable that has no axis. */
+/** The pad with the choosers of its motions and variables, and a slider for the variable without an axis. */
 import "./pad.css";
 import type { KeyStyleFrame } from "../../../client/models/key_style";
 import { Slider } from "../../../ui/controls/slider";
@@ -17,7 +17,7 @@ export interface PadPanelListeners extends Omit<PadListeners, "onMove"> {
   onSet: (set: string) => void;
   onClips: (clips: string[]) => void;
   onAxes: (axes: Axis[]) => void;
-  /** Where the handle is now. */
+  /** Returns the handle's values. */
   handle: () => readonly number[];
   onMove: (values: readonly number[]) => void;
 }
@@ -31,7 +31,7 @@ export class PadPanel {
   readonly #sliders = html("div", { class: "key-style-sliders" });
   readonly #hint = html("p", { class: "caption", role: "status" });
   #slider: { axis: number; control: Slider } | undefined;
-  /** Whether the slider is dragged. */
+  /** Whether the slider is being dragged. */
   #sliding = false;
 
   constructor(listeners: PadPanelListeners) {
@@ -71,7 +71,7 @@ export class PadPanel {
     this.#pad.attach(signal);
   }
 
-  /** Takes another model. */
+  /** Shows another model. */
   present(motion: KeyMotion): void {
     this.#showSlider(motion);
     this.#showPad(motion);
@@ -84,17 +84,17 @@ export class PadPanel {
     this.#pad.trail = trail;
   }
 
-  /** Takes other keys, and the curve of the motion through them. */
+  /** Shows other keys, and the curve of the motion through them. */
   showKeys(keys: readonly TimedValue[], chosen: number, { curve, rows }: KeyMotion): void {
     this.#pad.setKeys({ keys, chosen, curve: onPad(curve, rows.length) });
   }
 
-  /** Share of the curve that lies before the playhead, 0–1. */
+  /** Share of the curve before the playhead, 0–1. */
   set played(share: number) {
     this.#pad.played = share;
   }
 
-  /** Shows the variables, the values to which the model clamped them outside of its data, and the weights of its components. */
+  /** Shows the variables, the values to which the model clamped them outside its data, and the weights of its components. */
   showFrame(
     { weights }: KeyStyleFrame,
     values: readonly number[],
@@ -149,7 +149,7 @@ export class PadPanel {
       onSettle: () => {
         this.#sliding = false;
         onDrop();
-        // The support of the data depends on the third variable. While another model is trained the pad stays as it is.
+        // The support of the data depends on the third variable. While another model is trained, the pad is unchanged.
         if (this.#slider?.control === control && handle().length === motion.rows.length) this.#showPad(motion);
       },
     });
@@ -159,7 +159,7 @@ export class PadPanel {
   }
 }
 
-/** The points of a curve as the pad has them: the first two of all variables. */
+/** The points of a curve on the pad: the first two of all variables. */
 function onPad(curve: Float32Array, axes: number): Float32Array {
   if (axes < 2) return new Float32Array();
   return Float32Array.from({ length: (2 * curve.length) / axes }, (_, i) => curve[Math.floor(i / 2) * axes + (i % 2)]!);

@@ -1,24 +1,24 @@
-/** Draws the ground of the pad: the density of the training data, its poses, the area that no data supports, the axes. */
+/** Draws the background of the pad: the density of the training data, its poses, the area without support by data, the axes. */
 
 import { formatNumber, svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { pixelOf, type Scale, ticks } from "../../ui/scale";
 import { contour, density, type Grid, type Loop } from "./contours";
 
-/** What there is to draw, in units of the plot and values of both axes. */
+/** Contents of the drawing, in units of the plot and values of both axes. */
 export interface PadPicture {
   x: Scale;
   y: Scale;
   titles: readonly [x: string, y: string];
-  /** Recorded values, x and y in turn. */
+  /** Recorded values, x and y alternating. */
   points: Float32Array;
-  /** Support of the training data at each place: below 0 poses are extrapolated. */
+  /** Support of the training data at each point: below 0 poses are extrapolated. */
   support: Grid;
   /** Whether the vertical axis is the recording's own time. */
   overTime: boolean;
 }
 
-/** Cells of the density's grid. */
+/** Grid size of the density. */
 const CELLS = { columns: 84, rows: 60 };
 /** Contour levels as shares of the maximum density. */
 const LEVELS = [0.05, 0.14, 0.28, 0.45, 0.64, 0.84];

@@ -38,7 +38,7 @@ export class PicturePanel {
   readonly #menu: ModelMenu;
   #picture: ViewerLease | undefined;
   #ghosted = true;
-  /** Whether the camera was set for the body's heading. */
+  /** Whether the camera was aimed at the body's heading. */
   #aimed = false;
   #measured: Measured[] = [];
   readonly #pose = new Float32Array(POSE_FLOATS);
@@ -80,7 +80,7 @@ export class PicturePanel {
     this.#comparison.release();
   }
 
-  /** Takes another model's body and components. */
+  /** Shows another model's body and components. */
   present({ motion: { model, rows } }: OpenModel): void {
     this.#picture?.viewer.setProportions(model.proportions);
     this.#comparison.setProportions(model.proportions);
@@ -88,7 +88,7 @@ export class PicturePanel {
     this.jump();
   }
 
-  /** The body is put elsewhere on the floor. */
+  /** The body is moved on the ground. */
   jump(): void {
     this.#picture?.viewer.resetTrail();
   }
@@ -125,7 +125,7 @@ export class PicturePanel {
     this.#measured = rows.map(({ title, unit, digits }, axis) => {
       const name = model.axes[axis]!;
       const measured = frame.measured[axis]!;
-      // Speed is no measure of a pose.
+      // Speed is not a measure of a pose.
       const value = Number.isFinite(measured) ? measured : values[axis]!;
       return { axis: name, words: words.valueOf(shortTitleOf(name) || title, formatNumber(value, digits), unit) };
     });
@@ -139,13 +139,13 @@ export class PicturePanel {
       viewer.resetTrail();
     }
     viewer.setInput(this.#ghosted ? (model.recorded(nearest) ?? null) : null);
-    // Do not redraw while the body is at rest.
+    // No redraw while the body is at rest.
     if (frame.pose.some((value, i) => value !== this.#pose[i])) this.#picture.invalidate();
     this.#pose.set(frame.pose);
     if (this.#comparison.visible) this.#comparison.show((way) => player.poseOf(way) ?? this.#pose);
   }
 
-  /** Draws what follows the camera. */
+  /** Draws the parts that follow the camera. */
   draw(now: number): void {
     this.#comparison.draw(now);
     if (!this.#picture) return;

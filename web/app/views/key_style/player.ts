@@ -6,17 +6,17 @@ import type { Store } from "../../state/store";
 import type { KeyMotion } from "./key_motion";
 import { lengthOf, valuesAt } from "./trail";
 
-/** Time that a replayed drag rests at its end, seconds: the body comes to rest. */
+/** Time for which a replayed drag stays at its end, seconds: the body comes to rest. */
 const REPLAY_REST_SECS = 0.5;
 
 export interface PlayerListeners {
-  /** The motion must have the keys of the state now. */
+  /** Called before the motion is used, which must then have the keys of the state. */
   prepare: () => void;
-  /** A pose, its variables, and the values to which the model clamped them outside of its data. */
+  /** Called with a pose, its variables, and the values to which the model clamped them outside its data. */
   onFrame: (frame: KeyStyleFrame, values: readonly number[], reached: Float32Array | undefined) => void;
-  /** The keys' motion is at a time. */
+  /** Called when the keys' motion is at a time. */
   onTime: (secs: number, values: readonly number[]) => void;
-  /** The body was put somewhere else on the floor. */
+  /** Called when the body was moved on the ground. */
   onJump: () => void;
 }
 
@@ -25,12 +25,12 @@ export class Player {
   readonly #listeners: PlayerListeners;
   /** Whether the handle was dragged and is no longer on the curve of the keys. */
   free = false;
-  /** The playhead, seconds: the state has it only while nothing plays. */
+  /** The playhead, seconds; the state has it only while paused. */
   secs = 0;
   #motion: KeyMotion | undefined;
   /** Whether a paused body must be redrawn. */
   #moved = true;
-  /** When the drag that is replayed began, milliseconds. */
+  /** When the replayed drag began, milliseconds. */
   #replayed: number | undefined;
   #last = 0;
 
@@ -39,7 +39,7 @@ export class Player {
     this.#listeners = listeners;
   }
 
-  /** Takes another model. */
+  /** Sets another model. */
   set motion(motion: KeyMotion | undefined) {
     this.#motion = motion;
     this.#replayed = undefined;
@@ -47,8 +47,8 @@ export class Player {
   }
 
   /**
-   * Whether the model has the variables of the state. While a model of others is trained, the former one is shown and nothing
-   * can be moved.
+   * Whether the model has the variables of the state. While a model with others is trained, the former one is shown and
+   * nothing can be moved.
    */
   get ready(): boolean {
     const { keyHandle, keys } = this.#store.state;
@@ -56,7 +56,7 @@ export class Player {
     return keyHandle.length === axes && keys.every(({ values }) => values.length === axes);
   }
 
-  /** Begins to count time. */
+  /** Starts the clock. */
   start(now: number, secs: number): void {
     this.#last = now;
     this.secs = secs;
@@ -68,7 +68,7 @@ export class Player {
     this.#moved = true;
   }
 
-  /** Goes on to a frame of the screen. */
+  /** Advances to a display frame. */
   tick(now: number): void {
     const { state } = this.#store;
     if (this.ready) {
@@ -81,14 +81,14 @@ export class Player {
     this.#last = now;
   }
 
-  /** Lets the body follow the handle until now. */
+  /** Makes the body follow the handle up to now. */
   follow(now: number, values: readonly number[]): void {
     const frame = this.#motion!.follow(values, this.#stepOf(now));
     this.#last = now;
     this.#listeners.onFrame(frame, values, frame.reached);
   }
 
-  /** A drag of the handle begins: the body follows it from where it is. */
+  /** Starts a drag of the handle: the body follows it from its current pose. */
   grab(): void {
     this.#replayed = undefined;
     if (this.free || !this.#motion || !this.ready) return;
@@ -134,7 +134,7 @@ export class Player {
     this.#store.edit({ playing: true });
   }
 
-  /** The keys move the body again. */
+  /** The keys control the body again. */
   letGo(): void {
     if (!this.free) return;
     this.free = false;

@@ -1,4 +1,4 @@
-/** The training motions: each style variable over time; a press puts the pad's handle on the pose recorded there. */
+/** The training motions: each style variable over time. A press moves the pad's handle to the pose recorded there. */
 import type { TrainingClip } from "../../../client/models/key_style";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, svg } from "../../../ui/dom";
@@ -25,7 +25,7 @@ export interface RecordingsModel {
   rows: readonly RowName[];
   ranges: readonly Extent[];
   clips: readonly Pick<TrainingClip, "name" | "first" | "frames">[];
-  /** The variables of every training frame, those of one frame behind each other. */
+  /** The variables of every training frame, frame after frame. */
   values: Float32Array;
   rateHz: number;
 }
@@ -40,9 +40,9 @@ export class Recordings {
   readonly #playhead: Playhead;
   #model: RecordingsModel | undefined;
   #layout: Layout = layOut(600, 184, 1, 1);
-  /** Number of the clip that is shown. */
+  /** Index of the displayed clip. */
   #shown = 0;
-  /** The present frame, counted through all clips. */
+  /** The current frame, counted over all clips. */
   #frame = 0;
   #dragging = false;
 
@@ -97,7 +97,7 @@ export class Recordings {
     this.#draw();
   }
 
-  /** Puts the mark at a frame, counted through all clips, and shows its clip. */
+  /** Moves the mark to a frame, counted over all clips, and shows its clip. */
   set frame(frame: number) {
     if (!this.#model || this.#dragging || frame === this.#frame) return;
     this.#frame = frame;
@@ -150,7 +150,7 @@ export class Recordings {
     this.#pick(Math.round(valueAt(this.#layout.time, x) * this.#model!.rateHz));
   }
 
-  /** Puts the mark and the handle at a frame of the clip. */
+  /** Moves the mark and the handle to a frame of the clip. */
   #pick(frame: number): void {
     const clip = this.#clip;
     if (!clip) return;

@@ -11,14 +11,14 @@ const CLIPS = "…";
 
 export interface SetModel {
   set: string;
-  /** Name of the database that is open and its actions, where it is not the built-in one. */
+  /** Name and actions of the open database, if it is not the built-in one. */
   open: { name: string; actions: readonly string[] } | undefined;
-  /** Number of files that were dropped. */
+  /** Number of dropped files. */
   files: number;
-  /** Clips there are in the set's place, and those that the model is trained on. */
+  /** Available clips of the set, and those on which the model is trained. */
   clips: readonly KeyStyleClip[];
   trainedOn: readonly string[];
-  /** Whether a person chose the clips. */
+  /** Whether the user selected the clips. */
   chosen: boolean;
 }
 
@@ -43,7 +43,7 @@ export class SetChooser {
   }
 
   show(model: SetModel): void {
-    // A list that is open stays as it is.
+    // An open list is not changed.
     const same = JSON.stringify(model) === JSON.stringify(this.#model);
     this.#model = model;
     if (same) return;
@@ -57,7 +57,7 @@ export class SetChooser {
     const group = (label: string, ...options: HTMLOptionElement[]) => html("optgroup", { label }, ...options);
     const builtIn = BUILT_IN_SETS.map((name) => option(name, strings.keyStyle.sets[name]));
     const { source, action } = parseSet(set);
-    // Another action of the built-in database, by a link.
+    // Another action of the built-in database, from a link.
     if (source === "built-in" && !BUILT_IN_SETS.some((name) => name === action))
       builtIn.push(option(set, capitalised(spoken(action))));
     const opened = open?.actions.map((name) => option(`open/${name}`, capitalised(spoken(name)))) ?? [];

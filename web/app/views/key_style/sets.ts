@@ -1,15 +1,15 @@
-/** Training motions: clips of the built-in database, of the one that is open, or dropped files. */
+/** Training motions: clips of the built-in database, of the open one, or dropped files. */
 import type { DroppedFile, KeyStyleOrder, TrainedKeyStyle } from "../../../client/build/protocol";
 import { trainKeyStyle } from "../../../client/models/key_style";
 import type { CallOptions } from "../../../client/protocol";
 
-/** A set of motions, as the state has it: an action of the built-in database, `open` with or without one, or `files`. */
+/** A set of motions as in the state: an action of the built-in database, `open` with or without one, or `files`. */
 export interface MotionSet {
   source: "built-in" | "open" | "files";
   action: string;
 }
 
-/** Actions of the built-in database that are one click away. */
+/** Actions of the built-in database that can be selected directly. */
 export const BUILT_IN_SETS = ["walk", "punch", "run"] as const;
 
 export function parseSet(text: string): MotionSet {
@@ -24,15 +24,15 @@ export interface ClipSource {
   files?: readonly DroppedFile[];
 }
 
-/** What a model is trained on. */
+/** Training data and settings of a model. */
 export interface ModelRequest {
   source: ClipSource;
   order: KeyStyleOrder;
 }
 
 /**
- * Whether two requests are for the same model. A database that was built again under its name is another file, and so are
- * files that were dropped again.
+ * Whether two requests are for the same model. A database that was built again under its name is another file, and so
+ * are files that were dropped again.
  */
 export function isSameRequest(a: ModelRequest, b: ModelRequest): boolean {
   return (
@@ -42,10 +42,10 @@ export function isSameRequest(a: ModelRequest, b: ModelRequest): boolean {
   );
 }
 
-/** Maximum number of models that are kept: going back and forth between variables is then free. */
+/** Maximum number of models that are kept, so that switching between variables needs no training. */
 const MAX_KEPT = 12;
 
-/** Models that were trained on this page, the one used least recently first. */
+/** Models that were trained on this page, the least recently used first. */
 export class KeyStyleModels {
   #trained: { request: ModelRequest; trained: TrainedKeyStyle }[] = [];
 

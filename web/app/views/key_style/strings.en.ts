@@ -1,4 +1,4 @@
-/** What the Key-style view says. */
+/** Texts of the Key-style view. */
 import { counted } from "../../strings/counted.en";
 
 const components = counted("component");

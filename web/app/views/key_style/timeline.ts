@@ -1,4 +1,4 @@
-/** The timeline of keys: a row for every style variable, keys that are dragged in time and in value, and the playhead. */
+/** The timeline of keys: a row for every style variable, keys that can be dragged in time and in value, and the playhead. */
 
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
@@ -21,14 +21,14 @@ import {
   rulerOf,
 } from "./timeline_rows";
 
-/** Share of its range that an arrow key changes a value by; finely with Shift. */
+/** Step of an arrow key as a share of the range; the fine one with Shift. */
 const STEP = { coarse: 0.02, fine: 0.004 };
 
 export interface TimelineListeners extends GestureListeners {
-  /** The present keys: those that are drawn may be one display frame old. */
+  /** Returns the current keys; the displayed ones may be one display frame old. */
   keys: () => readonly TimedValue[];
   onChoose: (key: number) => void;
-  /** New keys. Edits of one `gesture`, a drag or a run of key presses, are one step of undo. */
+  /** Called with new keys. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
   onEdit: (keys: readonly TimedValue[], gesture: string | undefined, chosen: number) => void;
   onSeek: (secs: number) => void;
 }
@@ -38,9 +38,9 @@ export interface TimelineModel {
   ranges: readonly Extent[];
   keys: readonly TimedValue[];
   chosen: number;
-  /** Seconds. */
+  /** Length, seconds. */
   length: number;
-  /** The curve through the keys: all variables at equal times over the whole length, those of one time behind each other. */
+  /** The curve through the keys: all variables at equally spaced times over the whole length, time after time. */
   curve: Float32Array;
 }
 
@@ -49,7 +49,7 @@ export class Timeline {
   readonly #listeners: TimelineListeners;
   readonly #root = svg("svg", { class: "keys-plot", role: "group", "aria-label": strings.keyStyle.timeline });
   readonly #picture = svg("g");
-  /** What lies before the playhead. */
+  /** The part before the playhead. */
   readonly #played = svg("rect", { x: 0, y: 0, height: 1000 });
   readonly #playhead: Playhead;
   #model: TimelineModel | undefined;
@@ -84,7 +84,7 @@ export class Timeline {
     this.#draw();
   }
 
-  /** Puts the playhead at a time, at which the variables have these values. */
+  /** Moves the playhead to a time, at which the variables have these values. */
   setPlayhead(secs: number, values: readonly number[]): void {
     this.#secs = secs;
     this.#values = values;
@@ -156,7 +156,7 @@ export class Timeline {
         "aria-valuetext": text,
         transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
       },
-      // A tooltip of the slider itself would be said after its value, which is the same.
+      // A tooltip of the slider itself would be announced after its value, which is the same.
       svg(
         "g",
         { "aria-hidden": "true" },
@@ -230,7 +230,7 @@ export class Timeline {
     event.stopPropagation();
   }
 
-  /** Edits a key by the keyboard; whether what was pressed means anything here. */
+  /** Edits a key by the keyboard. Returns whether the pressed key has a function here. */
   #press(key: number, axis: number, { key: pressed, shiftKey }: KeyboardEvent): boolean {
     const keys = this.#listeners.keys();
     const own = keys[key];

@@ -1,23 +1,23 @@
-/** What the timelines of keys and of recordings share: the places of their rows, the ruler, and the line of a variable. */
+/** Shared by the timelines of keys and of recordings: the positions of their rows, the ruler, and the line of a variable. */
 import "./timeline.css";
 import { svg } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { pixelOf, type Scale } from "../../ui/scale";
 import { timeRuler } from "../synthesis/time_ruler";
 
-/** Left of the rows, for their names, and right of them, units. */
+/** Width left of the rows, for their names, and right of them, units. */
 const GUTTER = 152;
 const NARROW_GUTTER = 92;
 const MARGIN = 20;
 /** A timeline narrower than this has the narrow gutter, units. */
 const NARROW_PX = 700;
-/** Vertical places of the ruler and of the first row, and the distance of two rows, units. */
+/** Vertical positions of the ruler and of the first row, and the distance of two rows, units. */
 export const RULER_Y = 38;
 const FIRST_ROW_Y = 54;
 const ROW_GAP = 12;
 const MIN_ROW_HEIGHT = 24;
 const MIN_HEIGHT = 120;
-/** What values keep clear of at the edges of their row, units. */
+/** Distance of values from the edges of their row, units. */
 const ROW_PADDING = 6;
 /** Minimum distance of two labels of the ruler, units. */
 const LABEL_PX = 72;
@@ -28,11 +28,11 @@ export interface Extent {
   max: number;
 }
 
-/** A style variable as its row names it. */
+/** A style variable as labelled in its row. */
 export interface RowName {
   title: string;
   unit: string;
-  /** Decimals that its values are read with. */
+  /** Number of decimals of its values. */
   digits: number;
 }
 
@@ -42,17 +42,17 @@ export interface Layout {
   /** Seconds. */
   time: Scale;
   rows: readonly RowPlace[];
-  /** Where the playhead's line ends. */
+  /** Lower end of the playhead's line. */
   bottom: number;
 }
 
-/** Vertical place of a row, units. */
+/** Vertical position of a row, units. */
 export interface RowPlace {
   top: number;
   height: number;
 }
 
-/** Lays out so many rows over a time in seconds. */
+/** Lays out `rowCount` rows over a time in seconds. */
 export function layOut(width: number, height: number, rowCount: number, secs: number): Layout {
   const used = Math.max(MIN_HEIGHT, height);
   const gutter = width < NARROW_PX ? NARROW_GUTTER : GUTTER;
@@ -75,12 +75,12 @@ export function rowScale({ top, height }: RowPlace, { min, max }: Extent): Scale
   return { min, max, from: top + height - ROW_PADDING, to: top + ROW_PADDING };
 }
 
-/** The ruler, which seeks. */
+/** The ruler, which seeks when pressed. */
 export function rulerOf({ time }: Layout): SVGGElement {
   return timeRuler({ time, y: RULER_Y, labelPx: LABEL_PX, zero: strings.synthesis.zero });
 }
 
-/** The ground of a row with the name of its variable; `read` is what stands below the name. */
+/** The background of a row with the name of its variable; `read` is shown below the name. */
 export function rowGround({ time }: Layout, place: RowPlace, title: string, ...read: (Node | string)[]): SVGElement[] {
   const middle = place.top + place.height / 2;
   const ground = { x: time.from, y: place.top, width: time.to - time.from, height: place.height, rx: 3 };
@@ -92,10 +92,10 @@ export function rowGround({ time }: Layout, place: RowPlace, title: string, ...r
 }
 
 /**
- * A variable over time as the data of a path.
+ * A variable over time as path data.
  *
- * @param values - Values of all variables at equal times, those of one time behind each other.
- * @param axis - Number of the variable of `axes`.
+ * @param values - Values of all variables at equally spaced times, time after time.
+ * @param axis - Index of the variable among `axes`.
  */
 export function lineOf(values: ArrayLike<number>, axis: number, axes: number, time: Scale, row: Scale): string {
   const count = Math.floor(values.length / axes);

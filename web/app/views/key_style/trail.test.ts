@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { MAX_POINTS } from "../../state/key_style";
 import { keysOf, lengthOf, Recorder, valuesAt } from "./trail";
 
-/** A hand that moves one unit a second, seen sixty times a second. */
+/** A pointer that moves one unit per second, sampled sixty times per second. */
 function drag(secs: number): Recorder {
   const recorder = new Recorder();
   recorder.begin();

@@ -1,4 +1,4 @@
-/** The trail of a drag: recorded at a steady rate, replayed, and turned into keys. */
+/** The trail of a drag: recorded at a constant rate, replayed, and converted to keys. */
 import { LONGEST_TRAIL_SECS, type TimedValue, TRAIL_RATE_HZ } from "../../state/key_style";
 
 /** Records a drag. */
@@ -12,7 +12,7 @@ export class Recorder {
     this.#last = undefined;
   }
 
-  /** Takes the place of the pointer, `secs` on any clock. */
+  /** Adds the position of the pointer, `secs` on any clock. */
   add(secs: number, values: readonly number[]): void {
     this.#last = { secs, values };
     const before = this.#points.at(-1);
@@ -21,12 +21,12 @@ export class Recorder {
     while (secs - this.#points[0]!.secs > LONGEST_TRAIL_SECS) this.#points.shift();
   }
 
-  /** The trail so far, its time beginning at 0. */
+  /** The trail so far; its time begins at 0. */
   get trail(): TimedValue[] {
     const first = this.#points[0];
     if (!first) return [];
     const { secs: begin } = first;
-    // Times in links have two decimals, and grow.
+    // Times in links have two decimals, and must increase.
     const last = this.#last!.secs - this.#points.at(-1)!.secs > 0.02 ? [this.#last!] : [];
     return [...this.#points, ...last].map(({ secs, values }) => ({
       secs: Math.round((secs - begin) * 100) / 100,
@@ -40,7 +40,7 @@ export function lengthOf(trail: readonly TimedValue[]): number {
   return trail.at(-1)?.secs ?? 0;
 }
 
-/** The place at a time: interpolated, and the nearest end before and after. */
+/** The position at a time: interpolated, and the nearest end before and after. */
 export function valuesAt(trail: readonly TimedValue[], secs: number): readonly number[] {
   const after = trail.findIndex((point) => point.secs > secs);
   if (after === 0) return trail[0]!.values;
@@ -49,7 +49,7 @@ export function valuesAt(trail: readonly TimedValue[], secs: number): readonly n
   return from.values.map((value, axis) => value + share * (to.values[axis]! - value));
 }
 
-/** Keys that follow a trail, so many seconds apart at least. */
+/** Keys that follow a trail, at least `apart` seconds apart. */
 export function keysOf(trail: readonly TimedValue[], apart: number, max: number): TimedValue[] {
   const length = lengthOf(trail);
   const count = Math.max(1, Math.min(max - 1, Math.round(length / apart)));

@@ -12,7 +12,7 @@ export class BetPanel {
   readonly #inputs: HTMLInputElement[];
   readonly #actions: HTMLElement;
 
-  /** @param onPlace takes the option, or an empty text where the bet was skipped */
+  /** @param onPlace called with the option, or an empty text if the bet was skipped */
   constructor({ id, bet }: Lesson, text: LessonText, learn: LearnText, onPlace: (option: string) => void) {
     this.#inputs = bet.options.map((value) => html("input", { type: "radio", name: `bet-${id}`, value }));
     const place = button(learn.place, () => onPlace(this.#chosen), { label: true, class: "outlined" });
@@ -31,7 +31,7 @@ export class BetPanel {
     );
   }
 
-  /** Shows the bet as it was placed; `undefined` until then. */
+  /** Shows the placed bet; `undefined` until then. */
   show(placed: string | undefined): void {
     for (const input of this.#inputs) {
       if (placed !== undefined) input.checked = input.value === placed;
@@ -46,7 +46,7 @@ export class BetPanel {
     this.#reveal.replaceChildren(...sentences.map((sentence) => html("p", {}, ...prose(sentence))));
   }
 
-  /** What is revealed, for the printed answers. */
+  /** The revealed text, for the printed answers. */
   get revealed(): string {
     return this.#reveal.textContent ?? "";
   }

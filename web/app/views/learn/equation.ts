@@ -1,4 +1,4 @@
-/** The equation of a lesson, and a button with the present value for each of its symbols. */
+/** The equation of a lesson, and a button with the current value for each of its symbols. */
 
 import type { Lesson } from "../../../lessons/lesson";
 import type { LearnText, LessonText } from "../../../lessons/text/text";
@@ -35,17 +35,20 @@ export class EquationPanel {
   }
 }
 
-/** The part of the Trusted Types API that is used; TypeScript's library does not have it yet. */
+/** The part of the Trusted Types API that is used; it is not in TypeScript's library yet. */
 interface TrustedTypes {
   createPolicy(name: string, rules: { createHTML: (text: string) => string }): { createHTML(text: string): string };
 }
 
-/** Only what the build made of equations becomes elements of this page. */
+/** Only the markup that the build made from equations may become elements of this page. */
 const policy = (globalThis as { trustedTypes?: TrustedTypes }).trustedTypes?.createPolicy("equations", {
   createHTML: (text) => text,
 });
 
-/** KaTeX's markup as elements; its styles are set through the object model, because the page's policy forbids the attributes. */
+/**
+ * KaTeX's markup as elements; its styles are set through the object model, because the page's policy forbids the
+ * attributes.
+ */
 function markup(text: string): HTMLElement {
   const element = html("div", { class: "equation", tabindex: 0 });
   element.innerHTML = policy ? policy.createHTML(text) : text;

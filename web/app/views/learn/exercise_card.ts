@@ -1,4 +1,4 @@
-/** One exercise: its task, what the last answer was, hints, and the way to a solution. */
+/** One exercise: its task, the result of the last answer, hints, and a link to a solution. */
 
 import type { Verdict } from "../../../lessons/lesson";
 import type { ExerciseText, LearnText, Said } from "../../../lessons/text/text";
@@ -6,7 +6,7 @@ import { button } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
 import { prose } from "./prose";
 
-/** After so many wrong answers the solution is offered. */
+/** Number of wrong answers after which the solution is offered. */
 const TRIES = 3;
 
 export interface ExerciseListeners {
@@ -22,14 +22,14 @@ export class ExerciseCard {
   readonly #status = html("p", { class: "caption" });
   readonly #verdict = html("p", { class: "verdict", role: "status" });
   readonly #hints: HTMLElement[];
-  /** Hidden until a hint was asked for: an empty list would be announced. */
+  /** Hidden until a hint was requested: an empty list would be announced. */
   readonly #list = html("ol", { class: "hints", hidden: true });
   readonly #hint: HTMLButtonElement;
   readonly #begin: HTMLButtonElement;
   readonly #solution: HTMLButtonElement;
   readonly #link: HTMLButtonElement;
   #hinted = 0;
-  /** What was said of the last answer that passed. */
+  /** The text about the last correct answer. */
   #passed = "";
 
   constructor(id: string, text: ExerciseText, learn: LearnText, answers: boolean, listeners: ExerciseListeners) {
@@ -42,7 +42,7 @@ export class ExerciseCard {
     this.#hints = text.hints.map((hint) => html("li", { hidden: true }, ...prose(hint)));
     this.#list.append(...this.#hints);
     const heading = html("h3", { id: `exercise-${id}` }, id);
-    // All exercises have buttons of the same names.
+    // All exercises have buttons with the same names.
     for (const control of [this.#begin, this.#link, this.#solution, this.#hint])
       control.setAttribute("aria-describedby", heading.id);
     this.element = html(
@@ -56,7 +56,7 @@ export class ExerciseCard {
     );
   }
 
-  /** Shows whether it is under way, and how it went so far. */
+  /** Shows whether it is active, and its results so far. */
   show({ active, tries, solved }: { active: boolean; tries: number; solved: boolean }): void {
     const { solved: done, tries: count, working } = this.#learn;
     const parts = [...(solved ? [done] : []), ...(tries > 0 ? [count(tries)] : []), ...(active ? [working] : [])];
@@ -69,7 +69,7 @@ export class ExerciseCard {
     if (!active) this.#judge("", "");
   }
 
-  /** Says how an answer is judged. */
+  /** Shows the result of an answer. */
   judge(verdict: Verdict, said: Said): void {
     const { pass, near, refuse, no } = this.#text;
     const sentence = verdict.result === "near" ? near[verdict.way]!(said) : { pass, refuse, no }[verdict.result](said);
@@ -81,7 +81,7 @@ export class ExerciseCard {
     this.#judge("no", sentence);
   }
 
-  /** What was said of the last answer that passed, for the printed answers; empty if none did. */
+  /** The text about the last correct answer, for the printed answers; empty if there is none. */
   get passed(): string {
     return this.#passed;
   }

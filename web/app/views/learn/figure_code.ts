@@ -1,10 +1,10 @@
-/** What is copied into a page to show a figure of a lesson there. Pure. */
+/** The code to embed a figure of a lesson in another page. Pure functions. */
 import type { Language } from "../../../element/figure/languages";
 import { escaped, frameOf } from "../../ui/frame_code";
 
-/** A figure that is embedded. */
+/** An embedded figure. */
 export interface EmbeddedFigure {
-  /** Address of the site's folder. */
+  /** URL of the site's folder. */
   site: string;
   kind: string;
   language: Language;
@@ -17,7 +17,7 @@ export interface EmbeddedFigure {
 /** Size of a frame, CSS pixels. */
 const SIZE = { width: 688, height: 480 };
 
-/** Address of the page for a frame. */
+/** URL of the page for a frame. */
 export function figureAddress({ site, kind, language, state }: EmbeddedFigure): string {
   return `${new URL("figure.html", site).href}?kind=${kind}&lang=${language}#${state}`;
 }

@@ -1,4 +1,4 @@
-/** The dialog that gives the code to show one figure of a lesson on another page. */
+/** The dialog with the code to embed one figure of a lesson in another page. */
 import type { LearnText } from "../../../lessons/text/text";
 import { button, Segment } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
@@ -6,7 +6,7 @@ import { html } from "../../../ui/dom";
 import { askInDialog, dialogActions } from "../../ui/dialog";
 import { type EmbeddedFigure, figureElementCode, figureFrameCode } from "./figure_code";
 
-/** Shows the code of one of some figures until the dialog is closed. */
+/** Shows the code of one of several figures until the dialog is closed. */
 export async function showFigureCode(figures: readonly EmbeddedFigure[], learn: LearnText): Promise<void> {
   let [codeOf, chosen] = [figureFrameCode, figures[0]!];
   const code = html("textarea", { class: "text code", readonly: true, rows: 5, "aria-label": learn.code });

@@ -32,7 +32,7 @@ export function prepare({ lesson }: Readonly<AppState>): void {
   startEngine(lessonOf(lesson).begin);
 }
 
-/** A lesson that is open, in a language. */
+/** An open lesson, in a language. */
 interface Open {
   key: string;
   lesson: Lesson;
@@ -50,12 +50,12 @@ class LearnView implements View {
   readonly #head = html("header", { class: "learn-head" });
   readonly #engine = joinEngine();
   #open: Open | undefined;
-  /** Lesson and language that are open, or will be. */
+  /** Key of the lesson and language that are open, or are being loaded. */
   #wanted = "";
   #shown = new AbortController();
-  /** The term that a tap has lit. */
+  /** The term highlighted by a tap. */
   #tapped: string | undefined;
-  /** Counts the checks: only the answer of the last one is said. */
+  /** Counter of the checks: only the answer of the last one is shown. */
   #check = 0;
 
   constructor(host: ViewHost) {
@@ -123,7 +123,7 @@ class LearnView implements View {
       return;
     }
     const open = this.#open;
-    // Another lesson than the one that is being loaded knows other ranges.
+    // Another lesson than the one that is being loaded has other ranges.
     if (open?.key !== key) return;
     const { beat, present, task, hide, theme } = this.#state;
     const figures = open.lesson.clean(this.#state.figures);
@@ -152,7 +152,7 @@ class LearnView implements View {
     void this.#checkTask(false);
   }
 
-  /** Whether the change that is being shown was made by a hand, which will let go. */
+  /** Whether the displayed change is part of a drag. */
   #byHand = false;
 
   async #load(entry: LessonEntry, language: Language, key: string): Promise<void> {
@@ -333,7 +333,7 @@ class LearnView implements View {
     if (bet === undefined || this.#state.hide.split(",").includes("answers")) return;
     const { learn } = TEXTS[language];
     try {
-      // The engine answers in turn: what is looked at comes first.
+      // The engine answers in order: the visible figures come first.
       await figures.ready();
       const { answer, measure } = await lesson.bet.reveal(this.#engine);
       const how = bet === "" ? learn.skipped : bet === answer ? learn.right : learn.wrong;
@@ -361,14 +361,14 @@ class LearnView implements View {
       if (this.#open !== open) return;
       this.#host.store.edit({ task, figures });
       open.figures.bring(exercise.figure);
-      // The state may be the same already.
+      // The state may already be the same.
       void this.#checkTask(false);
     } catch (error) {
       open.page.fail(task, this.#words.failed(errorText(error)));
     }
   }
 
-  /** Checks the exercise under way. @param counts whether it was somebody's own answer, which progress remembers */
+  /** Checks the current exercise. @param counts whether it was the learner's own answer, which is stored in the progress */
   async #checkTask(counts: boolean): Promise<void> {
     const open = this.#open;
     const { task } = this.#state;
@@ -405,7 +405,7 @@ class LearnView implements View {
     }
   }
 
-  /** Words, symbols and marks of a term light each other. */
+  /** Hovering or focusing a term highlights its words, symbols and marks. */
   #listenToTerms(): void {
     const listen = (type: string, act: (term: string | undefined) => void) =>
       this.#text.addEventListener(type, ({ target }) => act(termOf(target)));
@@ -419,7 +419,7 @@ class LearnView implements View {
     });
   }
 
-  /** @param pointed the term that is pointed at; without one, that of what has the focus is lit, or the tapped one */
+  /** @param pointed the hovered term; without one, that of the focused element is highlighted, or the tapped one */
   #light(pointed: string | undefined): void {
     const focused = this.#text.contains(document.activeElement) ? termOf(document.activeElement) : undefined;
     const lit = pointed ?? focused ?? this.#tapped;

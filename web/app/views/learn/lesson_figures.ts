@@ -1,4 +1,4 @@
-/** The figures of a lesson: one state for all of them. */
+/** The figures of a lesson with one common state. */
 import { defineFigure, type StateChange, type StrutFigure } from "../../../element/figure/figure_element";
 import type { Measure } from "../../../element/figure/kind";
 import type { Language } from "../../../element/figure/languages";
@@ -7,18 +7,18 @@ import { html } from "../../../ui/dom";
 
 export interface FigureListeners {
   onState: (change: StateChange) => void;
-  /** The figures show other things than before. */
+  /** Called when the values of the figures have changed. */
   onValues: (values: Readonly<Record<string, string>>) => void;
   onPoint: (term: string | undefined) => void;
 }
 
-/** How the figures are shown. */
+/** State of the figures. */
 export interface FiguresState {
   figures: string;
-  /** The part of the lesson, and how far it may give the answer to the bet away. */
+  /** The part of the lesson, and how much of the bet's answer it may reveal. */
   beat: number;
   locked: boolean;
-  /** The exercises that are solved. */
+  /** The solved exercises. */
   solved: readonly string[];
   theme: "dark" | "light";
   large: boolean;
@@ -52,7 +52,7 @@ export class LessonFigures {
   }
 
   show({ figures, beat, locked, solved, theme, large, controls }: FiguresState): void {
-    // Until the bet is placed only what the bet shows is shown.
+    // Until the bet is placed, only the figures of the bet are shown.
     const name = BEATS[locked ? BEATS.indexOf("bet") : beat]!;
     const shown = this.#lesson.figures.filter(
       ({ beats, after }) => beats.includes(name) && (after === undefined || solved.includes(after)),
@@ -70,17 +70,17 @@ export class LessonFigures {
     this.#tellValues();
   }
 
-  /** What exercises are judged by. @throws what the engine throws */
+  /** The measurement by which exercises are judged. @throws what the engine throws */
   measure(figure: string): Promise<Measure> {
     return this.#figures.get(figure)!.measure();
   }
 
-  /** Brings a figure to where it is seen: they may not all have room beside each other. */
+  /** Scrolls a figure into view: there may not be room for all. */
   bring(figure: string): void {
     this.#figures.get(figure)?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
-  /** The figures that are on the page now. */
+  /** The figures that are currently in the page. */
   get shown(): { kind: string; heading: string }[] {
     return this.#lesson.figures.flatMap(({ name, kind }) => {
       const { hidden, heading } = this.#figures.get(name)!;
@@ -88,12 +88,12 @@ export class LessonFigures {
     });
   }
 
-  /** Resolves when the figures on the page show their state. */
+  /** Resolves when the figures in the page show their state. */
   async ready(): Promise<void> {
     await Promise.all(this.#visible.map((figure) => figure.ready()));
   }
 
-  /** Loads what the other parts of the lesson show, so that they need no network. */
+  /** Loads the figures of the other parts of the lesson, so that they need no network. */
   async prefetch(): Promise<void> {
     const fonts = [...document.fonts].map((face) => face.load());
     await Promise.allSettled([...fonts, ...[...this.#figures.values()].map((figure) => figure.prefetch())]);
@@ -104,7 +104,7 @@ export class LessonFigures {
     return [...this.#figures.values()].filter(({ hidden }) => !hidden);
   }
 
-  /** What is not on the page has no say: it may still show an earlier state. */
+  /** Figures that are not in the page are ignored: they may still show an earlier state. */
   #tellValues(): void {
     this.#listeners.onValues(Object.assign({}, ...this.#visible.map(({ values }) => values)));
   }
@@ -114,7 +114,7 @@ export class LessonFigures {
   }
 }
 
-/** What a figure does not show: what the lesson has not come to yet, or nothing that can be set. */
+/** Hidden parts of a figure: those that the lesson has not introduced yet, or all controls. */
 function hiddenIn(controls: boolean, explained: boolean): string {
   return [...(controls ? [] : ["controls"]), ...(explained ? [] : ["choices", "marks"])].join(",");
 }

@@ -19,16 +19,16 @@ export interface LessonPageListeners {
   onLink: () => void;
 }
 
-/** How a page is shown, as long as it is open. */
+/** Options of a page, fixed while it is open. */
 export interface LessonPageOptions {
   /** Whether solutions are offered. */
   answers: boolean;
-  /** Titles of the lessons before and after; `undefined` where there is none. */
+  /** Titles of the previous and the next lesson; `undefined` if there is none. */
   previous: string | undefined;
   next: string | undefined;
 }
 
-/** What a page shows besides its text. */
+/** State of a page other than its text. */
 export interface LessonPageState {
   beat: number;
   task: string;
@@ -36,7 +36,7 @@ export interface LessonPageState {
   kept: boolean;
 }
 
-/** Parts that would give the answer to the bet away. */
+/** Parts that would reveal the answer to the bet. */
 const LOCKED: readonly Beat[] = ["look", "why"];
 
 export class LessonPage {
@@ -160,13 +160,13 @@ export class LessonPage {
     this.#cards.get(exercise)?.fail(sentence);
   }
 
-  /** Lights the words and symbols of a term. */
+  /** Highlights the words and symbols of a term. */
   light(term: string | undefined): void {
     for (const mark of this.element.querySelectorAll("[data-term]"))
       mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
-  /** Puts what is known of the answers at the end of the printed page. */
+  /** Prints the known answers at the end of the page. */
   printAnswers(): void {
     const said = [this.#bet.revealed, ...[...this.#cards].map(([id, card]) => card.passed && `${id}: ${card.passed}`)];
     this.#answers.replaceChildren(...said.filter((line) => line !== "").map((line) => html("p", {}, line)));
@@ -174,7 +174,7 @@ export class LessonPage {
 
   #turn(control: HTMLButtonElement, beat: number): void {
     const part = BEATS[beat];
-    // Beyond the ends stand the other lessons.
+    // Before the first and after the last part are the neighbouring lessons.
     const to = part ? this.#learn.beats[part] : beat < 0 ? this.#beside.previous : this.#beside.next;
     control.hidden = to === undefined;
     if (to) setText(control.querySelector("span")!, to);

@@ -1,14 +1,14 @@
-/** How far somebody is in the lessons: kept in this browser where it allows that, and sent nowhere. */
+/** The learner's progress in the lessons: stored in this browser if it allows that, and sent nowhere. */
 
 /** Key in localStorage. */
 export const STORAGE_KEY = "strut.learn.1";
-/** Own words are cut off here. */
+/** Longest text of the learner, characters. */
 const MAX_WORDS = 4000;
 const MAX_TRIES = 9999;
 
-/** What is known of one lesson. */
+/** Progress in one lesson. */
 export interface LessonProgress {
-  /** The option of the bet; empty where it was skipped, undefined until then. */
+  /** The option of the bet; empty if it was skipped, `undefined` until then. */
   bet: string | undefined;
   /** The answer to “Why?”. */
   words: string;
@@ -23,12 +23,12 @@ export type Progress = Readonly<Record<string, LessonProgress>>;
 
 const NONE: LessonProgress = { bet: undefined, words: "", tries: {}, solved: [] };
 
-/** Writes progress. */
+/** Encodes progress. */
 export function encodeProgress(progress: Progress): string {
   return JSON.stringify({ strut: "learn", version: 1, lessons: progress });
 }
 
-/** Reads what {@link encodeProgress} wrote; `undefined` where it is something else. What is no progress in it is left out. */
+/** Decodes {@link encodeProgress}; `undefined` if it is something else. Invalid parts are left out. */
 export function decodeProgress(text: string): Progress | undefined {
   let data: unknown;
   try {
@@ -61,16 +61,16 @@ function recordOf(value: unknown): Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value) ? (value as Record<string, unknown>) : {};
 }
 
-/** As much of `localStorage` as is needed. */
+/** The part of `localStorage` that is needed. */
 export type Memory = Pick<Storage, "getItem" | "setItem" | "removeItem">;
 
-/** Progress that is kept where storage allows it, and lasts as long as the page where it does not. */
+/** Progress that is stored if the browser allows it, and otherwise kept as long as the page. */
 export class ProgressStore {
   readonly #memory: () => Memory;
   #progress: Progress = {};
-  /** The text that {@link #progress} was read from or written as. */
+  /** The text from which {@link #progress} was read or as which it was written. */
   #text: string | null = null;
-  /** Whether the last change was kept. */
+  /** Whether the last change was stored. */
   kept = true;
 
   constructor(memory: () => Memory = () => localStorage) {
@@ -78,7 +78,7 @@ export class ProgressStore {
     this.#read();
   }
 
-  /** What is known of a lesson, here and in other tabs. */
+  /** Progress in a lesson, from this and other tabs. */
   of(lesson: string): LessonProgress {
     this.#read();
     return Object.hasOwn(this.#progress, lesson) ? this.#progress[lesson]! : NONE;
@@ -89,13 +89,13 @@ export class ProgressStore {
     this.#keep({ ...this.#progress, [lesson]: { ...before, ...patch } });
   }
 
-  /** Everything as a file's text. */
+  /** All progress as a file's text. */
   export(): string {
     this.#read();
     return encodeProgress(this.#progress);
   }
 
-  /** Takes the text of a file in the place of what there is; whether it was one. */
+  /** Replaces all progress by the text of a file. Returns whether it was valid. */
   import(text: string): boolean {
     const progress = decodeProgress(text);
     if (progress) this.#keep(progress);
@@ -111,7 +111,7 @@ export class ProgressStore {
     }
   }
 
-  /** Reads what another tab may have written, unless what this one wrote last was not kept. */
+  /** Reads what another tab may have written, unless this tab's last change could not be stored. */
   #read(): void {
     if (!this.kept) return;
     try {

@@ -1,7 +1,7 @@
 /** The texts of lessons as pieces, and as elements. */
 import { html } from "../../../ui/dom";
 
-/** A piece of a text: plain, stressed, the name of a file, or words that light the marks of a term. */
+/** A piece of a text: plain, emphasised, the name of a file, or words that highlight the marks of a term. */
 export interface Piece {
   kind: "text" | "stress" | "code" | "term";
   text: string;
@@ -36,7 +36,7 @@ export function prose(text: string): (Node | string)[] {
     else if (kind === "stress") nodes.push(html("em", {}, words));
     else if (kind === "code") nodes.push(html("code", {}, words));
     else if (mark && last instanceof HTMLButtonElement) {
-      // A line may not break between a term and the mark that follows it.
+      // No line break is allowed between a term and the mark that follows it.
       nodes[nodes.length - 1] = html("span", { class: "glued" }, last, mark);
       nodes.push(words.slice(1));
     } else nodes.push(words);

@@ -1,4 +1,4 @@
-/** Measures as a language writes them. */
+/** Formats measurements in a language. */
 import type { Measure } from "../../../element/figure/kind";
 import { type Language, WORDS } from "../../../element/figure/languages";
 import { figure } from "../../../element/figure/words/words";
@@ -9,7 +9,7 @@ const DIGITS = 2;
 
 /**
  * Numbers with the language's decimal sign, styles and joints by their names.
- * @param decimals of the numbers that have others than two, by name
+ * @param decimals number of decimals by name, where it is not two
  */
 export function saidIn(language: Language, measure: Measure, decimals: Readonly<Record<string, number>> = {}): Said {
   const words = WORDS[language];

@@ -1,4 +1,4 @@
-/** A window of the atlas as a ghost: at the character's left, turned to it as the window is to the input. */
+/** A window of the atlas as a ghost: at the character's left, oriented relative to it as the window is to the input. */
 import type { LiveFrame } from "../../../client/protocol";
 import { hipsTurn, placePose, restPose } from "../../../humanoid";
 import type { Playhead } from "../../state/playhead";
@@ -8,7 +8,7 @@ import type { ViewportPanel } from "./viewport_panel";
 
 /** Distance of the ghost's hips from the character's, to its left, metres; the input's ghost is at its right. */
 const BESIDE = 1;
-/** Frames that the playhead is away before the ghost goes. */
+/** Distance of the playhead at which the ghost disappears, frames. */
 const AWAY = 0.75;
 
 export class AtlasGhosts {
@@ -22,7 +22,7 @@ export class AtlasGhosts {
     private readonly viewport: ViewportPanel,
   ) {}
 
-  /** Goes to the ghost's frame and shows it there; `undefined` takes it away. */
+  /** Moves to the ghost's frame and shows the ghost there; `undefined` removes it. */
   show(ghost: AtlasGhost | undefined): void {
     this.#hide();
     this.#ghost = ghost;
@@ -31,7 +31,7 @@ export class AtlasGhosts {
     this.playhead.goTo(ghost.frame);
   }
 
-  /** Takes the frame that is on screen: the ghost stays for its own. */
+  /** Follows the displayed frame: the ghost is shown at its own frame only. */
   follow(frame: LiveFrame): void {
     const ghost = this.#ghost;
     if (!ghost) return;

@@ -28,19 +28,19 @@ export class Heading {
     this.#viewport = viewport;
   }
 
-  /** Takes the classes of a new frame, heaviest first. */
+  /** Updates from the classes of a new frame, heaviest first. */
   take(reads: readonly Reading[]): void {
     const passing = this.#store.state.track.length > 1 && performance.now() - this.#shownAt > FOLLOW_MS;
     if (this.#action.take(reads) || passing) this.show();
   }
 
-  /** Another input is open. */
+  /** Called when another input is open. */
   forget(): void {
     this.#action.forget();
     this.show();
   }
 
-  /** Takes what the input is like as a whole. */
+  /** Sets the recognised class of the whole input. */
   takeWhole(likeness: Likeness): void {
     if (this.#action.takeWhole(likeness)) this.show();
   }

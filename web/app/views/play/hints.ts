@@ -1,10 +1,10 @@
 /** Three hints for new users, one at a time; a hint that was followed is not shown again. */
 import { strings } from "../../strings/strings";
 
-/** In the order in which they come. */
+/** In the order of display. */
 const NAMES = ["drag", "part", "key"] as const;
 
-/** What a hint is about. */
+/** Name of a hint. */
 export type HintName = (typeof NAMES)[number];
 
 /** Key in localStorage. */
@@ -17,19 +17,19 @@ export class Hints {
   readonly #memory: () => Memory;
   readonly #followed: Set<string>;
 
-  /** Where storage is refused, as in a private window, the hints are shown again. */
+  /** If storage is refused, as in a private window, the hints are shown again. */
   constructor(memory: () => Memory = () => localStorage) {
     this.#memory = memory;
     let followed = "";
     try {
       followed = memory().getItem(STORAGE_KEY) ?? "";
     } catch {
-      // Nothing depends on it.
+      // The hint is shown again next time.
     }
     this.#followed = new Set(followed.split(" "));
   }
 
-  /** The present hint; empty once all were followed. */
+  /** The current hint; empty once all were followed. */
   get text(): string {
     const next = NAMES.find((name) => !this.#followed.has(name));
     return next ? strings.play.hints[next] : "";
@@ -42,7 +42,7 @@ export class Hints {
     try {
       this.#memory().setItem(STORAGE_KEY, [...this.#followed].filter(Boolean).join(" "));
     } catch {
-      // As above.
+      // The hints start again.
     }
   }
 }

@@ -14,12 +14,12 @@ const READING_MS = 250;
 
 export interface InputListeners {
   onChoose: (name: string) => void;
-  /** A clip of the open database is to be the input, by its number. */
+  /** Called when a clip of the open database is selected, by its index. */
   onClip: (clip: number) => void;
   onFile: () => void;
-  /** The dropped file that is open is to go from the list. */
+  /** Called when the open dropped file is to be removed. */
   onRemove: () => void;
-  /** How the input's file was read is to be shown, or not any more. */
+  /** Called when the panel with the file's reading is to be opened or closed. */
   onReading: () => void;
 }
 
@@ -36,14 +36,14 @@ export class InputPanel {
   /** Opens the panel that shows how the input's file was read. */
   readonly howRead: HTMLButtonElement;
   #notes: readonly Note[] = [];
-  /** Those on the styled motion. */
+  /** Notes on the styled motion. */
   #ofStyled: readonly Note[] = [];
-  /** What the input is like as a whole, once that is known. */
+  /** The recognised class of the whole input, once it is known. */
   #likeness: Likeness | undefined;
   #readAt = 0;
-  /** The reading that is shown. */
+  /** The displayed reading. */
   #shown: Reading | undefined;
-  /** The reading of the next update; `undefined` where none is scheduled. */
+  /** The reading of the next update; `undefined` if none is scheduled. */
   #newest: Reading | undefined;
 
   constructor(listeners: InputListeners, top: readonly HTMLElement[]) {
@@ -90,7 +90,7 @@ export class InputPanel {
     );
   }
 
-  /** Lists the inputs there are and marks the one that is open. */
+  /** Lists the available inputs and marks the open one. */
   list(library: InputLibrary, chosen: string, databaseName: string): void {
     const option = (name: string) => html("option", { value: name }, inputTitle(library, name));
     const group = (label: string, names: readonly string[]) =>
@@ -123,13 +123,13 @@ export class InputPanel {
     this.#readAt = 0;
   }
 
-  /** What may be wrong with the styled motion, once it is there. */
+  /** Notes on the styled motion, once it exists. */
   set styledNotes(notes: readonly Note[]) {
     this.#ofStyled = notes;
     this.#showNotes();
   }
 
-  /** What the input is like as a whole; `undefined` while that is not known. */
+  /** The recognised class of the whole input; `undefined` while it is not known. */
   set likeness(likeness: Likeness | undefined) {
     this.#likeness = likeness;
     if (this.#shown) this.#showRead(this.#shown);
@@ -137,7 +137,7 @@ export class InputPanel {
   }
 
   #showNotes(): void {
-    // The panel behind the button says the rest.
+    // The panel behind the button shows the other notes.
     const notes = otherNotes([...this.#notes, ...this.#ofStyled]);
     const guess = this.#likeness && isUnlike(this.#likeness) ? [guessText(this.#likeness)] : [];
     const text = [...guess, ...notes.map((note) => note.text)].join(" ");
@@ -145,12 +145,12 @@ export class InputPanel {
     this.#note.title = text;
   }
 
-  /** Whether the panel is open that shows how the file was read. */
+  /** Whether the panel with the file's reading is open. */
   set reading(open: boolean) {
     setAttributes(this.howRead, { "aria-expanded": String(open) });
   }
 
-  /** What a person can correct is counted; a file without guesses has the words alone. */
+  /** Shows the number of guesses that the user can correct; without guesses only the text. */
   #showGuesses({ reading, note }: InputInfo): void {
     const { howRead, guesses } = strings.play.input;
     this.howRead.hidden = !reading;
@@ -190,16 +190,17 @@ export class InputPanel {
   }
 }
 
-/** What is said of an input that is unlike anything. */
+/** The text about an input that is not similar to any class. */
 function guessText({ centimetres }: Likeness): string {
   const { guess, guessFar } = strings.play.input;
   return centimetres === undefined ? guess : guessFar(centimetres);
 }
 
-/** What is said of a frame's heaviest class, and of the whole input; a weight only where it says how like it is. */
+/** The text about a frame's heaviest class, and about the whole input; the weight only if it is meaningful. */
 export function readText(frame: Reading, whole: Likeness | undefined): { text: string; weight: number | undefined } {
   const { unlike, anyStyle, readsAsClass } = strings.play.input;
-  // Weights compare classes with each other: of what is far from all of them, or like the beginning of one, they say nothing.
+  // Weights compare classes with each other. They are meaningless for an input that is far from all classes, or that
+  // only resembles the beginning of one.
   if (whole?.kind === "far" || whole?.kind === "still") return { text: unlike, weight: undefined };
   if (whole && isUnlike(whole)) return { text: unlike, weight: whole.read.weight };
   if (!isFaint(frame)) return { text: readsAsClass(spoken(frame.action), spoken(frame.style)), weight: frame.weight };

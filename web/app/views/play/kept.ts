@@ -1,4 +1,4 @@
-/** What was made without a time line becomes an input of Play, with a track of the styles that it was shown in. */
+/** Makes a recording without a timeline an input of Play, with a track of the styles in which it was displayed. */
 import type { Driven } from "../../../client/drive/protocol";
 import type { StyleKey } from "../../../client/protocol";
 import type { TrackKey } from "../../../link/play";
@@ -6,18 +6,18 @@ import { formatNumber } from "../../../ui/dom";
 import type { Selection } from "../../../ui/polygon/selection";
 import type { ViewHost } from "../../view";
 
-/** What is said of it. */
+/** Texts about the recording. */
 export interface KeptWords {
   /** The name of the first, the second … */
   name(number: number): string;
-  /** Where there is nothing to keep. */
+  /** Shown if there is nothing to keep. */
   readonly nothing: string;
   kept(name: string, secs: string): string;
-  /** The button that goes on. */
+  /** Label of the button that continues. */
   readonly goOn: string;
 }
 
-/** Keeps it and plays it; whether there was anything to keep. */
+/** Keeps and plays it. Returns whether there was anything to keep. */
 export async function keepMotion(
   { session, store, toasts, playMotion }: ViewHost,
   made: Driven,
@@ -48,7 +48,7 @@ function freeName(words: KeptWords, isTaken: (name: string) => boolean): string 
   return words.name(number);
 }
 
-/** Weights of the engine as selections of the page: what they lack to 1 is of the neutral style. */
+/** The engine's weights as selections of the page: the remainder to 1 is the neutral style's. */
 export function trackOf(keys: readonly StyleKey[], neutral: string): TrackKey[] {
   return keys.map(({ frame, styles }) => ({ frame, styles: selectionOf(styles, neutral) }));
 }

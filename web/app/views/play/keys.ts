@@ -14,10 +14,10 @@ const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode)
 /** Digits that select one style, clockwise from the top. */
 const DIGITS = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
-/** Keys that have no use where there is no time line. */
+/** Keys that are not used without a timeline. */
 const OF_TIME = [" ", "ArrowLeft", "ArrowRight", "Home", "End", "l", "k", "i", "o", "u"];
 
-/** The keys that Play has while a character is steered, or somebody performs. */
+/** The keys of Play while driving, or during a live performance. */
 export function keysWithoutTime(keys: KeyTable): KeyTable {
   return Object.fromEntries(Object.entries(keys).filter(([key]) => !OF_TIME.includes(key)));
 }

@@ -11,7 +11,7 @@ const classes = ["walk", "run", "kick", "punch", "jump"].flatMap((action) =>
 );
 const database = { classes, proportions: new Float32Array(DEFAULT_PROPORTIONS), rateHz: RATE };
 
-/** A body in the T-pose whose hips are somewhere in each frame. */
+/** A body in the T-pose with given positions of its hips in each frame. */
 function posesAt(x: (frame: number) => number): Float32Array {
   const poses = new Float32Array(FRAMES * POSE_FLOATS);
   for (let frame = 0; frame < FRAMES; frame++) {
@@ -21,10 +21,10 @@ function posesAt(x: (frame: number) => number): Float32Array {
   return poses;
 }
 const moving = { poses: posesAt((frame) => (1.2 * frame) / RATE) };
-/** Somebody who stands, and sways by 2 cm in two seconds. */
+/** A standing person who sways by 2 cm in two seconds. */
 const still = { poses: posesAt((frame) => 0.02 * Math.sin((Math.PI * frame) / RATE)) };
 
-/** The same weights in every frame: those that are given, and the rest shared by the other classes. */
+/** The same weights in every frame: the given ones, and the rest distributed to the other classes. */
 function analysis(given: Readonly<Record<string, number>>, distanceMetres = 0.1) {
   const names = classes.map(({ action, style }) => `${action} ${style}`);
   const rest = 1 - Object.values(given).reduce((a, b) => a + b, 0);
@@ -66,7 +66,7 @@ describe("what an input is like", () => {
     const like = likenessOf(still, idle, database, true)!;
     expect(like.kind).toBe("still");
     expect(readText(frameOf(like), like)).toEqual({ text: "unlike any style", weight: undefined });
-    // Another database may have clips in which somebody stands.
+    // Another database may have clips of standing persons.
     expect(likenessOf(still, idle, database, false)!.kind).toBe("class");
     expect(likenessOf(moving, idle, database, true)!.kind).toBe("class");
   });

@@ -1,45 +1,50 @@
-/** How like the database's clips an input is as a whole, and what is said of that. Pure. */
+/** Similarity of a whole input to the database's clips, and the text about it. Pure functions. */
 import type { Analysis, DatabaseInfo, InputInfo, Reading } from "../../../client/protocol";
 import { createWorldPose, POSE_FLOATS, ROLES, worldFromLocal } from "../../../humanoid";
 
 /**
- * Weight below which no class is the one that an input is like: nearly all are alike then. Recorded walks have .1 to .8 with
- * the built-in database, other recordings of its actions .06 to .3.
+ * Weight below which an input does not belong to a class, since nearly all are then equally similar. Recorded walks
+ * have 0.1 to 0.8 with the built-in database, other recordings of its actions 0.06 to 0.3.
  */
 const LEAST_CLASS = 0.1;
-/** Share of an action from which an input is of that action, though of none of its styles: recorded runs have .3 to .6. */
+/**
+ * Share of an action from which an input belongs to that action, although to none of its styles: recorded runs have 0.3
+ * to 0.6.
+ */
 const LEAST_ACTION = 0.5;
 
-/** The joints by which somebody is seen to move. */
+/** The joints whose movement is measured. */
 const SEEN = (["hips", "head", "left_hand", "right_hand", "left_foot", "right_foot"] as const).map((role) =>
   ROLES.indexOf(role),
 );
-/** Speed below which somebody stands still though breathing and swaying, metres a second. */
+/** Speed below which a body counts as still, despite breathing and swaying, metres per second. */
 const STILL = 0.25;
-/** Share of a clip in which a person who stands still may be faster. */
+/** Share of a clip in which a still body may be faster. */
 const EXCEPT = 0.05;
-/** Time over which speeds are measured, seconds: noise of the recording does not count. */
+/** Time over which speeds are measured, seconds, which averages the noise of the recording. */
 const SPAN_SECS = 0.2;
 
-/** What an input is like. */
+/** Result of the recognition. */
 export interface Likeness {
   /**
-   * `class`: like one; `action`: of an action, but in none of its styles. The others are unlike anything: all classes are
-   * nearly `alike`, all poses are `far`, or nobody moves, as in no clip of the database (`still`).
+   * `class`: similar to one class; `action`: of an action, but in none of its styles. The others are not similar to any
+   * class: all classes are nearly equally similar (`alike`), all poses are far away (`far`), or the body does not move,
+   * unlike in all clips of the database (`still`).
    */
   kind: "class" | "action" | "alike" | "far" | "still";
-  /** The class with the largest mean weight; of an action, the action's share and the style with most of it. */
+  /** The class with the largest mean weight; of an action, the action's share and its heaviest style. */
   read: Reading;
-  /** Mean distance of its poses from the nearest of the database, centimetres, where it is `far`. */
+  /** Mean distance of its poses from the nearest ones of the database, centimetres, if it is `far`. */
   centimetres?: number;
 }
 
-/** Whether an input is unlike anything in the styles. */
+/** Whether an input is not similar to any class. */
 export const isUnlike = ({ kind }: Likeness): boolean => kind !== "class" && kind !== "action";
 
 /**
- * What an input is like, from the classes of all its frames.
- * @param allMove whether in every clip of the database somebody moves: then an input in which nobody does is like none
+ * Recognises an input from the classes of all its frames.
+ * @param allMove whether the body moves in every clip of the database: then an input without movement is not similar to
+ * any
  */
 export function likenessOf(
   input: Pick<InputInfo, "poses">,
@@ -63,7 +68,7 @@ export function likenessOf(
   return share >= LEAST_ACTION ? { kind: "action", read: { ...read, action, weight: share } } : { kind: "alike", read };
 }
 
-/** Whether a class of a frame has so little weight that the input is not like it. */
+/** Whether the weight of a frame's class is too small to be meaningful. */
 export const isFaint = ({ weight }: Reading): boolean => weight < LEAST_CLASS;
 
 function meanWeights(classWeights: Float32Array, classes: number): Float64Array {
@@ -73,7 +78,7 @@ function meanWeights(classWeights: Float32Array, classes: number): Float64Array 
   return sums.map((sum) => sum / frames);
 }
 
-/** Whether nobody moves in nearly all of a clip. */
+/** Whether the body does not move in nearly all of a clip. */
 function standsStill(poses: Float32Array, proportions: Float32Array, rateHz: number): boolean {
   const step = Math.max(1, Math.round(SPAN_SECS * rateHz));
   const world = createWorldPose();

@@ -14,7 +14,7 @@ import { spoken } from "../../ui/words";
 
 type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta" | "tempo";
 
-/** The knobs from left to right; a logarithmic scale where ratios matter. */
+/** The knobs from left to right; with a logarithmic scale if ratios matter. */
 const KNOBS: readonly { field: KnobField; symbol: string; scale: DialRange["scale"] }[] = [
   { field: "k", symbol: "K", scale: "log" },
   { field: "lambda", symbol: "λ", scale: "log" },
@@ -26,7 +26,7 @@ const KNOBS: readonly { field: KnobField; symbol: string; scale: DialRange["scal
 
 const TOGGLES = ["timing", "footplant", "coherence"] as const;
 
-/** Labels of the input that a person may set. */
+/** Labels of the input that the user may set. */
 const LABELS = ["action", "inputStyle"] as const;
 
 /** All fields of this panel. */
@@ -104,7 +104,7 @@ export class ModelPanel {
     );
   }
 
-  /** Takes the labels of another database. */
+  /** Sets the labels of another database. */
   set database({ actions, styles }: DatabaseInfo) {
     for (const { field, select } of this.#labels) {
       const names = field === "action" ? actions : styles;

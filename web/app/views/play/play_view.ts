@@ -35,13 +35,13 @@ export function createView(host: ViewHost): View {
   return new PlayView(host);
 }
 
-/** Fields that the Style panel and the title depend on. */
+/** Fields on which the Style panel and the title depend. */
 const STYLE_FIELDS = ["styles", "parts", "part", "track", "key", "wholePolygon", "intensity", "side"] as const;
 
 type Changed = ReadonlySet<keyof AppState>;
 const any = (changed: Changed, ...names: (keyof AppState)[]): boolean => names.some((name) => changed.has(name));
 
-/** Where an input faces when it begins, radians about +Y. */
+/** Initial heading of an input, radians about +Y. */
 function headingOfInput({ poses }: InputInfo, database: DatabaseInfo | undefined): number | undefined {
   if (!database || poses.length < POSE_FLOATS) return undefined;
   const world = createWorldPose();
@@ -64,21 +64,21 @@ class PlayView implements View {
   readonly #trackKeys: TrackKeys;
   readonly #transportElement = html("section", { class: "transport", "aria-label": strings.play.transport.name });
   readonly #ghosts: AtlasGhosts;
-  /** The atlas, once it was asked for. */
+  /** The atlas, once it was opened. */
   #atlas: Promise<AtlasPane> | undefined;
   #atlasPane: AtlasPane | undefined;
   #shown = false;
-  /** While a character is steered, and its code is loaded. */
+  /** Driving, while a character is driven, and its code is loaded. */
   #driving: Driving | undefined;
-  /** While somebody performs, and the code for that is loaded. */
+  /** The live performance, while there is one, and its code is loaded. */
   #performance: Performance | undefined;
-  /** The panel that shows how the input's file was read, once it was asked for. */
+  /** The panel with the reading of the input's file, once it was opened. */
   #reading: ReadingPanel | undefined;
-  /** What the input is like as a whole, once it was analysed. */
+  /** The recognised class of the whole input, once it was analysed. */
   #likeness: Likeness | undefined;
-  /** Heading of an input that was opened, until its first frame is there: the camera is aimed at it then. */
+  /** Initial heading of an opened input, until its first frame arrives and the camera is aimed. */
   #aim: number | undefined;
-  /** The database that the panels show. */
+  /** The database shown in the panels. */
   #database: DatabaseInfo | undefined;
 
   constructor(host: ViewHost) {
@@ -118,7 +118,7 @@ class PlayView implements View {
     });
     this.#trackKeys = new TrackKeys({
       onChoose: (key) => {
-        // The polygon shows the styles of the key, and an edit is of the key, as long as the playhead is at it.
+        // While the playhead is at the key, the polygon shows its styles, and edits change it.
         store.edit({ ...chooseKey(store.state, key), playing: false });
         playhead.goTo(store.state.track[key]?.frame ?? 0);
       },
@@ -237,7 +237,7 @@ class PlayView implements View {
     );
   }
 
-  /** Takes the state of the session from before the view was created. */
+  /** Applies the session's state from before the view was created. */
   #catchUp(): void {
     const { input, drive, live, liveAsked, analysis, examples, frame } = this.#host.session;
     if (input) this.#onInput(input);
@@ -278,7 +278,7 @@ class PlayView implements View {
     this.#heading.show();
   }
 
-  /** Makes room for driving, or takes it away. */
+  /** Sets up driving, or removes it. */
   async #onDrive(drive: DriveInfo | undefined): Promise<void> {
     const { session } = this.#host;
     this.#driving?.dispose();
@@ -302,7 +302,7 @@ class PlayView implements View {
     if (this.#shown) this.#driving.lease = this.#viewport.lease;
   }
 
-  /** Makes room for a performer, or takes it away. */
+  /** Sets up a live performance, or removes it. */
   async #onLive(live: LivePerformer | undefined): Promise<void> {
     const { session } = this.#host;
     this.#performance?.dispose();
@@ -320,7 +320,7 @@ class PlayView implements View {
     this.#performance = new Performance(this.#host, live, places);
   }
 
-  /** Asks for a sender, beginning with the one that a name is of. */
+  /** Asks for a sender, with that of a name as the default. */
   async #askForLive(name: string): Promise<boolean> {
     this.#host.session.liveAsked = undefined;
     const { askForPerformer } = await import("./live/performance");
@@ -341,7 +341,7 @@ class PlayView implements View {
     this.#viewport.path = analysis.poses;
   }
 
-  /** Shows in the panel of the file how it was read. */
+  /** Shows the reading of the file in its panel. */
   #showReading(input: InputInfo, ofStyled: readonly Note[]): void {
     if (!this.#reading) return;
     this.#reading.input = input;
@@ -352,14 +352,14 @@ class PlayView implements View {
   #takeLikeness(analysis: Analysis): void {
     const { input, database, databaseSource, endless } = this.#host.session;
     if (!input || !database || endless) return;
-    // In all built-in clips somebody moves.
+    // All built-in clips contain movement.
     this.#likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
     this.#input.likeness = this.#likeness;
     if (this.#likeness) this.#heading.takeWhole(this.#likeness);
     this.#showLikeness();
   }
 
-  /** Shows in the panel of the file what it is like. */
+  /** Shows the recognised class in the panel of the file. */
   #showLikeness(): void {
     if (!this.#reading) return;
     const { action, inputStyle } = this.#host.store.state;
@@ -431,7 +431,7 @@ class PlayView implements View {
     if (this.#atlasPane) this.#atlasPane.frame = frame;
   }
 
-  /** Opens the atlas by a part of the body, or closes it. */
+  /** Opens the atlas for a part of the body, or closes it. */
   #showAtlas(part: AppState["atlas"]): void {
     this.element.classList.toggle("with-atlas", part !== "");
     this.#timeline.atlas = part !== "";
@@ -478,14 +478,14 @@ class PlayView implements View {
     session.playback.playing = this.#shown && store.state.playing && !playhead.scrubbing;
   }
 
-  // --- from the person ---
+  // --- from the user ---
 
   #onScrub(frame: number | undefined): void {
     if (frame !== undefined) this.#moveTo(frame);
     else this.#show(this.#host.store.state, new Set());
   }
 
-  /** Shows how the input's file was read, or does not any more. */
+  /** Shows or hides the panel with the reading of the input's file. */
   async #toggleReading(): Promise<void> {
     const { session, toasts } = this.#host;
     if (this.#reading && !this.#reading.element.hidden) {

@@ -14,7 +14,7 @@ describe("the action of the title", () => {
     read.take(frame("punch", 1), 1000);
     expect(read.name).toBe("punch");
     read.forget();
-    // One change, with the first frame of the next input; no class of a recording need have half of the weight.
+    // A single change, at the first frame of the next input; no class of a recording needs half of the weight.
     expect(read.name).toBe("punch");
     expect(read.take(frame("kick", 0.3), 1050)).toBe(true);
     expect(read.name).toBe("kick");
@@ -37,7 +37,7 @@ describe("the action of the title", () => {
     expect(read.takeWhole(like("still", "kick"))).toBe(true);
     expect(read.take(frame("kick", 1), 3000)).toBe(false);
     expect(read.name).toBeUndefined();
-    // The next input is read again.
+    // The next input is recognised again.
     read.forget();
     read.take(frame("walk", 0.05), 4000);
     expect(read.name).toBeUndefined();

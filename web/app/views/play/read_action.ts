@@ -7,28 +7,28 @@ const SURE = 0.5;
 const MIN_MS = 600;
 
 export class ReadAction {
-  /** Undefined where the input is unlike all actions, or not read yet. */
+  /** `undefined` if the input is not similar to any action, or not recognised yet. */
   name: string | undefined = "walk";
   #since = 0;
-  /** Whether another input is open, of which no frame was read yet: until then the name stays, so that it changes once. */
+  /** Whether another input is open without a recognised frame: until then the name is kept, so that it changes only once. */
   #isNew = false;
-  /** What the input is like as a whole, once that is known. */
+  /** The recognised class of the whole input, once it is known. */
   #whole: Likeness | undefined;
 
-  /** Another input is open: the action of the one before does not count. */
+  /** Called when another input is open: the previous action no longer counts. */
   forget(): void {
     this.#isNew = true;
     this.#whole = undefined;
   }
 
-  /** Takes what the input is like as a whole; whether the name has changed. */
+  /** Sets the recognised class of the whole input. Returns whether the name has changed. */
   takeWhole(likeness: Likeness): boolean {
     this.#whole = likeness;
     if (isUnlike(likeness)) return this.#rename(undefined);
     return this.name === undefined && this.#rename(likeness.read.action);
   }
 
-  /** Takes the classes of a new frame, heaviest first; whether the name has changed. */
+  /** Adds the classes of a new frame, heaviest first. Returns whether the name has changed. */
   take([heaviest]: readonly Reading[], now = performance.now()): boolean {
     if (!heaviest || (this.#whole && isUnlike(this.#whole))) return false;
     if (this.#isNew) {

@@ -1,6 +1,6 @@
-/** What the Play view says: stage, panels, timeline, help. */
+/** Texts of the Play view: stage, panels, timeline, help. */
 export const play = {
-  /** Over the picture until there is a character; index.html says the same. */
+  /** Over the picture until there is a character; the same text as in index.html. */
   before: {
     title: "Change the style of human motion while it plays",
     caption: "Drag a point, drop a BVH, export the result.",
@@ -80,7 +80,7 @@ export const play = {
     removed: (name: string) => `“${name}” is removed.`,
   },
 
-  /** What a character does that is steered, as the title has it. */
+  /** Activity of a driven character in the title. */
   driving: "driving",
 
   model: {

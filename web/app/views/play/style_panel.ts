@@ -40,10 +40,10 @@ export class StylePanel {
   #selection: Selection = [];
   readonly #hints = new Hints();
   readonly #playhead: () => number | undefined;
-  /** Where a gesture under way began while the motion plays: all of it is an edit of one key. */
+  /** Frame at which the current gesture began during playback: the whole gesture edits one key. */
   #gestureAt: number | undefined;
 
-  /** @param playhead the frame of the input on screen; `undefined` where there is no time line */
+  /** @param playhead returns the displayed frame of the input; `undefined` without a timeline */
   constructor(store: Store, playhead: () => number | undefined, top: HTMLElement) {
     this.#store = store;
     this.#playhead = playhead;
@@ -124,7 +124,7 @@ export class StylePanel {
     return this.#vertices;
   }
 
-  /** Takes all of the style after the heaviest one, clockwise, or of the one before it. */
+  /** Selects only the style after the heaviest one, clockwise, or the one before it. */
   corner(by: -1 | 1): void {
     const { length } = this.#vertices;
     const heaviest = this.#selection.reduce((a, b) => (b.weight > a.weight ? b : a), { name: "", weight: -1 });
@@ -132,12 +132,12 @@ export class StylePanel {
     if (length > 0) this.polygon.takeAllOf(this.#vertices[(at + by + length) % length]!);
   }
 
-  /** Moves the polygon's point as an arrow key does. */
+  /** Moves the polygon's point like an arrow key. */
   movePoint(key: string): void {
     this.polygon.press(key);
   }
 
-  /** Takes the styles of another database. */
+  /** Sets the styles of another database. */
   set database(database: DatabaseInfo) {
     this.#database = database;
     this.#vertices = vertexOrder(database.styles, database.neutral);
@@ -149,7 +149,7 @@ export class StylePanel {
     this.#mode.element.hidden = database.styles.length <= 3;
   }
 
-  /** Shows the state; with `glide` the handle is animated to its place. */
+  /** Shows the state; with `glide` the handle moves with an animation. */
   show(state: Readonly<AppState>, glide: boolean): void {
     const { wholePolygon: whole, intensity, side } = state;
     const selection = this.#selectionOf(state);
@@ -186,7 +186,7 @@ export class StylePanel {
     if (state.part) this.#store.edit(withoutPart(state, state.part));
   }
 
-  /** What changes with another mode. Between keys that is the polygon alone. */
+  /** The changes for another mode. Between keys only the polygon changes. */
   #withMode(mode: "triangle" | "whole"): Partial<AppState> {
     const { state } = this.#store;
     const frame = this.#playhead();
@@ -194,7 +194,7 @@ export class StylePanel {
     return withStyles(state, toTriangle(shownStyles(state), this.#vertices), frame);
   }
 
-  /** The frame that an edit is of. */
+  /** The frame that an edit applies to. */
   #frameOf(gesture: string | undefined): number | undefined {
     const at = this.#playhead();
     if (gesture === undefined || !this.#store.state.playing || at === undefined) return at;
@@ -206,7 +206,7 @@ export class StylePanel {
     return state.part === "" && state.track.length > 0 && keyUnder(state, frame) < 0;
   }
 
-  /** The styles that the polygon shows: at rest, those that the track has reached at the playhead. */
+  /** The styles that the polygon shows; while paused, those of the track at the playhead. */
   #selectionOf(state: Readonly<AppState>): Selection {
     const frame = this.#playhead();
     if (state.playing || frame === undefined || state.part !== "" || state.track.length === 0)

@@ -1,4 +1,4 @@
-/** The tabs that choose a panel on a narrow screen. */
+/** The tabs that select a panel on a narrow screen. */
 
 import { TABS, type Tab } from "../../../link/play";
 import { html, setAttributes } from "../../../ui/dom";

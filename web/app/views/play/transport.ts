@@ -1,4 +1,4 @@
-/** Play, pause, frame by frame, loop, speed and the clock; on a narrow screen also a short timeline. */
+/** Play, pause, frame steps, loop, speed and the clock; on a narrow screen also a short timeline. */
 
 import "./transport.css";
 import type { InputInfo } from "../../../client/protocol";
@@ -15,9 +15,9 @@ type Stretches = readonly (readonly [from: number, to: number])[];
 
 export interface TransportListeners {
   onPlay: () => void;
-  /** One frame back (−1) or on (+1). */
+  /** Called to step one frame back (−1) or forward (+1). */
   onFrame: (by: number) => void;
-  /** A key of the style track at the playhead. */
+  /** Called to set a key of the style track at the playhead. */
   onKey: () => void;
   onScrub: (frame: number) => void;
   onScrubEnd: () => void;
@@ -74,7 +74,7 @@ export class Transport {
     setText(this.#duration, strings.play.transport.of(clock(input.durationSecs)));
   }
 
-  /** Stretches of frames in which the left and the right foot are planted. */
+  /** Ranges of frames in which the left and the right foot are planted. */
   set contacts(planted: [Stretches, Stretches]) {
     this.#contacts.setAttribute("viewBox", `0 0 ${Math.max(1, Number(this.#scrub.max))} 9`);
     this.#contacts.replaceChildren(

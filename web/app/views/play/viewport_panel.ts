@@ -1,4 +1,4 @@
-/** The viewport: the 3-D viewer with title, camera buttons and read-outs. */
+/** The viewport: the 3-D viewer with title, camera buttons and readouts. */
 
 import "./viewport_panel.css";
 import type { LiveFrame, ShownFrame } from "../../../client/protocol";
@@ -12,7 +12,7 @@ import { partOf } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
 import type { Performing, ViewerLease } from "../../view";
 
-/** Minimum time between updates of read-outs, so that they can be read. */
+/** Minimum time between updates of readouts, so that they are readable. */
 const READ_OUT_MS = 500;
 
 export interface StageListeners {
@@ -20,15 +20,15 @@ export interface StageListeners {
   onFollow: () => void;
   onGhost: () => void;
   onTrace: () => void;
-  /** The mannequin is to perform again. */
+  /** Called to return to the mannequin. */
   onLeave: () => void;
-  /** A person wants to see which joint of the character is which. */
+  /** Called to check the joint mapping of the character. */
   onCheck: () => void;
-  /** A joint of the styled character was clicked. */
+  /** Called when a joint of the styled character was clicked. */
   onJoint: (joint: Role) => void;
 }
 
-/** Before the engine there is nothing to tell apart. */
+/** Before the engine is loaded, there is only one figure. */
 const NO_LABELS = { styled: "", input: "" };
 
 /** Largest movement of a click, pixels; a drag turns the camera. */
@@ -44,7 +44,7 @@ export class ViewportPanel {
   readonly #follow: HTMLButtonElement;
   readonly #ghost: HTMLButtonElement;
   readonly #trace: HTMLButtonElement;
-  /** Name and author of the character that performs, and the way back. */
+  /** Name and author of the character in use, and a button to return to the mannequin. */
   readonly #cast: HTMLElement;
   readonly #name = html("span", { class: "cast-name" });
   readonly #check: HTMLButtonElement;
@@ -56,7 +56,7 @@ export class ViewportPanel {
   readonly #listeners: StageListeners;
   #lease: ViewerLease | undefined;
   #readOutAt = 0;
-  /** The last frame of the prelude; undefined where none is shown. */
+  /** The last frame of the prelude; `undefined` if none is shown. */
   #preludeFrame: number | undefined;
 
   constructor(listeners: StageListeners) {
@@ -168,11 +168,11 @@ export class ViewportPanel {
     viewer.follow = state.follow;
     viewer.ghost = state.ghost;
     viewer.motionTrail = state.trace;
-    // The body shows which part of it the polygon is of.
+    // The body shows which part the polygon refers to.
     this.#lease.tint(ROLES.filter((role) => partOf(role) === state.part));
   }
 
-  /** The character that performs; undefined where the mannequin does. */
+  /** The character in use; `undefined` for the mannequin. */
   set performing(performing: Performing | undefined) {
     const { viewer, invalidate } = this.#lease ?? {};
     void viewer?.setPerformer(performing?.performer ?? null).then(invalidate);
@@ -190,7 +190,7 @@ export class ViewportPanel {
     this.#lease?.viewer.setProportions(proportions);
   }
 
-  /** A body that stands translucent where its pose has it, or none. */
+  /** Pose of an additional translucent body, or none. */
   set other(pose: Float32Array | undefined) {
     this.#lease?.viewer.setOthers(pose ? [{ pose, share: 1 }] : []);
     this.#lease?.invalidate();
@@ -202,7 +202,7 @@ export class ViewportPanel {
     this.#lease?.invalidate();
   }
 
-  /** Looks at a motion that has just been opened, and begins towards `heading`, as at the one before. */
+  /** Looks at a newly opened motion, which starts facing `heading`, from the same relative direction as before. */
   aim(heading: number): void {
     this.#lease?.viewer.aim(heading);
     this.#lease?.invalidate();
@@ -213,7 +213,7 @@ export class ViewportPanel {
     this.#lease?.viewer.resetTrail();
   }
 
-  /** Shows a frame of what comes before the engine: nothing is styled in it. */
+  /** Shows a frame of the prelude, which is not styled. */
   drawPrelude({ pose, inputFrame }: ShownFrame): void {
     if (!this.#lease) return;
     const { viewer } = this.#lease;

@@ -1,8 +1,8 @@
-/** What a view shows in place of its picture while it has no model: why, and what can be done. */
+/** Shown by a view instead of its picture while it has no model: the reason, and what can be done. */
 import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";
 
-/** An action that is offered as a button. */
+/** An action with a button. */
 export interface EmptyChoice {
   label: string;
   onChoose: () => void;

@@ -1,4 +1,4 @@
-/** Requests for models in quick succession, with models that finish loading when the test says so. */
+/** Requests for models in quick succession; loading finishes when the test says so. */
 import { beforeEach, describe, expect, it } from "vitest";
 import { ModelLoader } from "./model_loader";
 
@@ -14,7 +14,7 @@ class Model {
   }
 }
 
-/** Loads under way, oldest first. */
+/** Loads in progress, oldest first. */
 let loads: { source: string; finish: (model: Model) => void; fail: (error: Error) => void }[];
 let cancelled: number;
 let ready: Model[];

@@ -1,14 +1,14 @@
-/** Keeps the model open that was requested last, whatever was requested or finished loading in between. */
+/** Keeps the last requested model open, whatever was requested or finished loading in between. */
 
 export interface ModelLoaderOptions<Request, Model> {
   /** Whether two requests are for the same model. Requests are new objects each time, so identity cannot be compared. */
   isSame: (a: Request, b: Request) => boolean;
   load: (request: Request) => Promise<Model>;
-  /** Cancels the load under way. */
+  /** Cancels the current load. */
   cancel: () => void;
-  /** The model of the last request is open. The one before it is disposed of after this call. */
+  /** Called when the model of the last request is open. The previous one is disposed of after this call. */
   onReady: (model: Model, request: Request) => void;
-  /** The last request failed or was cancelled by the person. */
+  /** Called when the last request failed or was cancelled by the user. */
   onFailed: (error: unknown, request: Request) => void;
 }
 
@@ -17,19 +17,19 @@ export class ModelLoader<Request extends object, Model extends { dispose(): void
   #open: { request: Request; model: Model } | undefined;
   #pending: Request | undefined;
   #failed = false;
-  /** Counts requests, so that the result of an older one is recognised. */
+  /** Counter of requests, by which outdated results are recognised. */
   #round = 0;
 
   constructor(options: ModelLoaderOptions<Request, Model>) {
     this.#options = options;
   }
 
-  /** The model that was opened last: of a former request while {@link loading}, or where the last one {@link failed}. */
+  /** The last opened model: of a former request while {@link loading}, or if the last one {@link failed}. */
   get model(): Model | undefined {
     return this.#open?.model;
   }
 
-  /** What {@link model} was requested by. */
+  /** The request of {@link model}. */
   get opened(): Request | undefined {
     return this.#open?.request;
   }
@@ -47,7 +47,7 @@ export class ModelLoader<Request extends object, Model extends { dispose(): void
     return !this.loading && !this.#failed && this.#isOpen(request);
   }
 
-  /** Opens the model of a request, unless it is open or on its way. */
+  /** Opens the model of a request, unless it is open or loading. */
   async request(request: Request): Promise<void> {
     if (this.isReady(request) || (this.#pending && this.#options.isSame(this.#pending, request))) return;
     const open = this.#open;
@@ -57,7 +57,7 @@ export class ModelLoader<Request extends object, Model extends { dispose(): void
     } else await this.#load(request);
   }
 
-  /** Cancels the load under way without a report; the open model stays open. */
+  /** Cancels the current load without a report; the open model stays open. */
   cancel(): void {
     this.#round += 1;
     this.#failed = false;

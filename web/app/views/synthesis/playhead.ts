@@ -1,22 +1,22 @@
-/** The playhead of a timeline: a slider that the timeline's drags, its clock and the keyboard move. */
+/** The playhead of a timeline: a slider, moved by the timeline's drags, its clock and the keyboard. */
 import { setAttributes, svg } from "../../../ui/dom";
 
 export interface PlayheadOptions {
   label: string;
-  /** Vertical place of the ruler that the playhead points at, units. */
+  /** Vertical position of the ruler at which the playhead points, units. */
   rulerY: number;
-  /** What an arrow key adds, in the units of the timeline. */
+  /** Step of an arrow key, in the units of the timeline. */
   step: number;
   onSeek: (value: number) => void;
 }
 
-/** Where the playhead stands. */
+/** Position of the playhead. */
 export interface PlayheadPlace {
   value: number;
   max: number;
-  /** Where the value is, units. */
+  /** Position of the value, units. */
   x: number;
-  /** The value in words. */
+  /** The value as text. */
   text: string;
 }
 
@@ -41,7 +41,7 @@ export class Playhead {
     this.element.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
-  /** Ends the line so many units from the top. */
+  /** Sets the lower end of the line, units from the top. */
   set bottom(y: number) {
     this.#line.setAttribute("y2", String(y));
   }

@@ -1,4 +1,4 @@
-/** What the Walk and Key-style views both say. */
+/** Shared texts of the Walk and Key-style views. */
 export const synthesis = {
   exportBvh: "BVH",
   exportGlb: "GLB",

@@ -1,10 +1,10 @@
-/** The ruler of a timeline, seconds, with the area above it that seeks. */
+/** The ruler of a timeline, seconds, with an area above it that seeks when pressed. */
 import { svg } from "../../../ui/dom";
 import { type RulerMark, ruler, type Scale } from "../../ui/scale";
 
 export interface TimeRulerOptions {
   time: Scale;
-  /** Vertical place of the line, units. */
+  /** Vertical position of the line, units. */
   y: number;
   /** Minimum distance of two labels, units. */
   labelPx: number;

@@ -1,4 +1,4 @@
-/** The buttons that play, step through and repeat a motion. */
+/** The buttons that play, step through and loop a motion. */
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
 import { html } from "../../../ui/dom";
@@ -19,7 +19,7 @@ export interface TransportNames {
 
 export class Transport {
   readonly element: HTMLElement;
-  /** The button that repeats; the others play and step. */
+  /** The loop button; the others play and step. */
   readonly loop: HTMLButtonElement;
   readonly buttons: readonly HTMLButtonElement[];
   readonly #play: PlayButton;

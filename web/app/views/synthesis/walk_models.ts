@@ -3,9 +3,9 @@ import type { TrainedWalk } from "../../../client/build/protocol";
 import { trainWalk } from "../../../client/models/walk";
 import type { CallOptions } from "../../../client/protocol";
 
-/** A database that a model is trained on. */
+/** A database to train a model on. */
 export interface WalkSource {
-  /** Its name for people. */
+  /** Its display name. */
   name: string;
   /** Its file; `undefined` for the built-in database. A database that was built again is another file. */
   file: Blob | undefined;
@@ -13,7 +13,7 @@ export interface WalkSource {
   neutral: string;
 }
 
-/** A model and how long its training took. */
+/** A model and the duration of its training. */
 export interface TimedWalk extends TrainedWalk {
   secs: number;
 }
@@ -22,7 +22,7 @@ export class WalkModels {
   #builtIn: TimedWalk | undefined;
   readonly #trained = new WeakMap<Blob, TimedWalk>();
 
-  /** The model of a database; `fresh` says whether it was trained just now. */
+  /** The model of a database; `fresh` tells whether it was trained just now. */
   async of({ file }: WalkSource, options: CallOptions): Promise<{ trained: TimedWalk; fresh: boolean }> {
     const known = file ? this.#trained.get(file) : this.#builtIn;
     if (known) return { trained: known, fresh: false };

@@ -1,4 +1,4 @@
-/** The panel of the chosen block: its styles, its steps, their durations and lengths, and plots of the model. */
+/** The panel of the selected block: its styles, its steps, their durations and lengths, and plots of the model. */
 
 import "./block_panel.css";
 import { button, Segment } from "../../../ui/controls/buttons";
@@ -27,7 +27,7 @@ export interface BlockPanelListeners extends GestureListeners {
   onWhole: (whole: boolean) => void;
   onTempo: (tempo: WalkTempo) => void;
   onCadence: (cadence: number) => void;
-  /** A beat was tapped. */
+  /** Called when a beat was tapped. */
   onTap: () => void;
   onStride: (stride: number) => void;
   onTurn: (turn: number) => void;
@@ -75,9 +75,9 @@ export class BlockPanel {
   };
   #vertices: readonly string[] = [];
   #block: WalkBlock | undefined;
-  /** The foot that was chosen last: where the feet differ, the polygon shows its styles. */
+  /** The foot selected last: if the feet differ, the polygon shows its styles. */
   #foot: "left" | "right" = "left";
-  /** Whether the polygon's handle is dragged, and so moves without easing. */
+  /** Whether the polygon's handle is being dragged, and so moves without easing. */
   #held = false;
 
   constructor(listeners: BlockPanelListeners) {
@@ -205,7 +205,7 @@ export class BlockPanel {
     );
   }
 
-  /** Takes the styles of another model. */
+  /** Sets the styles of another model. */
   setStyles(styles: readonly string[], neutral: string): void {
     this.#vertices = vertexOrder(styles, neutral);
     this.#mode.relabel("triangle", capitalised(numberWord(Math.min(3, styles.length))));
@@ -247,7 +247,7 @@ export class BlockPanel {
     return this.#block?.right ? this.#foot : "both";
   }
 
-  /** Shows what is plotted, and of which step. */
+  /** Shows the plotted quantity, and its step. */
   showSubject(subject: PlotSubject, step: string): void {
     this.#subject.value = subject;
     setText(this.#step, step);

@@ -1,8 +1,8 @@
-/** Colours of blocks: blocks of the same style have the same one. */
+/** Colours of blocks: blocks of the same style have the same colour. */
 import type { WalkBlock } from "../../state/walk";
 import { mainStyle } from "./plan";
 
-/** The neutral style has the colour of inputs; the others take turns. */
+/** The neutral style has the colour of inputs; the others cycle through the rest. */
 const NEUTRAL = "var(--input)";
 const OTHERS = [
   "var(--signal)",
@@ -13,7 +13,7 @@ const OTHERS = [
   "color-mix(in oklab, var(--input) 45%, var(--ink2))",
 ];
 
-/** The colours of blocks, as CSS has them. */
+/** The CSS colours of blocks. */
 export function coloursOf(blocks: readonly WalkBlock[], neutral: string | undefined): string[] {
   // A style and its opposite differ more than most.
   const kinds = blocks.map((block) => `${block.intensity < 0 ? "−" : ""}${mainStyle(block)}`);

@@ -2,24 +2,24 @@
 import { POSE_FLOATS } from "../../../humanoid";
 import type { PlannedWalk } from "./plan_walker";
 
-/** Figures of one block. */
+/** Measurements of one block. */
 export interface BlockFigures {
-  /** Steps a minute. */
+  /** Steps per minute. */
   cadence: number;
   /** Metres. */
   stepLength: number;
-  /** Metres a second. */
+  /** Metres per second. */
   speed: number;
 }
 
-/** The figures of a block's own steps, without the transitions. */
+/** The measurements of a block's own steps, without the transitions. */
 export function figuresOf(
   { segments, stepStarts, stateSecs, poses, rateHz }: PlannedWalk,
   block: number,
 ): BlockFigures {
   const { first, steps } = segments.find((s) => s.kind === "block" && s.block === block)!;
   const [from, to] = [stepStarts[first]!, Math.min(stepStarts[first + steps]!, stepStarts.at(-1)! - 1)];
-  // The model's durations: counts of frames are rounded, and the walk's first frames are not shown.
+  // The model's durations, because frame counts are rounded, and the walk's first frames are not representative.
   const secs = stateSecs
     .slice(first, first + steps)
     .flat()

@@ -1,4 +1,4 @@
-/** The footer of the view: transport, clock, and what is done with blocks and with the whole walk. */
+/** The footer of the view: transport, clock, and actions on blocks and on the whole walk. */
 
 import { button } from "../../../ui/controls/buttons";
 import { clock, formatNumber, html, setText } from "../../../ui/dom";
@@ -13,7 +13,7 @@ export interface FooterListeners extends TransportListeners {
   onBvh: () => void;
   onGlb: () => void;
   onVideo: () => void;
-  /** Takes the walk to Play as the input. */
+  /** Called to open the walk in Play as the input. */
   onStyle: () => void;
 }
 
@@ -62,7 +62,7 @@ export class Footer {
     this.#remove.disabled = !ready || !canRemove;
   }
 
-  /** Seconds from the beginning of the plan. */
+  /** Time from the beginning of the plan, seconds. */
   set secs(secs: number) {
     setText(this.#clock, clock(secs));
   }

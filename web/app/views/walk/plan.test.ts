@@ -20,7 +20,7 @@ const block = (name: string, steps: number, transition: number): WalkBlock => ({
   steps,
   transition,
 });
-/** The target picture's fourteen steps. */
+/** The fourteen steps of the design's picture. */
 const PLAN = [block("neutral", 3, 3), block("proud", 4, 2), block("old", 3, 2)];
 
 describe("the row of steps", () => {

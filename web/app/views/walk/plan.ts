@@ -14,7 +14,7 @@ export type Segment =
   | { kind: "block"; block: number; first: number; steps: number }
   | { kind: "transition"; from: number; to: number; first: number; steps: number };
 
-/** The steps of blocks and their transitions; a plan that is repeated ends with the transition to its first block. */
+/** The steps of blocks and their transitions; a looping plan ends with the transition to its first block. */
 export function segmentsOf(blocks: readonly WalkBlock[], loop: boolean): Segment[] {
   const segments: Segment[] = [];
   let first = 0;
@@ -36,7 +36,7 @@ export function stepsOf(segments: readonly Segment[]): number {
   return segments.reduce((sum, { steps }) => sum + steps, 0);
 }
 
-/** The segment that a step is in; steps beyond the plan are in its last one. */
+/** The segment of a step; steps beyond the plan belong to its last one. */
 export function segmentAt(segments: readonly Segment[], step: number): Segment {
   return segments.find(({ first, steps }) => step >= first && step < first + steps) ?? segments.at(-1)!;
 }
@@ -67,7 +67,7 @@ export function changesOf(segments: readonly Segment[], begin: number): PlannedC
   );
 }
 
-/** The block of a step; within a transition the one before it. */
+/** The block of a step; within a transition the previous one. */
 export function blockBefore(segments: readonly Segment[], step: number): number {
   const segment = segmentAt(segments, step);
   return segment.kind === "block" ? segment.block : segment.from;
@@ -76,7 +76,7 @@ export function blockBefore(segments: readonly Segment[], step: number): number 
 const clamped = (value: number, { min, max }: { min: number; max: number }) =>
   Math.min(max, Math.max(min, Math.round(value)));
 
-/** The blocks with one of them changed; counts are kept in their ranges. */
+/** The blocks with one of them changed; counts are clamped to their ranges. */
 export function withBlock(blocks: readonly WalkBlock[], index: number, patch: Partial<WalkBlock>): WalkBlock[] {
   return blocks.map((block, i) => {
     if (i !== index) return block;
@@ -85,7 +85,7 @@ export function withBlock(blocks: readonly WalkBlock[], index: number, patch: Pa
   });
 }
 
-/** Moves a transition by some steps, which one of its neighbours gains and the other one loses. */
+/** Moves a transition by some steps: one of its neighbours gains them and the other one loses them. */
 export function shiftTransition(blocks: readonly WalkBlock[], to: number, by: number): WalkBlock[] {
   const [before, after] = [blocks[to - 1], blocks[to]];
   if (!before || !after) return [...blocks];
@@ -98,25 +98,25 @@ export function shiftTransition(blocks: readonly WalkBlock[], to: number, by: nu
   return withBlock(withBlock(blocks, to - 1, { steps: before.steps + shift }), to, { steps: after.steps - shift });
 }
 
-/** The blocks in another order: one of them is moved. */
+/** The blocks with one of them moved. */
 export function moveBlock(blocks: readonly WalkBlock[], from: number, to: number): WalkBlock[] {
   const rest = blocks.filter((_, i) => i !== from);
   rest.splice(to, 0, blocks[from]!);
   return rest;
 }
 
-/** The blocks with a new one after another. */
+/** The blocks with a new one after another one. */
 export function addBlock(blocks: readonly WalkBlock[], after: number, styles: Selection): WalkBlock[] {
   const added: WalkBlock = { ...NEW_BLOCK, styles };
   return [...blocks.slice(0, after + 1), added, ...blocks.slice(after + 1)];
 }
 
-/** The blocks without one of them; the last one stays. */
+/** The blocks without one of them; the last one cannot be removed. */
 export function removeBlock(blocks: readonly WalkBlock[], index: number): WalkBlock[] {
   return blocks.length < 2 ? [...blocks] : blocks.filter((_, i) => i !== index);
 }
 
-/** The first plan: the neutral style and two others. */
+/** The initial plan: the neutral style and two others. */
 export function firstBlocks(styles: readonly string[], neutral: string | undefined): WalkBlock[] {
   const others = styles.filter((name) => name !== neutral);
   const chosen = [
@@ -134,8 +134,8 @@ export function firstBlocks(styles: readonly string[], neutral: string | undefin
 }
 
 /**
- * The blocks with only the styles that the model knows; `undefined` where they are all known. A block of unknown styles alone
- * becomes neutral, or is removed where there is no neutral style.
+ * The blocks with only the styles of the model; `undefined` if the model has all of them. A block without remaining
+ * styles becomes neutral, or is removed if there is no neutral style.
  */
 export function withKnownStyles(
   blocks: readonly WalkBlock[],

@@ -1,6 +1,6 @@
 /**
- * Walks a plan with two walkers: one goes through it in advance, so that the planner can draw it; the other walks live, where
- * a change acts on the next frame.
+ * Walks a plan with two walkers: one synthesises the whole plan in advance, so that the planner can draw it; the other
+ * walks live, so that a change acts on the next frame.
  */
 
 import {
@@ -16,14 +16,14 @@ import type { Selection } from "../../../ui/polygon/selection";
 import type { WalkBlock } from "../../state/walk";
 import { blockBefore, changesOf, type Segment, segmentsOf, stepsOf } from "./plan";
 
-/** A plan and how it is walked. */
+/** A plan and its walking parameters. */
 export interface WalkSettings {
   blocks: readonly WalkBlock[];
   loop: boolean;
   tempo: Tempo;
-  /** Length of steps as a share of the style's. */
+  /** Step length as a share of the style's. */
   stride: number;
-  /** Radians to the left that a step turns. */
+  /** Turn of a step to the left, radians. */
   turn: number;
 }
 
@@ -31,19 +31,19 @@ export interface WalkSettings {
 export interface PlannedWalk {
   segments: Segment[];
   rateHz: number;
-  /** `POSE_FLOATS` numbers a frame. */
+  /** `POSE_FLOATS` numbers per frame. */
   poses: Float32Array;
   frames: number;
   /** First frame of each step, and the end of the last step. */
   stepStarts: number[];
-  /** Seconds that each state of each step lasts. */
+  /** Duration of each state of each step, seconds. */
   stateSecs: number[][];
 }
 
-/** Steps that a walker needs to stop. */
+/** Number of steps in which a walker stops. */
 const STOPPING_STEPS = 2;
 
-/** The weights of a block: for each foot a weight a style of the model. */
+/** The weights of a block: for each foot one weight per style of the model. */
 export function weightsOf({ styles, right, intensity }: WalkBlock, model: WalkModel): Weights {
   const of = (selection: Selection) => {
     const weights = new Float32Array(model.styles.length);
@@ -63,9 +63,9 @@ export class PlanWalker {
   #settings: WalkSettings | undefined;
   #segments: Segment[] = [];
   #steps = 1;
-  /** What is added to the live walker's step numbers to get steps of the plan, passes through it counted. */
+  /** Offset from the live walker's step indices to steps of the plan, counted over all passes. */
   #offset = 0;
-  /** Changes are planned up to this step. */
+  /** Transitions are planned up to this step. */
   #plannedUntil = 0;
   #poses = new Float32Array(512 * POSE_FLOATS);
 
@@ -75,36 +75,36 @@ export class PlanWalker {
     this.#live = model.walker();
   }
 
-  /** Steps of one pass. */
+  /** Number of steps of one pass. */
   get steps(): number {
     return this.#steps;
   }
 
-  /** The live walk's present frame. */
+  /** The live walk's current frame. */
   get frame(): WalkFrame {
     return this.#live.frame;
   }
 
-  /** Takes a plan, which the live walk follows from its next frame on, and returns one pass through it. */
+  /** Sets a plan, which the live walk follows from its next frame on, and returns one pass through it. */
   set(settings: WalkSettings): PlannedWalk {
     const { step } = this.place;
     this.#settings = settings;
     this.#segments = segmentsOf(settings.blocks, settings.loop);
     const steps = stepsOf(this.#segments);
-    // Where the number of steps changes, the live walk goes on from the nearest step of the new plan.
+    // If the number of steps changes, the live walk continues from the nearest step of the new plan.
     if (steps !== this.#steps) this.#offset = Math.min(step, steps - 1) - this.frame.step;
     this.#steps = steps;
     this.#direct(this.#live, this.frame.step);
     return this.#walkThrough();
   }
 
-  /** Step of the plan that the live walk is in, and passes that it has completed. */
+  /** The live walk's step of the plan, and the number of completed passes. */
   get place(): { step: number; rounds: number } {
     const at = this.frame.step + this.#offset;
     return { step: ((at % this.#steps) + this.#steps) % this.#steps, rounds: Math.floor(at / this.#steps) };
   }
 
-  /** Goes on by so many seconds. */
+  /** Advances by `secs` seconds. */
   advance(secs: number): WalkFrame {
     this.#live.walks = this.#walksOn(this.place.step);
     const frame = this.#live.advance(secs);
@@ -118,7 +118,7 @@ export class PlanWalker {
     if (tempo?.kind === "fixed") this.#live.beatNow(tempo.cadence);
   }
 
-  /** Puts the live walk at a frame of the pass that {@link set} returned, as walked from its beginning. */
+  /** Moves the live walk to a frame of the pass that {@link set} returned, as if walked from its beginning. */
   seek(frame: number): void {
     this.#offset = 0;
     this.#begin(this.#live);
@@ -134,21 +134,21 @@ export class PlanWalker {
     this.model.dispose();
   }
 
-  /** Whether walking goes on after a step: a plan that is not repeated ends in standing, as it began. */
+  /** Whether walking continues after a step: a plan that does not loop begins and ends with standing. */
   #walksOn(step: number): boolean {
     return this.#settings!.loop || step < this.#steps - STOPPING_STEPS;
   }
 
-  /** Lets a walker begin the plan as if it had never walked. */
+  /** Makes a walker begin the plan as if it had never walked. */
   #begin(walker: Walker): void {
     walker.walks = this.#settings!.loop;
     walker.reset();
     this.#direct(walker, 0);
-    // The first reset began in the style of the former plan.
+    // The first reset began with the style of the former plan.
     walker.reset();
   }
 
-  /** Gives a walker the plan, from one of the walker's own steps on. */
+  /** Sets the plan on a walker, from one of the walker's own steps on. */
   #direct(walker: Walker, step: number): void {
     const { blocks, tempo, stride, turn } = this.#settings!;
     const round = Math.floor((step + this.#offset) / this.#steps) * this.#steps - this.#offset;
@@ -165,7 +165,7 @@ export class PlanWalker {
     this.#planRound(walker);
   }
 
-  /** Plans another pass, where the plan is repeated. */
+  /** Plans another pass, if the plan loops. */
   #planRound(walker: Walker): void {
     if (!this.#settings!.loop) {
       this.#plannedUntil = Number.POSITIVE_INFINITY;

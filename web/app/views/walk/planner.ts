@@ -1,4 +1,4 @@
-/** The planner: blocks, transitions and the playhead of a plan, which the pointer and the keyboard edit. */
+/** The planner: blocks, transitions and the playhead of a plan, edited by the pointer and the keyboard. */
 import "./planner.css";
 import { formatNumber, html, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
@@ -12,21 +12,21 @@ import { blockBefore, moveBlock, removeBlock, shiftTransition, withBlock } from 
 import { CHART_HEIGHT, layOutPlanner, type PlannerLayout, ROWS } from "./planner_layout";
 import { drawPlan, type PlannerModel, type PlannerPicture } from "./planner_picture";
 
-/** A press that moves farther than this drags, pixels. */
+/** A press that moves farther than this is a drag, pixels. */
 const CLICK_PX = 4;
-/** What an arrow key moves the playhead by, seconds. */
+/** Step of an arrow key for the playhead, seconds. */
 const KEY_SECS = 0.1;
 
 export interface PlannerListeners extends GestureListeners {
-  /** The present blocks: those that are drawn may be one display frame old. */
+  /** Returns the current blocks; the displayed ones may be one display frame old. */
   blocks: () => readonly WalkBlock[];
   onChoose: (block: number) => void;
-  /** New blocks. Edits of one `gesture`, a drag or a run of key presses, are one step of undo. */
+  /** Called with new blocks. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
   onEdit: (blocks: readonly WalkBlock[], gesture: string | undefined, chosen?: number) => void;
   onSeek: (secs: number) => void;
 }
 
-/** What is below the pointer or has the keyboard. */
+/** The element under the pointer or with the keyboard focus. */
 interface Target {
   kind: "block" | "end" | "middle";
   index: number;
@@ -72,7 +72,7 @@ export class Planner {
     this.#draw();
   }
 
-  /** Puts the playhead at a time of the plan, which is in one of its steps. */
+  /** Moves the playhead to a time of the plan, within one of its steps. */
   setPlayhead(secs: number, step: number): void {
     this.#secs = secs;
     if (!this.#layout) return;
@@ -124,7 +124,7 @@ export class Planner {
     return { move: seekTo, cancel: () => onSeek(before), end: onSettle };
   }
 
-  /** A drag of a block, its end, or a transition. All edits begin at the blocks as they were. */
+  /** A drag of a block, its end, or a transition. All edits start from the blocks before the drag. */
   #editing(press: PointerEvent, { kind, index }: Target, stepWidth: number): Drag {
     const { blocks, onChoose, onSettle, onCancel } = this.#listeners;
     const before = blocks();
@@ -150,10 +150,10 @@ export class Planner {
     };
   }
 
-  /** Moves the dragged block to where the pointer is. */
+  /** Moves the dragged block to the pointer's position. */
   #reorder(event: PointerEvent, order: { blocks: readonly WalkBlock[]; at: number }): void {
     const { blocks, walk } = this.#model!;
-    // Places of blocks are known once they are drawn in their present order.
+    // Positions of blocks are known once they are drawn in their current order.
     if (blocks !== order.blocks) return;
     const x = this.#xOf(event);
     const step = this.#layout!.stepX.findLastIndex((start) => start <= x);
@@ -180,7 +180,7 @@ export class Planner {
     event.stopPropagation();
   }
 
-  /** Edits by a key; whether it means anything here. */
+  /** Edits by a key. Returns whether the key has a function here. */
   #press({ kind, index }: Target, key: string): boolean {
     const blocks = this.#listeners.blocks();
     const { steps, transition } = blocks[index]!;
@@ -209,7 +209,7 @@ export class Planner {
   }
 }
 
-/** What an element of the picture belongs to; `undefined` for the ruler, the charts and the playhead. */
+/** The target that an element of the picture belongs to; `undefined` for the ruler, the charts and the playhead. */
 function targetOf(element: Element): Target | undefined {
   for (const kind of ["end", "middle", "block"] as const) {
     const index = element.closest<SVGElement>(`[data-${kind}]`)?.dataset[kind];

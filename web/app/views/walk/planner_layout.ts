@@ -1,11 +1,11 @@
-/** Where the planner's rows and steps are, units. */
+/** Positions of the planner's rows and steps, units. */
 import type { Scale } from "../../ui/scale";
 import type { PlannedWalk } from "./plan_walker";
 
-/** Left of the rows, for their names, and right of them. */
+/** Width left of the rows, for their names, and right of them. */
 export const GUTTER = 88;
 export const MARGIN = 20;
-/** From the top. */
+/** Distances from the top. */
 export const ROWS = {
   ruler: 22,
   caption: 38,
@@ -22,9 +22,9 @@ const MIN_WIDTH = 320;
 
 export interface PlannerLayout {
   width: number;
-  /** Seconds of the plan. */
+  /** Scale of the plan's time, seconds. */
   time: Scale;
-  /** Where each step starts, and where the last one ends. */
+  /** Start of each step, and end of the last one. */
   stepX: number[];
   /** Mean width of a step. */
   stepWidth: number;

@@ -1,4 +1,4 @@
-/** Draws a plan: blocks and transitions over time, the steps of both feet, and how long each state of a step lasts. */
+/** Draws a plan: blocks and transitions over time, the steps of both feet, and the duration of each state of a step. */
 
 import { formatNumber, svg } from "../../../ui/dom";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
@@ -43,7 +43,7 @@ export function drawPlan(model: PlannerModel, layout: PlannerLayout): PlannerPic
   const { bars, numbers, tracks } = drawSteps(layout);
   const elements = [
     timeRuler({ time: layout.time, y: ROWS.ruler, labelPx: LABEL_PX, zero: strings.synthesis.zero }),
-    // Names and numbers of the drawing say nothing without it; blocks and handles speak for themselves.
+    // Names and numbers of the drawing are meaningless without it; blocks and handles have labels of their own.
     svg("g", { "aria-hidden": "true" }, ...rowNames()),
     svg("g", { class: "planner-steps", "aria-hidden": "true" }, ...tracks, ...bars, ...numbers),
     durationChart(model.walk, colours, layout),
@@ -216,7 +216,7 @@ function drawTransition(
     "aria-valuemin": TRANSITION_RANGE.min,
     "aria-valuemax": TRANSITION_RANGE.max,
     "aria-valuenow": steps,
-    // Left and right do not change the length: with the position in the text screen readers announce the move.
+    // Left and Right do not change the length. With the position in the text, screen readers announce the move.
     "aria-valuetext": to === 0 ? tooltip : strings.walk.overFrom(over, first + 1),
     "aria-orientation": "vertical",
   };
@@ -260,7 +260,7 @@ function drawEdge(
   );
 }
 
-/** Sets the colour that the style sheet draws an element in. */
+/** Sets the colour in which the style sheet draws an element. */
 function coloured<E extends SVGElement>(colour: string, element: E): E {
   element.style.setProperty("--colour", colour);
   return element;

@@ -1,4 +1,4 @@
-/** Plays the plan of the state: live, from where it stands, or put at a time of the plan. */
+/** Plays the plan of the state: live from its current position, or sought to a time of the plan. */
 import type { WalkFrame } from "../../../client/models/walk";
 import { stepSecs } from "../../../player/clock";
 import type { AppState } from "../../state/state";
@@ -7,15 +7,15 @@ import { WALK_RANGES } from "../../state/walk";
 import type { PlannedWalk, PlanWalker, WalkSettings } from "./plan_walker";
 import { TapTempo } from "./tap_tempo";
 
-/** Seed of sampled durations: a link shows everybody the same walk. */
+/** Seed of sampled durations: a link shows everyone the same walk. */
 const SEED = 1;
 
 export interface PlayerListeners {
-  /** One pass through a new plan. */
+  /** Called with one pass through a new plan. */
   onPlan: (walk: PlannedWalk) => void;
-  /** The live walk's frame, which is at a time and in a step of the plan. */
+  /** Called with the live walk's frame, and its time and step in the plan. */
   onFrame: (frame: WalkFrame, secs: number, step: number) => void;
-  /** The walk was put somewhere else, where it has this frame. */
+  /** Called when the walk was moved, with its new frame. */
   onJump: (frame: WalkFrame) => void;
 }
 
@@ -25,14 +25,17 @@ export class Player {
   readonly #taps = new TapTempo();
   #walker: PlanWalker | undefined;
   #walk: PlannedWalk | undefined;
-  /** Whether the plan of the state is another than {@link #walk}. */
+  /** Whether the plan of the state differs from {@link #walk}. */
   #planChanged = true;
   /** Whether a paused walk must be redrawn. */
   #moved = true;
-  /** Where the walk was put, seconds, until it goes on: the phase of its step tells the time less exactly. */
+  /**
+   * The time to which the walk was sought, seconds, until it continues: the phase of its step gives the time less
+   * precisely.
+   */
   #sought: number | undefined;
   #last = 0;
-  /** Whether a {@link pass} goes through the plan, and nothing else does. */
+  /** Whether a {@link pass} controls the plan, which excludes everything else. */
   #passing = false;
 
   constructor(store: Store, listeners: PlayerListeners) {
@@ -40,7 +43,7 @@ export class Player {
     this.#listeners = listeners;
   }
 
-  /** Takes the walker of another model, which restarts the plan; without one nothing is played. */
+  /** Sets the walker of another model, which restarts the plan; without one nothing is played. */
   set walker(walker: PlanWalker | undefined) {
     if (walker === this.#walker) return;
     this.#walker = walker;
@@ -54,19 +57,19 @@ export class Player {
     return this.#ready() && this.#walk;
   }
 
-  /** Begins to count time. */
+  /** Starts the clock. */
   start(now: number): void {
     this.#last = now;
     this.changePlan();
   }
 
-  /** The plan of the state, or how it is drawn, is another. */
+  /** To be called when the plan of the state, or its drawing, has changed. */
   changePlan(): void {
     this.#planChanged = true;
     this.#moved = true;
   }
 
-  /** Goes on to a display frame; times in milliseconds. */
+  /** Advances to a display frame; times in milliseconds. */
   tick(now: number): void {
     const secs = stepSecs(this.#last, now);
     this.#last = now;
@@ -86,8 +89,8 @@ export class Player {
   }
 
   /**
-   * One pass through the plan at the speed of the state, frame by frame: shows each, and yields the share that is done. The
-   * walk is then put back where it was.
+   * One pass through the plan at the speed of the state, frame by frame: shows each, and yields the progress.
+   * Afterwards the walk returns to its previous position.
    */
   *pass(rateHz: number): Generator<number> {
     const walker = this.#ready();
@@ -114,7 +117,7 @@ export class Player {
     }
   }
 
-  /** Puts the walk at the frame nearest to a time of the plan, seconds. */
+  /** Moves the walk to the frame nearest to a time of the plan, seconds. */
   seek(secs: number): void {
     const walker = this.#ready();
     if (!walker || this.#passing) return;
@@ -123,7 +126,7 @@ export class Player {
     this.#listeners.onJump(walker.frame);
   }
 
-  /** Stops in the middle of the step that is so many away. */
+  /** Pauses in the middle of the step that is `steps` away. */
   stepBy(steps: number): void {
     const walker = this.#ready();
     if (!walker) return;
@@ -140,7 +143,7 @@ export class Player {
     this.#store.edit({ playing: !playing });
   }
 
-  /** A tapped beat: the cadence becomes that of the last ones, and a step ends with it. */
+  /** Handles a tapped beat: the cadence becomes that of the last beats, and a step ends at the beat. */
   tapBeat(): void {
     if (!this.#walker || this.#store.state.walkTempo !== "fixed") return;
     const cadence = this.#taps.tap(performance.now());
@@ -175,7 +178,7 @@ export class Player {
     this.#moved = true;
   }
 
-  /** Where a walker is in the plan, seconds. */
+  /** Position of a walker in the plan, seconds. */
   #secsOf({ frame, place }: PlanWalker): number {
     return this.#sought ?? this.#secsAt(place.step, frame.done);
   }

@@ -6,15 +6,15 @@ import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { setSize, sizeOf } from "../../../ui/drawing";
 import { strings } from "../../strings/strings";
 
-/** Height, width while the plot is not on the screen, and margins, units. */
+/** Height, width while the plot is not displayed, and margins, units. */
 const HEIGHT = 104;
 const USUAL_WIDTH = 304;
 const PAD = { left: 4, right: 4, top: 8, bottom: 20 };
-/** Points that a density is drawn with. */
+/** Number of points of a drawn density. */
 const POINTS = 120;
 const DEGREES = 180 / Math.PI;
 
-/** What is plotted: the ends of states, or a joint by its role. */
+/** The plotted quantity: the ends of states, or a joint by its role. */
 export type PlotSubject = "states" | keyof typeof strings.walk.joints;
 export const PLOT_SUBJECTS: readonly PlotSubject[] = [
   "states",
@@ -57,7 +57,7 @@ export class Plot {
     const average = endsOf(model, averageOf(model), side);
     const last = Math.max(...[...own, ...average].map(({ mean, deviation }) => mean + 2 * deviation));
     const x = (secs: number) => area.left + (secs / last) * (area.right - area.left);
-    // Heights are the square roots of those of densities: the wide last states stay visible.
+    // Heights are the square roots of the densities', so that the wide last states stay visible.
     const tallest = Math.max(...[...own, ...average].map(({ deviation }) => deviation ** -0.5));
     const bell = ({ mean, deviation }: End) => {
       const height = (deviation ** -0.5 / tallest) * (area.bottom - area.top);
@@ -158,7 +158,7 @@ interface End {
   deviation: number;
 }
 
-/** When each state of a step ends, seconds from its beginning: durations of states are independent. */
+/** The end of each state of a step, seconds from its beginning; the durations of states are independent. */
 function endsOf(model: WalkModel, weights: Weights, side: Side): End[] {
   const { means, deviations } = model.durations(weights, side);
   let [mean, variance] = [0, 0];

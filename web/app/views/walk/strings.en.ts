@@ -1,4 +1,4 @@
-/** What the Walk view says. */
+/** Texts of the Walk view. */
 import { counted } from "../../strings/counted.en";
 
 export const walk = {

@@ -1,4 +1,4 @@
-/** The walk as a strip: a figure a step, side by side. The present step moves, the others show their last pose. */
+/** The walk as a strip: one figure per step, side by side. The current step moves, the others show their last pose. */
 
 import "./strip.css";
 import { POSE_FLOATS } from "../../../humanoid";
@@ -26,9 +26,9 @@ export class Strip {
   #walk: PlannedWalk | undefined;
   #colours: string[] = [];
   #names: string[] = [];
-  /** The present step and its pose. */
+  /** The current step and its pose. */
   #shown: { step: number; pose: Float32Array } | undefined;
-  /** First step that is drawn, −1 if everything must be redrawn, and the present one. */
+  /** First displayed step, −1 if everything must be redrawn, and the current step. */
   #first = -1;
   #present = -1;
 
@@ -56,7 +56,7 @@ export class Strip {
     if (this.#viewer) this.#viewer.theme = wanted;
   }
 
-  /** Takes one pass through another plan. */
+  /** Sets one pass through another plan. */
   set(
     walk: PlannedWalk,
     blocks: readonly WalkBlock[],
@@ -69,7 +69,7 @@ export class Strip {
     this.#drawAnew();
   }
 
-  /** Shows the pose of the present step. */
+  /** Shows the pose of the current step. */
   show(step: number, pose: Float32Array): void {
     this.#shown = { step, pose };
     if (this.element.hidden || !this.#walk) return;
@@ -149,7 +149,7 @@ export class Strip {
   }
 }
 
-/** Colours of the style sheets as `rgb(…)`, by their computed value. */
+/** Resolved colours of the style sheets as `rgb(…)`. */
 const known = new Map<string, string>();
 let canvas: CanvasRenderingContext2D | undefined;
 
@@ -165,7 +165,7 @@ function rgbOf(colour: string, element: HTMLElement): string {
   return rgb;
 }
 
-/** Three.js parses few CSS colours; a canvas parses all of them. */
+/** three.js parses few CSS colours; a canvas parses all of them. */
 function pixelOf(colour: string): string {
   canvas ??= html("canvas", { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
   canvas.fillStyle = colour;

@@ -1,6 +1,6 @@
-/** Tap tempo: a cadence from beats that are tapped. */
+/** Tap tempo: a cadence from tapped beats. */
 
-/** The latest beats that the tempo is the mean of. */
+/** Number of latest beats whose mean is the tempo. */
 const MAX_BEATS = 6;
 /** A longer pause begins a new tempo. */
 const PAUSE_MS = 2500;
@@ -9,9 +9,9 @@ export class TapTempo {
   #beats: number[] = [];
 
   /**
-   * Takes a beat.
+   * Adds a beat.
    * @param now milliseconds of any clock
-   * @returns beats a minute; `undefined` until there are two
+   * @returns beats per minute; `undefined` until there are two
    */
   tap(now: number): number | undefined {
     if (now - (this.#beats.at(-1) ?? now) > PAUSE_MS) this.#beats = [];

@@ -5,12 +5,12 @@ import type { WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
 import { capitalised, manner, numberWord, spoken } from "../../ui/words";
 
-/** Intensities nearer than this to 0 and to 1 count as these. */
+/** Intensities within this distance of 0 or 1 count as these. */
 const NEAR = 0.05;
 /** Weights below this are not named. */
 const MIN_WEIGHT = 0.005;
 
-/** What a block is like: `very old`, or `proud left, old right`. */
+/** Description of a block: `very old`, or `proud left, old right`. */
 export function blockName({ styles, right, intensity }: WalkBlock, neutral = ""): string {
   if (Math.abs(intensity) < NEAR) return strings.walk.averageStyle;
   const nameOf = (selection: Selection) => {
@@ -23,7 +23,7 @@ export function blockName({ styles, right, intensity }: WalkBlock, neutral = "")
   return intensity < 1 - NEAR ? strings.walk.slightly(name) : name;
 }
 
-/** How long a plan is and how many styles it has: `22 steps, three styles`. */
+/** Length of a plan and its number of styles: `22 steps, three styles`. */
 export function planTitle(blocks: readonly WalkBlock[], steps: number, neutral: string | undefined): string {
   const all = blocks.flatMap(({ styles, right }) => [...styles, ...(right ?? [])]);
   const names = new Set(all.filter(({ weight }) => weight !== 0).map(({ name }) => name));

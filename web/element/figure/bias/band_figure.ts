@@ -1,4 +1,4 @@
-/** One degree of freedom on an axis: the band of the neighbours, what of the input sticks out, and what of it returns. */
+/** One degree of freedom on an axis: the band of the neighbours, the part of the input outside it, and the returned part. */
 import type { Knob } from "../../../ui/controls/knob";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
@@ -12,15 +12,15 @@ import sheet from "./bias.css?inline";
 import { type Band, biasOf, measureBias } from "./bias_measure";
 import { BIAS_FIELDS, BIAS_JOINT, BIAS_RANGES, type BiasState, NO_GUESS } from "./bias_state";
 
-/** The axis has these ends at least, degrees, so that it stands still while a mark is dragged. */
+/** Minimum range of the axis, degrees, so that it does not change while a mark is dragged. */
 const ENDS = [-50, 100] as const;
 /** Height of the rows, as shares of the picture. */
 const ROW = { input: 0.7, output: 0.22 } as const;
 /** Half the height of the band and of marks, units. */
 const HALF = { band: 22, tick: 12 } as const;
-/** Room for the head of an arrow, units. */
+/** Space for the head of an arrow, units. */
 const HEAD = 7;
-/** Degrees of an arrow key; with Shift one. */
+/** Step of an arrow key, degrees; with Shift one degree. */
 const STEP = 5;
 
 const KNOBS = ["raise", "reach", "keep"] as const;
@@ -66,7 +66,7 @@ class BandFigure implements FigureInstance<BiasState> {
       picture,
       {
         value: () => this.#fitted && this.#state?.raise,
-        // The input's angle grows with the raise, degree by degree.
+        // The input's angle increases with the raise, degree by degree.
         valueOf: (x) => this.#fitted!.state.raise + valueOfX(this.#axes!, x) - this.#fitted!.band.x,
         stepped: (raise, direction, fine) => raise + direction * (fine ? 1 : STEP),
         ends: () => [BIAS_RANGES.raise.min, BIAS_RANGES.raise.max],
@@ -84,7 +84,7 @@ class BandFigure implements FigureInstance<BiasState> {
     );
     picture.append(this.#band, this.#mean, this.#dots, this.#bias, this.#returned, this.#line, this.#output);
     picture.append(...Object.values(this.#rows), ...Object.values(this.#labels), this.#handle.element);
-    // Until it has a place.
+    // Hidden until it has a position.
     setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
@@ -205,7 +205,7 @@ class BandFigure implements FigureInstance<BiasState> {
     setAttributes(this.#labels.y, { x: at(y) + 8, y: below - HALF.tick });
     setText(this.#labels.y, `y ${degrees(y)}`);
     setAttributes(this.#handle.element, { visibility: "visible" });
-    // The handle goes with the hand; all else waits for the engine.
+    // The handle follows the pointer at once; everything else waits for the engine.
     const ahead = (this.#state?.raise ?? state.raise) - state.raise;
     this.#handle.place({ x: at(x + ahead), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
     setText(this.#readout, words.bias.read(figure(mean - reach, 1, words), figure(mean + reach, 1, words)));
@@ -219,7 +219,7 @@ class BandFigure implements FigureInstance<BiasState> {
   }
 }
 
-/** An arrow from one place of a row to another; nothing where they are the same. */
+/** An arrow between two positions of a row; empty if they are equal. */
 function arrow(from: number, to: number, height: number): string {
   if (Math.abs(to - from) < 1) return "";
   const back = -Math.sign(to - from) * Math.min(HEAD, Math.abs(to - from));

@@ -1,4 +1,4 @@
-/** What exercises about the bias are judged by; angles in degrees. */
+/** Measures for the exercises about the bias; angles in degrees. */
 import type { Fit, LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { createWorldPose, DEGREES, JOINT, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
@@ -8,7 +8,7 @@ import { type BiasState, lookOf, NO_GUESS, raisedInput, SETTINGS } from "./bias_
 
 /** The band of a degree of freedom at a frame, degrees. */
 export interface Band {
-  /** xₜ, and of every neighbour. */
+  /** xₜ, and x of every neighbour. */
   x: number;
   examples: readonly number[];
   /** μ and σ of the neighbours, with the floors of the bias. */
@@ -16,9 +16,9 @@ export interface Band {
   deviation: number;
   /** Δx. */
   bias: number;
-  /** ρΔx: what returns. */
+  /** ρΔx: the returned part. */
   returned: number;
-  /** ũᵀβ: what the line says of what is left, and yₜ. */
+  /** ũᵀβ: the line's prediction for the rest, and yₜ. */
   line: number;
   y: number;
 }
@@ -46,7 +46,7 @@ export async function biasOf(engine: LearnEngine, state: BiasState): Promise<Ban
   return bandOf(await engine.fit(lookOf(state), SETTINGS), state.keep);
 }
 
-/** The least κ at which nothing sticks out. */
+/** The smallest κ at which nothing is outside the band. */
 export function leastReach({ x, mean, deviation }: Pick<Band, "x" | "mean" | "deviation">): number {
   return Math.abs(x - mean) / deviation;
 }
@@ -71,7 +71,7 @@ export function elevation(poses: Float32Array, proportions: ArrayLike<number>): 
   return sum / (2 * frames);
 }
 
-/** Mean elevations of the input and of what is made of it. */
+/** Mean elevations of the input and of the output. */
 const elevationsOf = remembered(
   async (engine, motion: BiasState["motion"], style: string, raise: number, kappa: number, rho: number) => {
     const input = raisedInput({ motion, raise });
@@ -83,7 +83,7 @@ const elevationsOf = remembered(
   },
 );
 
-/** How much of the arms' raise survives, as a share of it. */
+/** Share of the arms' raise that is left in the output. */
 export async function survives(engine: LearnEngine, state: BiasState): Promise<number> {
   const { motion, style, raise, reach, keep } = state;
   if (raise === 0) return Number.NaN;

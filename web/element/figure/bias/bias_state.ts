@@ -1,4 +1,4 @@
-/** The state of figures about the bias: what of an input is unlike all neighbours, and how much of it returns. */
+/** The state of figures about the bias: the part of an input outside all neighbours, and how much of it returns. */
 import type { FitSettings, LearnInput, Look } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { DEGREES, JOINT } from "../../../humanoid";
@@ -6,7 +6,7 @@ import { choice, type Fields, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
 import { INPUTS, type InputName, STYLES, type Style } from "../built_in";
 
-/** Which frame of which input, and how its bias is treated. */
+/** Which frame of which input, and the treatment of its bias. */
 export interface BiasState {
   motion: InputName;
   style: Style;
@@ -18,11 +18,11 @@ export interface BiasState {
   reach: number;
   /** ρ: the share of the bias that returns. */
   keep: number;
-  /** ρΔx as somebody computed it, degrees; {@link NO_GUESS} while nobody has. */
+  /** ρΔx as entered by the learner, degrees; {@link NO_GUESS} if empty. */
   guess: number;
 }
 
-/** Stands for an empty field. */
+/** Value of an empty field. */
 export const NO_GUESS = -181;
 
 /** The knobs. */
@@ -32,7 +32,7 @@ export const BIAS_RANGES = {
   keep: { min: 0, max: 1, digits: 2, scale: "linear" },
 } as const satisfies Record<string, DialRange>;
 
-/** How the state is written into a link. Those of the bias are the engine's. */
+/** Encoding of the state in a link. The defaults of the bias are the engine's. */
 export const BIAS_FIELDS: Fields<BiasState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "depressed", STYLES, true),
@@ -43,7 +43,7 @@ export const BIAS_FIELDS: Fields<BiasState> = {
   guess: number("guess", NO_GUESS, { min: NO_GUESS, max: 180, digits: 1 }, true),
 };
 
-/** The degree of freedom that is looked at: a raise of the right arm is a turn about this axis from its mean. */
+/** The examined degree of freedom: a raise of the right arm is a rotation about this axis from its mean. */
 export const BIAS_JOINT = "right_upper_arm";
 const AXIS = 1;
 
@@ -57,13 +57,13 @@ export function raisedInput({ motion, raise }: Pick<BiasState, "motion" | "raise
   };
 }
 
-/** What a state looks at. */
+/** The engine's frame for a state. */
 export function lookOf(state: BiasState): Look {
   const { style, at, keep, reach } = state;
   return { input: raisedInput(state), styles: { [style]: 1 }, frame: at, options: { rho: keep, kappa: reach } };
 }
 
-/** The line whose bias is shown, fitted as the engine does it. */
+/** The line whose bias is shown, fitted as in the engine. */
 export const SETTINGS: FitSettings = {
   dof: 3 * JOINT[BIAS_JOINT] + AXIS,
   k: DEFAULT_OPTIONS.k,

@@ -1,4 +1,4 @@
-/** The input with its arms raised, and what the engine makes of it, side by side. */
+/** The input with its arms raised, and the engine's output, side by side. */
 import { POSE_FLOATS } from "../../../humanoid";
 import type { Slider } from "../../../ui/controls/slider";
 import { html } from "../../../ui/dom";
@@ -29,9 +29,9 @@ class RaisedFigure implements FigureInstance<BiasState> {
   readonly #posing = new Latest<BiasState>((state) => this.#pose(state));
   #state: BiasState | undefined;
   #shown: BiasState | undefined;
-  /** The frame that is shown: an input may be shorter than a link says. */
+  /** The displayed frame: an input may be shorter than the frame in a link. */
   #at = 0;
-  /** Of the arms of the input and of what is made of it, degrees. */
+  /** Elevations of the arms of the input and of the output, degrees. */
   #elevations: readonly number[] = [];
 
   constructor(parts: FigureParts<BiasState>) {

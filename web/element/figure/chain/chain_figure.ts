@@ -1,4 +1,4 @@
-/** The states of a left and a right step, as long as they last; a step is made longer by its end. */
+/** The states of a left and a right step with their durations; a step is lengthened by dragging its end. */
 import type { JointPath } from "../../../client/learn/protocol";
 import type { Knob } from "../../../ui/controls/knob";
 import { html, setText, svg } from "../../../ui/dom";
@@ -16,9 +16,9 @@ import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState } from "./chain_state";
 const SIDES = ["left", "right"] as const;
 /** Heights of the rows, and half of a row. */
 const ROW = { left: 0.72, right: 0.28, half: 0.13 } as const;
-/** The axis reaches so far, seconds. */
+/** Range of the axis, seconds. */
 const REACH = 1;
-/** Seconds of an arrow key; with Shift the fine one. */
+/** Step of an arrow key, seconds; with Shift the fine one. */
 const STEP = { coarse: 0.02, fine: 0.005 };
 
 export const CHAIN: FigureKind<ChainState> = {
@@ -27,7 +27,7 @@ export const CHAIN: FigureKind<ChainState> = {
   create: (parts) => new ChainFigure(parts),
 };
 
-/** A path, and how long its steps would be with ρ 0 and ρ 1: durations are linear in ρ. */
+/** A path, and the durations of its steps with ρ 0 and ρ 1: durations are linear in ρ. */
 interface Shown {
   state: ChainState;
   path: JointPath;
@@ -123,7 +123,7 @@ class ChainFigure implements FigureInstance<ChainState> {
     return [left, right, figure(cadenceOf(path), 1, words)];
   }
 
-  /** The ρ with which a step takes so many seconds. */
+  /** The ρ with which a step takes `secs` seconds. */
   #rhoOf(which: number, secs: number): number {
     const { means, variances } = this.#shown!;
     const { min, max, digits } = CHAIN_RANGES[SIDES[which]!];

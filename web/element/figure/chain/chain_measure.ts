@@ -1,4 +1,4 @@
-/** What exercises about a synthesised step are judged by. */
+/** Measures for the exercises about a synthesised step. */
 
 import type { JointPath, LearnEngine } from "../../../client/learn/protocol";
 import { DEGREES } from "../../../humanoid";
@@ -6,9 +6,9 @@ import type { Measure } from "../kind";
 import { remembered } from "../remembered";
 import { CHAIN_FIELDS, type ChainState, dofOf, stylesOf } from "./chain_state";
 
-/** States of a step. */
+/** Number of states of a step. */
 export const STATES = 5;
-/** Frames a second of the walk model; `chain.test.ts` holds it to the engine. */
+/** Frames per second of the walk model; `chain.test.ts` checks it against the engine. */
 export const WALK_HZ = 30;
 
 const askPath = remembered((engine, state: ChainState): Promise<JointPath> => {
@@ -24,7 +24,7 @@ export function pathOf(engine: LearnEngine, state: ChainState): Promise<JointPat
   return askPath(engine, state);
 }
 
-/** The same with all variances as the model has them. */
+/** The trajectory of a state with the model's own variances. */
 export function plainOf(engine: LearnEngine, state: ChainState): Promise<JointPath> {
   const { pose, velocity, acceleration } = CHAIN_FIELDS;
   return askPath(engine, {
@@ -35,18 +35,18 @@ export function plainOf(engine: LearnEngine, state: ChainState): Promise<JointPa
   });
 }
 
-/** Greatest distance of the curve from its state's mean, degrees. */
+/** Largest distance of the curve from its state's mean, degrees. */
 export function farthest({ c, mean }: JointPath): number {
   return c.reduce((most, value, i) => Math.max(most, Math.abs(value - mean[i]!)), 0) * DEGREES;
 }
 
-/** The same in deviations of the model, whatever the variance was multiplied by. */
+/** Largest distance in deviations of the model, without the factor of the variance. */
 export function farthestDeviations({ c, mean, deviation }: JointPath, factor: number): number {
   const of = (value: number, i: number) => (Math.abs(value - mean[i]!) * Math.sqrt(factor)) / deviation[i]!;
   return c.reduce((most, value, i) => Math.max(most, of(value, i)), 0);
 }
 
-/** Mean size of the third difference, degrees: how much the curve jerks. */
+/** Mean magnitude of the third difference, degrees: the jerk of the curve. */
 export function jerkOf({ c }: JointPath): number {
   let sum = 0;
   for (let i = 3; i < c.length; i++) sum += Math.abs(c[i]! - 3 * c[i - 1]! + 3 * c[i - 2]! - c[i - 3]!);
@@ -59,7 +59,7 @@ export function framesOf({ durations }: JointPath): readonly [left: number, righ
   return [sum(0), sum(STATES)];
 }
 
-/** Steps a minute. */
+/** Steps per minute. */
 export function cadenceOf(path: JointPath): number {
   const [left, right] = framesOf(path);
   return (2 * 60 * WALK_HZ) / (left + right);

@@ -6,10 +6,10 @@ import type { DialRange } from "../../../ui/controls/dial";
 import { STYLES, type Style } from "../built_in";
 import { AXES, type Axis } from "../line/line_state";
 
-/** Which walk, which degree of freedom, and what is changed about its model. */
+/** Which walk, which degree of freedom, and the changes of its model. */
 export interface ChainState {
   style: Style;
-  /** k: 0 is neutral, 1 the style; beyond, it is negated or exaggerated. */
+  /** k: 0 is neutral, 1 the style; below 0 it is negated, above 1 exaggerated. */
   share: number;
   joint: Role;
   axis: Axis;
@@ -17,7 +17,7 @@ export interface ChainState {
   pose: number;
   velocity: number;
   acceleration: number;
-  /** ρ of left and right steps: by how many variances their states last longer. */
+  /** ρ of left and right steps: number of variances by which their states last longer. */
   left: number;
   right: number;
 }
@@ -33,11 +33,11 @@ export const CHAIN_RANGES = {
   right: { min: -2, max: 3, digits: 2, scale: "linear" },
 } as const satisfies Record<string, DialRange>;
 
-/** The three promises, in the order of the model. */
+/** The three statistics, in the order of the model. */
 export const PROMISES = ["pose", "velocity", "acceleration"] as const;
 export type Promised = (typeof PROMISES)[number];
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const CHAIN_FIELDS: Fields<ChainState> = {
   style: choice("style", "old", STYLES, true),
   share: number("share", 0, CHAIN_RANGES.share, true),

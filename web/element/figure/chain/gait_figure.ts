@@ -1,4 +1,4 @@
-/** A walk that the model synthesises: a share of the way from neutral to a style, or beyond. */
+/** A walk synthesised by the model: interpolated between neutral and a style, or extrapolated. */
 
 import type { Walked } from "../../../client/learn/protocol";
 import { type Measured, measure as measured, poseAt } from "../../../player/measured";
@@ -15,9 +15,9 @@ import { figure } from "../words/words";
 import { measureChain } from "./chain_measure";
 import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, stylesOf } from "./chain_state";
 
-/** Frames that are synthesised: eight seconds. */
+/** Number of synthesised frames: eight seconds. */
 const FRAMES = 240;
-/** The frame that is shown while nothing plays: in the middle of a step. */
+/** The frame that is displayed while paused: in the middle of a step. */
 const STILL = 40;
 
 export const GAIT: FigureKind<ChainState> = {
@@ -121,7 +121,7 @@ class GaitFigure implements FigureInstance<ChainState> {
     this.#parts.changed();
   }
 
-  /** @param jumps whether the camera goes there at once */
+  /** @param jumps whether the camera moves there at once */
   #pose(jumps: boolean): void {
     const { viewer } = this.stage;
     if (!viewer || !this.#walked) return;

@@ -1,4 +1,4 @@
-/** The trajectory of one degree of freedom: the means and deviations of its states as stairs, and the likeliest curve. */
+/** The trajectory of one degree of freedom: the means and deviations of its states as steps, and the likeliest curve. */
 import type { JointPath } from "../../../client/learn/protocol";
 import { DEGREES, ROLES, type Role } from "../../../humanoid";
 import type { Knob } from "../../../ui/controls/knob";
@@ -13,9 +13,9 @@ import sheet from "./chain.css?inline";
 import { farthest, farthestDeviations, jerkOf, measureChain, pathOf, plainOf, WALK_HZ } from "./chain_measure";
 import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, PROMISES, type Promised } from "./chain_state";
 
-/** Least height of the axis, degrees. */
+/** Minimum range of the axis, degrees. */
 const LEAST_EXTENT = 20;
-/** Every so many frames the curve's slope is drawn, half so many frames long. */
+/** The curve's slope is drawn every `every` frames, with half length `half` frames. */
 const TANGENT = { every: 4, half: 0.8 };
 
 export const PATH: FigureKind<ChainState> = {
@@ -164,7 +164,7 @@ class PathFigure implements FigureInstance<ChainState> {
       }),
     );
     setAttributes(this.#stairs, { d: mean.map((m, i) => `M${x(i)} ${yOf(axes, m)}H${x(i + 1)}`).join("") });
-    // A frame's value stands in its middle.
+    // A frame's value is drawn at its middle.
     const curve = (values: readonly number[]) =>
       curvePath({ ...axes, x: [-0.5 / WALK_HZ, (values.length - 0.5) / WALK_HZ] }, values, WALK_HZ);
     setAttributes(this.#own, { d: curve(own) });

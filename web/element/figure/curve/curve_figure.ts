@@ -12,11 +12,11 @@ import { PlotFrame } from "../plot_frame";
 import { sharedPair } from "../shared";
 import { figure } from "../words/words";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 10;
 /** Below the axis the thread leads to the paired instant. */
 const MARGIN: Margin = { left: 32, right: 20, top: 20, bottom: 56 };
-/** Least extent of the distances, cm. */
+/** Minimum range of the distances, cm. */
 const LEAST_EXTENT = 1;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
@@ -45,10 +45,10 @@ class CurveFigure implements FigureInstance<PairState> {
   );
   #state: PairState | undefined;
   #pair: Pair | undefined;
-  /** The two curves that are drawn, and of what. */
+  /** The two displayed curves, and their key. */
   #drawn: { key: string; values: Record<Pairing, Float64Array> } | undefined;
   #axes: Axes | undefined;
-  /** What the curves are of, and their size: a playhead that moves does not draw them again. */
+  /** Key of the curves and their size: moving the playhead does not draw them again. */
   #curvesOf = "";
 
   constructor(parts: FigureParts<PairState>) {

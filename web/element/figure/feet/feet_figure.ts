@@ -1,4 +1,4 @@
-/** How likely a foot stands, and how fast it goes over the ground, over a stretch of the motion. */
+/** The contact likelihood of a foot, and its speed over the ground, over a range of the motion. */
 import { Toggle } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, type Margin, ticksOf, valueOfX, xOf, yOf } from "../axes";
@@ -13,13 +13,13 @@ import { measureFeet, PLANT, RELEASE, type Tracks, tracksOf, type Votes, votesOf
 import { FEET_FIELDS, type FeetState, STRETCH, stretchOf } from "./feet_state";
 import { SIDES, type Side } from "./soles";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 5;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 6;
-/** A lifted foot is faster than the picture is high, cm/s. */
+/** Upper limit of the speed, cm/s; a lifted foot is faster. */
 const MOST = 80;
-/** Room for a second axis at the right. */
+/** Space for a second axis at the right. */
 const ROOM: Margin = { left: 44, right: 34, top: 24, bottom: 44 };
 
 export const FEET: FigureKind<FeetState> = {
@@ -154,7 +154,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     this.#frame.request();
   }
 
-  /** Speed and P at a frame, in words. */
+  /** Speed and P at a frame, as text. */
   #read({ state, tracks, votes }: Shown, at: number): [speed: string, likelihood: string] {
     const { words } = this.#parts;
     const { speeds } = state.hold ? tracks.held : tracks.free;
@@ -202,7 +202,7 @@ class FeetFigure implements FigureInstance<FeetState> {
     this.#ticks.replaceChildren(
       ...[0, RELEASE, PLANT, 1].map((p) => svg("text", { x: right, y: share(p) + 4 }, figure(p, 1, words))),
       svg("text", { x: right, y: share(1) - 10 }, words.feet.likelihood),
-      // Below the flag, which stands at the left where the foot lands.
+      // Below the flag, which is at the left where the foot lands.
       svg("text", { x: xOf(axes, axes.x[0]), y: share(1) - 4 }, words.feet.speed),
     );
     const { at } = state;
@@ -212,12 +212,12 @@ class FeetFigure implements FigureInstance<FeetState> {
   }
 }
 
-/** The vote that is nearest to a frame. */
+/** The vote nearest to a frame. */
 function nearest({ frames }: Votes, at: number): number {
   return frames.reduce((found, frame, i) => (Math.abs(frame - at) < Math.abs(frames[found]! - at) ? i : found), 0);
 }
 
-/** First and last frames of the stances in a stretch. */
+/** First and last frames of the stances in a range. */
 function spans(stands: Uint8Array, first: number, last: number): [from: number, to: number][] {
   const found: [number, number][] = [];
   for (let frame = first; frame < Math.min(last, stands.length); frame++) {

@@ -1,4 +1,4 @@
-/** What exercises about feet are judged by. */
+/** Measures for the exercises about feet. */
 import type { LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { JOINT } from "../../../humanoid";
@@ -10,7 +10,7 @@ import { pivotTravel, SIDES, type Side, type Sole, solesOf } from "./soles";
 /** A foot of a styled motion. */
 export interface Track {
   soles: readonly Sole[];
-  /** How fast the point that it turns on goes over the ground, cm/s. */
+  /** Ground speed of the foot's pivot, cm/s. */
   speeds: Float64Array;
 }
 
@@ -19,13 +19,13 @@ export interface Tracks {
   rateHz: number;
   held: Track;
   free: Track;
-  /** Frames in which it stands, 1 or 0. */
+  /** Whether it is planted in each frame, 1 or 0. */
   stands: Uint8Array;
 }
 
 const CM = 100;
 
-/** A foot is planted from this likelihood on, and until it is below the other: the engine's `contact_likelihood.rs`. */
+/** A foot is planted from the first likelihood on, and until it is below the second: the engine's `contact_likelihood.rs`. */
 export const PLANT = 0.6;
 export const RELEASE = 0.4;
 
@@ -51,14 +51,14 @@ export function tracksOf(engine: LearnEngine, { motion, style, foot }: FeetState
   return tracked(engine, motion, style, foot);
 }
 
-/** Frames between two votes that are asked for. */
+/** Frames between two requested votes. */
 const VOTE_STEP = 3;
 
-/** P of a foot over a stretch. */
+/** P of a foot over a range. */
 export interface Votes {
   /** Frames of the input. */
   frames: readonly number[];
-  /** The share of the neighbours' votes, and what the foot is planted by: with the targets' contacts, smoothed. */
+  /** The share of the neighbours' votes, and the likelihood that decides planting: with the targets' contacts, smoothed. */
   votes: readonly number[];
   likelihoods: readonly number[];
 }
@@ -76,19 +76,19 @@ const voted = remembered(
   },
 );
 
-/** A state whose frame is one of a motion. */
+/** A state whose frame is within a motion. */
 export function within(state: FeetState, { stands }: Tracks): FeetState {
   return { ...state, at: Math.min(state.at, stands.length - 1) };
 }
 
-/** The votes on a state's foot in the stretch around its frame, of so many in all; computed once. */
+/** The votes on a state's foot in the range around its frame, of `frames` frames in all; computed once. */
 export function votesOf(engine: LearnEngine, { at, ...state }: FeetState, frames: number): Promise<Votes> {
   const begin = stretchOf(Math.min(at, frames - 1));
   const [first, last] = [Math.max(2, begin), Math.min(frames, begin + STRETCH) - 1];
   return voted(engine, state.motion, state.style, state.foot, first, last);
 }
 
-/** The frame of a stretch in which a standing foot that is not held slides fastest; −1 where none stands. */
+/** The frame of a range in which a planted foot that is not held slides fastest; −1 if none is planted. */
 export function fastestSlide({ free, stands }: Tracks, first: number): number {
   let fastest = -1;
   for (let frame = Math.max(1, first); frame < Math.min(stands.length, first + STRETCH); frame++) {
@@ -107,13 +107,13 @@ export const legOf = remembered(
   },
 );
 
-/** A leg that reaches for a place of its ankle. */
+/** A leg that reaches a position of its ankle. */
 export interface Leg {
   a: number;
   b: number;
-  /** From hip to ankle, as far as the leg reaches, metres. */
+  /** Distance from hip to ankle, limited by the leg's length, metres. */
   d: number;
-  /** Between thigh and shin, degrees, and by how much the knee is bent. */
+  /** Angle between thigh and shin, degrees, and the bend of the knee. */
   gamma: number;
   bend: number;
 }

@@ -1,30 +1,30 @@
-/** The state of figures about feet: when they stand, how they slide, and how a leg reaches for a place. */
+/** The state of figures about feet: contacts, sliding, and inverse kinematics of a leg. */
 import type { LearnInput, Look } from "../../../client/learn/protocol";
 import { choice, type Fields, flag, number } from "../../../link/fields";
 import { INPUTS, type InputName, STYLES, type Style } from "../built_in";
 import { SIDES, type Side } from "./soles";
 
-/** Which foot of which motion, and where a leg's ankle is. */
+/** Which foot of which motion, and the position of a leg's ankle. */
 export interface FeetState {
   motion: InputName;
   style: Style;
   /** Frame of the input. */
   at: number;
   foot: Side;
-  /** Whether standing feet are held. */
+  /** Whether planted feet are held. */
   hold: boolean;
-  /** The ankle from the hip, metres: forwards and upwards. */
+  /** Position of the ankle relative to the hip, metres: forwards and upwards. */
   x: number;
   y: number;
 }
 
-/** Frames of a stretch, of which a plot shows one. */
+/** Frames of a range; a plot shows one range. */
 export const STRETCH = 120;
 
-/** How far the ankle may be dragged, metres. */
+/** Range in which the ankle may be dragged, metres. */
 export const REACH = { x: { min: -0.6, max: 0.6, digits: 3 }, y: { min: -0.85, max: -0.1, digits: 3 } } as const;
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const FEET_FIELDS: Fields<FeetState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "old", STYLES, true),
@@ -45,7 +45,7 @@ export function lookOf({ motion, style }: Pick<FeetState, "motion" | "style">, f
   return { input: inputOf({ motion }), styles: { [style]: 1 }, frame };
 }
 
-/** The first frame of the stretch that a frame is in. */
+/** The first frame of the range of a frame. */
 export function stretchOf(frame: number): number {
   return STRETCH * Math.floor(frame / STRETCH);
 }

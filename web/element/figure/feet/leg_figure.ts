@@ -10,13 +10,13 @@ import sheet from "./feet.css?inline";
 import { type Leg, legOf, measureFeet, solveLeg } from "./feet_measure";
 import { FEET_FIELDS, type FeetState, REACH } from "./feet_state";
 
-/** Metres of an arrow key; with Shift the fine one. */
+/** Step of an arrow key, metres; with Shift the fine one. */
 const STEP = { coarse: 0.02, fine: 0.002 };
-/** What is shown, metres below the hip and beside it. */
+/** The displayed area, metres below the hip and to its sides. */
 const SHOWN = { top: 0.08, bottom: -0.88 };
 /** Radius of the arc of γ, and of the hip, units. */
 const ARC = 26;
-/** How far from the bones labels stand, units. */
+/** Distance of labels from the bones, units. */
 const LABEL = 14;
 
 export const LEG: FigureKind<FeetState> = {
@@ -119,7 +119,7 @@ class LegFigure implements FigureInstance<FeetState> {
     const { words } = this.#parts;
     const { state, leg } = this.#shown;
     const [width, height] = [this.#frame.width, this.#frame.height];
-    // A metre is as long in both directions.
+    // The scale is equal in both directions.
     const perMetre = Math.max(1, height - 60) / (SHOWN.top - SHOWN.bottom);
     const half = Math.max(1, width - 60) / perMetre / 2;
     const axes: Axes = { width, height, x: [-half, half], y: [SHOWN.bottom, SHOWN.top] };
@@ -142,7 +142,7 @@ class LegFigure implements FigureInstance<FeetState> {
     setAttributes(this.#arc, {
       d: `M${knee[0]} ${knee[1]}L${from[0]} ${from[1]}A${ARC} ${ARC} 0 0 0 ${to[0]} ${to[1]}Z`,
     });
-    // Labels stand outside the bend, where no bone is.
+    // Labels are outside the bend, where there is no bone.
     const away = [knee[0] - (hip[0] + ankle[0]) / 2, knee[1] - (hip[1] + ankle[1]) / 2] as const;
     const size = Math.hypot(...away) || 1;
     const [outX, outY] = away[0] === 0 && away[1] === 0 ? [1, 0] : [away[0] / size, away[1] / size];
@@ -161,7 +161,7 @@ class LegFigure implements FigureInstance<FeetState> {
   }
 }
 
-/** Where the knee is, metres from the hip: in front of the line to the ankle. */
+/** Position of the knee relative to the hip, metres: in front of the line to the ankle. */
 function kneeOf({ a, b, d }: Leg, x: number, y: number): readonly [x: number, y: number] {
   const length = Math.hypot(x, y) || 1;
   const [ux, uy] = [x / length, y / length];

@@ -1,4 +1,7 @@
-/** Where the soles of a motion touch the ground, and how fast they slide: as the engine's `kinematics/soles.rs` has it. Pure. */
+/**
+ * Ground points of the soles of a motion, and their sliding speeds, as in the engine's `kinematics/soles.rs`. Pure
+ * functions.
+ */
 import {
   createWorldPose,
   JOINT,
@@ -14,9 +17,9 @@ import {
 export const SIDES = ["left", "right"] as const;
 export type Side = (typeof SIDES)[number];
 
-/** How far behind the ankle the heel lies, as a share of the distance from ankle to toes on the ground. */
+/** Distance of the heel behind the ankle, as a share of the ground distance from ankle to toes. */
 const HEEL_SHARE = 0.35;
-/** Height difference of heel and ball over which the pivot passes from one to the other, metres. */
+/** Height difference of heel and ball over which the pivot changes from one to the other, metres. */
 const PIVOT_BLEND = 0.04;
 
 /** Ground points of a foot, metres. */
@@ -49,9 +52,9 @@ function pointOf({ positions, rotations }: WorldPose, joint: number, offset: Vec
   return [positions[3 * joint]! + x, positions[3 * joint + 1]! + y, positions[3 * joint + 2]! + z];
 }
 
-/** How far the point that a foot turns about has gone over the ground since the frame before, metres: x and z. */
+/** Movement of a foot's pivot over the ground since the previous frame, metres: x and z. */
 export function pivotTravel(now: Sole, before: Sole): readonly [x: number, z: number] {
-  // The foot turns on the lower of heel and ball.
+  // The foot pivots on the lower of heel and ball.
   const onHeel = Math.min(1, Math.max(0, 0.5 + (now.ball[1] - now.heel[1]) / PIVOT_BLEND));
   const travel = (axis: 0 | 2) =>
     onHeel * (now.heel[axis] - before.heel[axis]) + (1 - onHeel) * (now.ball[axis] - before.ball[axis]);

@@ -1,4 +1,4 @@
-/** A sole from above while its foot stands: held, every outline is the same. */
+/** A sole from above during a stance: if it is held, all outlines coincide. */
 import type { Slider } from "../../../ui/controls/slider";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, ticksOf, xOf, yOf } from "../axes";
@@ -13,13 +13,13 @@ import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_m
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
-/** What is shown forwards at least, cm: a foot's length, and room to slide; and what is shown across. */
+/** Minimum displayed range along the foot, cm: a foot's length, and space to slide; and the displayed range across. */
 const ALONG = [-5, 23] as const;
 const ACROSS = 6;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
 const CM = 100;
-/** Length of an arrow's head, units; a shorter arrow than this, cm, is not drawn. */
+/** Length of an arrow's head, units; an arrow shorter than the second value, cm, is not drawn. */
 const BARB = 8;
 const LEAST_ARROW = 0.2;
 
@@ -29,23 +29,23 @@ export const SOLES: FigureKind<FeetState> = {
   create: (parts) => new SolesFigure(parts),
 };
 
-/** Heel and ball over the ground, cm from the heel at the start of the stance: forwards and to the left. */
+/** Heel and ball on the ground, cm from the heel at the start of the stance: forwards and to the left. */
 interface Outline {
   frame: number;
   heel: readonly [along: number, across: number];
   ball: readonly [along: number, across: number];
 }
 
-/** A foot in a stance, and at the playhead with either setting of the hold. */
+/** A foot in a stance, and at the playhead with and without the hold. */
 interface Shown {
   state: FeetState;
   outlines: Outline[];
-  /** The way that it slides in this stance, cm. */
+  /** Sliding distance in this stance, cm. */
   cm: number;
-  /** At the playhead: as it is shown, and with the other setting of the hold; none while it is lifted. */
+  /** At the playhead: as displayed, and with the other setting of the hold; `undefined` while it is lifted. */
   now: Outline | undefined;
   other: Outline | undefined;
-  /** How far the hold has moved it at the playhead, cm. */
+  /** Distance by which the hold has moved it at the playhead, cm. */
   moved: number;
 }
 
@@ -145,7 +145,7 @@ class SolesFigure implements FigureInstance<FeetState> {
     const { words } = this.#parts;
     const { outlines, cm, now, other, moved } = this.#shown;
     const [width, height] = [this.#frame.width, this.#frame.height];
-    // A centimetre is as long in both directions.
+    // The scale is equal in both directions.
     const [wide, high] = [Math.max(1, width - 60), Math.max(1, height - 60)];
     const perCm = Math.min(wide / (ALONG[1] - ALONG[0]), high / ACROSS);
     const half = high / perCm / 2;
@@ -161,7 +161,7 @@ class SolesFigure implements FigureInstance<FeetState> {
     setText(this.#readout, words.feet.slid(figure(cm, 1, words)));
   }
 
-  /** From where the foot would be without the hold to where the hold has it. */
+  /** Draws an arrow from the foot's position without the hold to that with it. */
   #drawCorrection(axes: Axes, moved: number): void {
     const { state, now, other } = this.#shown!;
     const middle = ({ heel, ball }: Outline) =>
@@ -183,7 +183,7 @@ function arrow([x, y]: readonly [number, number], [toX, toY]: readonly [number, 
   return `M${x.toFixed(1)} ${y.toFixed(1)}L${toX.toFixed(1)} ${toY.toFixed(1)}M${barb(0.5)}L${toX.toFixed(1)} ${toY.toFixed(1)}L${barb(-0.5)}`;
 }
 
-/** First and last frames of the stance that a frame is in, or of the next one. */
+/** First and last frames of the stance at a frame, or of the next one. */
 function stanceAt({ stands }: Tracks, at: number): [from: number, to: number] {
   let from = Math.min(at, stands.length - 1);
   while (stands[from] === 0 && from < stands.length - 1) from++;
@@ -193,20 +193,20 @@ function stanceAt({ stands }: Tracks, at: number): [from: number, to: number] {
   return [from, to];
 }
 
-/** Places over the ground, seen along a foot that lies flat, as it does in the middle of its stance. */
+/** Ground positions in the frame of the flat foot, which is its orientation in the middle of the stance. */
 function placesOf(flat: Sole): (sole: Sole, frame: number) => Outline {
   const origin = flat.heel;
   const [dx, dz] = [flat.ball[0] - flat.heel[0], flat.ball[2] - flat.heel[2]];
   const length = Math.hypot(dx, dz) || 1;
   const place = ([x, , z]: Sole["heel"]): [number, number] => {
     const [px, pz] = [CM * (x - origin[0]), CM * (z - origin[2])];
-    // Left of somebody who faces +Z is +X.
+    // Left of a body that faces +Z is +X.
     return [(px * dx + pz * dz) / length, (px * dz - pz * dx) / length];
   };
   return ({ heel, ball }, frame) => ({ frame, heel: place(heel), ball: place(ball) });
 }
 
-/** How far apart the middles of a sole are with the hold and without, cm: the size of q. */
+/** Distance between the middles of a sole with and without the hold, cm: the length of q. */
 export function correctionOf({ held, free }: Pick<Tracks, "held" | "free">, frame: number): number {
   const middle = ({ soles }: Track, axis: 0 | 2) => (soles[frame]!.heel[axis] + soles[frame]!.ball[axis]) / 2;
   return CM * Math.hypot(middle(held, 0) - middle(free, 0), middle(held, 2) - middle(free, 2));

@@ -1,4 +1,4 @@
-/** The errors of two methods over the time of a take, and the instants at which somebody says that one is better. */
+/** The errors of two methods over the time of a take, and the instants at which the learner says that one is better. */
 import { button } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, curvePath, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
@@ -13,13 +13,13 @@ import sheet from "./judge.css?inline";
 import { correctionAt, measureJudge, type Trial, trialOf } from "./judge_measure";
 import { JUDGE_FIELDS, type JudgeState, METHODS, type Method } from "./judge_state";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
-/** Least extent of the errors, mm. */
+/** Minimum range of the errors, mm. */
 const LEAST_EXTENT = 5;
-/** Who is compared: the chosen method, and the other one. */
+/** The compared methods: the selected one, and the other one. */
 const SIDES = ["pick", "rival"] as const;
 type Side = (typeof SIDES)[number];
 const PINS = { pick: "pickPin", rival: "rivalPin" } as const satisfies Record<Side, keyof JudgeState>;
@@ -49,7 +49,7 @@ class DuelFigure implements FigureInstance<JudgeState> {
   #correction: number | undefined;
   #shown: { key: string; trials: Record<Side, Trial> } | undefined;
   #axes: Axes | undefined;
-  /** What the curves are of, and their size: a playhead that moves does not draw them again. */
+  /** Key of the curves and their size: moving the playhead does not draw them again. */
   #curvesOf = "";
 
   constructor(parts: FigureParts<JudgeState>) {
@@ -167,7 +167,7 @@ class DuelFigure implements FigureInstance<JudgeState> {
     return figure(value, 2, this.#parts.words);
   }
 
-  /** By how much the other method errs more at the playhead. */
+  /** Difference of the two methods' errors at the playhead. */
   #difference(): string {
     const { pick, rival } = this.#shown!.trials;
     const more = rival.errors[this.#at()]! - pick.errors[this.#at()]!;
@@ -250,7 +250,7 @@ class DuelFigure implements FigureInstance<JudgeState> {
 
 type Four = [name: string, mm: string, other: string, otherMm: string];
 
-/** What lies between two curves where the first is lower. */
+/** The area between two curves where the first is lower. */
 function betweenPath(axes: Axes, lower: Float64Array, upper: Float64Array): string {
   const column = (frame: number) => {
     const x = xOf(axes, frame / RATE_HZ).toFixed(1);

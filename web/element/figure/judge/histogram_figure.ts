@@ -1,4 +1,4 @@
-/** How often the line's answer differs from the neighbours' mean, and by how much. */
+/** Distribution of the differences between the line's answer and the neighbours' mean. */
 import { ROLES, type Role } from "../../../humanoid";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, type Extent, ticksOf, xOf, yOf } from "../axes";
@@ -12,10 +12,10 @@ import sheet from "./judge.css?inline";
 import { correctionAt, framesOfCorrections, measureJudge, trialOf } from "./judge_measure";
 import { JUDGE_FIELDS, type JudgeState } from "./judge_state";
 
-/** Half of the axis, and the width of a bin, degrees; what lies beyond is counted at the ends. */
+/** Half the range of the axis, and the width of a bin, degrees; values beyond are counted in the outer bins. */
 const REACH = 1;
 const BIN = 0.1;
-/** Corrections that are asked for at once: the picture grows with each batch. */
+/** Number of corrections requested at once: the picture grows with each batch. */
 const BATCH = 16;
 
 export const HISTOGRAM: FigureKind<JudgeState> = {
@@ -24,16 +24,16 @@ export const HISTOGRAM: FigureKind<JudgeState> = {
   create: (parts) => new HistogramFigure(parts),
 };
 
-/** How many values lie in each bin; those beyond the ends are in the outer ones. */
+/** Number of values in each bin; those beyond the ends are in the outer ones. */
 export function countsOf(values: readonly number[]): number[] {
   const bins = Math.round((2 * REACH) / BIN) + 1;
   const counts = new Array<number>(bins).fill(0);
-  // Bins are centred on multiples of their width, so that nothing is as likely on both sides of 0.
+  // Bins are centred on multiples of their width, so that values near 0 fall into one bin.
   for (const value of values) counts[Math.min(bins - 1, Math.max(0, Math.round((value + REACH) / BIN)))]! += 1;
   return counts;
 }
 
-/** The value that half of them do not exceed in size. */
+/** The median of the absolute values. */
 export function typicalOf(values: readonly number[]): number {
   const sizes = values.map(Math.abs).sort((a, b) => a - b);
   return sizes[Math.floor((sizes.length - 1) / 2)] ?? Number.NaN;
@@ -131,7 +131,7 @@ class HistogramFigure implements FigureInstance<JudgeState> {
     for (let i = 0; i < frames.length; i += BATCH) {
       const batch = frames.slice(i, i + BATCH).map((frame) => correctionAt(engine, state, frame));
       values.push(...(await Promise.all(batch)));
-      // Another degree of freedom need not wait for the rest of this one.
+      // A change of the degree of freedom must not wait for the rest of this one.
       if (signal.aborted || this.#state?.joint !== joint) return;
       this.#counted = { key: values.length === frames.length ? key : "", values, of: frames.length };
       this.#draw();
@@ -151,7 +151,7 @@ class HistogramFigure implements FigureInstance<JudgeState> {
       width: this.#frame.width,
       height: this.#frame.height,
       x: [-edge, edge],
-      // The label stands above the bars.
+      // The label is above the bars.
       y: [0, roundedUp(1.25 * Math.max(1, ...counts))],
     };
     const columns = ticksOf([-REACH, REACH], 4).map((value) => [value, this.#tick(value)] as const);
@@ -182,14 +182,14 @@ class HistogramFigure implements FigureInstance<JudgeState> {
     setText(this.#label, `${figure(this.#state.at / RATE_HZ, 2, words)} s: ${figure(instant, 2, words)}°`);
   }
 
-  /** The outer bins have all that lies beyond. */
+  /** The outer bins contain all values beyond. */
   #tick(value: number): string {
     const said = `${figure(value, 1, this.#parts.words)}°`;
     return value <= -REACH ? `≤ ${said}` : value >= REACH ? `≥ ${said}` : said;
   }
 }
 
-/** The least round number that is not less. */
+/** The smallest round number that is not below the value. */
 function roundedUp(value: number): number {
   const step = value > 50 ? 20 : value > 20 ? 10 : 5;
   return Math.ceil(value / step) * step;

@@ -1,4 +1,4 @@
-/** What exercises about the evaluation of methods are judged by. */
+/** Measures for the exercises about the evaluation of methods. */
 import type { LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { DEGREES, JOINT, JOINTS } from "../../../humanoid";
@@ -11,18 +11,18 @@ import { remembered } from "../remembered";
 import { inputOf, type JudgeState, METHODS, type Method, type Take } from "./judge_state";
 import { type Achieved, BUILT_IN_OTHER_TAKE, RECORDED, type Standing, steadiest } from "./recorded";
 
-/** Joints that are compared: the hips lie where the root was removed. */
+/** Joints that are compared: all but the hips, which are at the origin once the root is removed. */
 export const COMPARED = JOINTS - 1;
-/** Length of the moving average that content is more than, seconds. */
+/** Length of the moving average that is subtracted to get the fast content, seconds. */
 const SLOW_SECS = 0.5;
-/** A correction is looked at every so many frames; the first have no past. */
+/** Frames between two examined corrections; the first frames have no past. */
 const STRIDE = 8;
 const FIRST = 4;
 
-/** What a method makes of a take. */
+/** The result of a method on a take. */
 export interface Trial extends Achieved {
   pose: number;
-  /** Mean distance of the joints from the performance at each frame, mm. */
+  /** Mean distance of the joints from the performance in each frame, mm. */
   errors: Float64Array;
 }
 
@@ -41,10 +41,10 @@ const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held
   return { rateHz, proportions, input: measure(motion, proportions), truth: measure(performed, proportions) };
 });
 
-/** What a method makes of a take that is held out, or left in; computed once. */
+/** The result of a method on a take that is held out, or left in; computed once. */
 export const trialOf = remembered(
   async (engine, take: Take, style: Style, leftIn: boolean, method: Method): Promise<Trial> => {
-    // Before feet are planted, as the evaluation has it.
+    // Without foot planting, as in the evaluation.
     const options = { ...DEFAULT_OPTIONS, styles: { [style]: 1 }, method, footplant: false };
     const [held, styled] = await Promise.all([
       heldOf(engine, take, style),
@@ -61,7 +61,7 @@ export const trialOf = remembered(
   },
 );
 
-/** The methods on a take, and their floors; `onMethod` is told the standing before the first and with each that is done. */
+/** The results of the methods on a take, and their floors; `onMethod` is called before the first method and after each one. */
 export async function standingOn(
   engine: LearnEngine,
   { take, style, leftIn }: JudgeState,
@@ -81,7 +81,7 @@ export async function standingOn(
   return standing;
 }
 
-/** Mean distance at each frame of joints from the hips, heading removed, mm. */
+/** Mean distance in each frame of joints relative to the hips, heading removed, mm. */
 export function poseErrors(a: Measured, b: Measured): Float64Array {
   return Float64Array.from({ length: Math.min(a.frames, b.frames) }, (_, frame) => {
     const hips = 3 * JOINTS * frame;
@@ -95,7 +95,7 @@ export function poseErrors(a: Measured, b: Measured): Float64Array {
   });
 }
 
-/** Mean magnitude of the second difference of the joints, metres a squared frame. */
+/** Mean magnitude of the second difference of the joints, metres per squared frame. */
 export function accelerationOf({ local, frames }: Measured): number {
   const size = 3 * JOINTS;
   let sum = 0;
@@ -106,7 +106,7 @@ export function accelerationOf({ local, frames }: Measured): number {
   return sum / (JOINTS * (frames - 2));
 }
 
-/** Correlation of what two motions do faster than a moving average of so many frames. */
+/** Correlation of the fast content of two motions, after subtracting a moving average of `window` frames. */
 export function contentOf(a: Measured, b: Measured, window: number): number {
   const frames = Math.min(a.frames, b.frames);
   let [ab, aa, bb] = [0, 0, 0];
@@ -121,7 +121,7 @@ export function contentOf(a: Measured, b: Measured, window: number): number {
   return aa * bb > 0 ? ab / Math.sqrt(aa * bb) : 0;
 }
 
-/** One coordinate of a joint from the hips over time, less its centred moving average, which is shorter at the ends. */
+/** One coordinate of a joint relative to the hips over time, minus its centred moving average, which is shorter at the ends. */
 function fast({ local }: Measured, number: number, frames: number, window: number): Float64Array {
   const value = (frame: number) => local[3 * JOINTS * frame + number]! - local[3 * JOINTS * frame + (number % 3)]!;
   const sums = new Float64Array(frames + 1);
@@ -133,22 +133,22 @@ function fast({ local }: Measured, number: number, frames: number, window: numbe
   });
 }
 
-/** Frames at which corrections are looked at. */
+/** Frames at which corrections are examined. */
 export function framesOfCorrections(frames: number): number[] {
   return Array.from({ length: Math.floor((frames - 1 - FIRST) / STRIDE) + 1 }, (_, i) => FIRST + i * STRIDE);
 }
 
-/** β⊤(u − ū): by how much the line's answer differs from the neighbours' mean at a frame, degrees. */
+/** β⊤(u − ū): difference between the line's answer and the neighbours' mean at a frame, degrees. */
 export async function correctionAt(engine: LearnEngine, state: JudgeState, frame: number): Promise<number> {
   const { k, lambda, rho, coherence } = DEFAULT_OPTIONS;
   const dof = 3 * JOINT[state.joint] + AXES.indexOf(state.axis);
   const look = { input: inputOf(state), styles: { [state.style]: 1 }, frame };
   const { predicted, means, bias } = await engine.fit(look, { dof, k, lambda, noise: 0, taper: coherence });
-  // The bias is given back after the line has answered.
+  // The bias is added after the line's answer.
   return (predicted - means.y - rho * bias) * DEGREES;
 }
 
-/** Whose numbers sentences say. */
+/** Names of the methods in sentences. */
 const nameOf = (method: Method) => method.toUpperCase();
 
 /** The measure of a state. */

@@ -13,15 +13,15 @@ export type Take = (typeof TAKES)[number];
 export const METHODS = ["nn", "knn", "lar", "mar", "gar", "lti", "gp"] as const;
 export type Method = (typeof METHODS)[number];
 
-/** Where the figures of the methods come from: this take, or the record of other data. */
+/** Source of the methods' figures: this take, or recorded results on other data. */
 export const SOURCES = ["live", "inside", "off"] as const;
 export type Source = (typeof SOURCES)[number];
 
-/** Which of two numbers somebody takes for honest. */
+/** Which of two numbers the learner considers honest. */
 export const HONEST = ["", "out", "in"] as const;
 export type Honest = (typeof HONEST)[number];
 
-/** What is predicted, by whom, and what is looked at. */
+/** The take, the methods, and the examined instant. */
 export interface JudgeState {
   take: Take;
   style: Style;
@@ -31,10 +31,10 @@ export interface JudgeState {
   leftIn: boolean;
   honest: Honest;
   source: Source;
-  /** The method that is chosen, and the one that it is compared with. */
+  /** The selected method, and the one with which it is compared. */
   pick: Method;
   rival: Method;
-  /** Frames at which somebody says that one or the other is better; negative while nobody has. */
+  /** Frames at which the learner says that one or the other is better; negative if not set. */
   pickPin: number;
   rivalPin: number;
   /** The degree of freedom whose corrections are counted. */
@@ -44,7 +44,7 @@ export interface JudgeState {
 
 const PIN = { min: -1, max: 5000, digits: 0 };
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const JUDGE_FIELDS: Fields<JudgeState> = {
   take: choice("motion", "walk-pace", TAKES, true),
   style: choice("style", "old", STYLES, true),
@@ -60,7 +60,7 @@ export const JUDGE_FIELDS: Fields<JudgeState> = {
   axis: choice("axis", "x", AXES, true),
 };
 
-/** The input of a state: its take, which the database has or has not. */
+/** The input of a state: its take, which is in the database or left out. */
 export function inputOf({ take, leftIn }: Pick<JudgeState, "take" | "leftIn">): LearnInput {
   return { name: take, without: leftIn ? [] : [take] };
 }

@@ -1,4 +1,4 @@
-/** What methods achieve on motion that they have not seen: error, roughness and content, beside their floors. */
+/** Results of the methods on motion that is not in their data: error, roughness and content, with their floors. */
 import { Segment, Toggle } from "../../../ui/controls/buttons";
 import { html, setText } from "../../../ui/dom";
 import { Choice } from "../controls";
@@ -19,11 +19,11 @@ import {
 } from "./judge_state";
 import { type Achieved, CONTENT_LEFT, RECORDED, type Standing } from "./recorded";
 
-/** The longest bar is so many times the error of another real take: an input unchanged may go beyond. */
+/** Length of the longest bar, in multiples of the error of another real take: an unchanged input may exceed it. */
 const FULL = 4;
-/** Accelerations at the ends of their axis, times the input's. */
+/** Limits of the acceleration axis, relative to the input's. */
 const [GENTLE, ROUGH] = [0.25, 12];
-/** Methods that the bet is about: they are shown after it. */
+/** Methods of the bet: they are shown after it. */
 const BET_ON: readonly Method[] = ["knn", "lar", "mar"];
 
 const COLUMNS = ["pose", "acceleration", "content"] as const;

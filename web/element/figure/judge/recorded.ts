@@ -1,12 +1,12 @@
-/** What `docs/evaluation.md` records of the methods, read when the page is built. */
+/** Results of the methods recorded in `docs/evaluation.md`, read when the page is built. */
 import * as record from "../../../../docs/evaluation.md";
 import { METHODS, type Method, type Source } from "./judge_state";
 
-/** What a method achieved; what was not measured is left out. */
+/** Results of a method; values that were not measured are omitted. */
 export interface Achieved {
   /** Mean distance of the joints from those of the performance, mm. */
   pose?: number;
-  /** Mean acceleration of the joints, times the input's. */
+  /** Mean acceleration of the joints, relative to the input's. */
   acceleration: number;
   /** Correlation of the fast content with the input's. */
   content: number;
@@ -22,7 +22,7 @@ export interface Standing {
 
 type Row = (typeof record.theBuiltInMotions)[number];
 
-/** The standing that a table of the document gives. */
+/** The results in a table of the document. */
 export function standingOf(rows: readonly Row[]): Standing {
   const rowOf = (name: string) => rows.find(({ method }) => method === name);
   const numberOf = (row: Row | undefined, column: string) => {
@@ -46,19 +46,19 @@ export function standingOf(rows: readonly Row[]): Standing {
   return { methods, ...(unchanged !== undefined && { unchanged }), ...(otherTake !== undefined && { otherTake }) };
 }
 
-/** Recorded walks inside the database, and motion of other collections. */
+/** Results on recorded walks inside the database, and on motion of other collections. */
 export const RECORDED: Readonly<Record<Exclude<Source, "live">, Standing>> = {
   inside: standingOf(record.oneActionEveryMethod),
   off: standingOf(record.motionThatTheDatabaseDoesNotHoldMethods),
 };
 
-/** What another take of the style achieves on the built-in motions, mm. */
+/** Error of another take of the style on the built-in motions, mm. */
 export const BUILT_IN_OTHER_TAKE = standingOf(record.theBuiltInMotions).otherTake;
 
-/** So much content must be left of a motion. */
+/** Minimum content that a method must keep. */
 export const CONTENT_LEFT = 0.8;
 
-/** The method that is as smooth as its input, among those that keep its content; of equal ones the first. */
+/** The method whose smoothness is nearest to the input's, among those that keep its content; of equal ones the first. */
 export function steadiest({ methods }: Standing): Method | undefined {
   const keeping = [...methods].filter(([, { content }]) => content >= CONTENT_LEFT);
   const off = ([, { acceleration }]: [Method, Achieved]) => Math.abs(acceleration - 1);

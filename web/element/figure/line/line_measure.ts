@@ -1,4 +1,4 @@
-/** What exercises about the line of one degree of freedom are judged by; angles in degrees. */
+/** Measures for the exercises about the line of one degree of freedom; angles in degrees. */
 
 import type { Fit, LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
@@ -6,20 +6,20 @@ import { DEGREES } from "../../../humanoid";
 import type { Measure } from "../kind";
 import { type LineState, lookOf, settingsOf } from "./line_state";
 
-/** The ridges of a sweep. */
+/** The values of λ in a sweep. */
 export const LAMBDAS: readonly number[] = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));
 
-/** "About the mean" is within so many degrees. */
+/** "About the mean" means within this distance, degrees. */
 export const ABOUT_MEAN = 0.1;
-/** The least λ is found to this factor. */
+/** The smallest λ is found up to this factor. */
 const LEAST_STEP = 1.02;
 
-/** Coefficients of all three terms below this leave nothing but the mean. */
+/** If the coefficients of all three terms are below this, only the mean is left. */
 const NO_SLOPE = 0.05;
 
-/** The terms of Eq. 2 that make up a prediction, degrees. */
+/** The terms of Eq. 2 that sum to a prediction, degrees. */
 export interface Terms {
-  /** a xₜ₋₁, b yₜ₋₁, c xₜ and d: they sum to the prediction, but for what is returned. */
+  /** a xₜ₋₁, b yₜ₋₁, c xₜ and d: they sum to the prediction, except for the returned part. */
   a: number;
   b: number;
   c: number;
@@ -28,7 +28,7 @@ export interface Terms {
   returned: number;
 }
 
-/** What each term of the line adds to its prediction; Δx is taken off before (Eq. 7). */
+/** The contribution of each term of the line to its prediction; Δx is subtracted before (Eq. 7). */
 export function termsOf({ beta, query, means, bias }: Fit): Terms {
   const [a, b, c] = beta;
   const [xPrevious, yPrevious, x] = query;
@@ -60,7 +60,7 @@ export async function sweepOf(
   return Array.from(errors, (error) => error * DEGREES);
 }
 
-/** ŷ − ȳ: how far the prediction is from the neighbours' mean, degrees. */
+/** ŷ − ȳ: difference between the prediction and the neighbours' mean, degrees. */
 export function aboveMean({ predicted, means }: Fit): number {
   return (predicted - means.y) * DEGREES;
 }
@@ -78,13 +78,13 @@ export function residual({ x, xPrevious, y, yPrevious, weights, beta, means }: F
   return total > 0 ? Math.sqrt(sum / total) * DEGREES : 0;
 }
 
-/** The least λ from which on the prediction is about the mean; `undefined` where the greatest is not enough. */
+/** The smallest λ from which on the prediction is about the mean; `undefined` if the largest is not enough. */
 export async function leastLambda(engine: LearnEngine, state: LineState): Promise<number | undefined> {
   const isAbout = async (lambda: number) =>
     Math.abs(aboveMean(await fitOf(engine, { ...state, lambda }))) <= ABOUT_MEAN;
   let [low, high] = [0.0001, 10];
   if (!(await isAbout(high))) return undefined;
-  // Where the sign changes on the way the prediction passes the mean: it counts from where it stays.
+  // The prediction may cross the mean when its sign changes; λ counts from where it stays near.
   while (high / low > LEAST_STEP) {
     const middle = Math.sqrt(low * high);
     if (await isAbout(middle)) high = middle;
@@ -117,7 +117,7 @@ export async function measureLine(engine: LearnEngine, state: LineState): Promis
     mean: fit.means.y * DEGREES,
     above: aboveMean(fit),
     slope: fit.beta[2],
-    // What the prediction leans on.
+    // What determines the prediction.
     left: fit.beta.every((one) => Math.abs(one) < NO_SLOPE) ? "mean" : "line",
     error: own[0]!,
     leastError,

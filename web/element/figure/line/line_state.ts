@@ -11,7 +11,7 @@ import { FRAMES, INPUTS, type InputName, STYLES, type Style } from "../built_in"
 export const AXES = ["x", "y", "z"] as const;
 export type Axis = (typeof AXES)[number];
 
-/** Which line, and how it is fitted. */
+/** Which line, and the settings of its fit. */
 export interface LineState {
   motion: InputName;
   style: Style;
@@ -25,7 +25,7 @@ export interface LineState {
   lambda: number;
   /** ν: noise on the targets, degrees. */
   noise: number;
-  /** Whether neighbours weigh less the farther they are. */
+  /** Whether the weights of neighbours decrease with distance. */
   taper: boolean;
 }
 
@@ -36,10 +36,10 @@ export const LINE_RANGES = {
   noise: { min: 0, max: 8, digits: 1, scale: "linear" },
 } as const satisfies Record<string, DialRange>;
 
-/** Instants of the default input that can be looked at; of a longer one a link may say later ones. */
+/** Selectable instants of the default input; for a longer one a link may have later ones. */
 export const INSTANTS: Range = { min: 2, max: FRAMES - 1, digits: 0 };
 
-/** How the state is written into a link. K and λ are the engine's. */
+/** Encoding of the state in a link. The defaults of K and λ are the engine's. */
 export const LINE_FIELDS: Fields<LineState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   style: choice("style", "old", STYLES, true),
@@ -52,12 +52,12 @@ export const LINE_FIELDS: Fields<LineState> = {
   taper: flag("taper", true, true),
 };
 
-/** What a state looks at. */
+/** The engine's frame for a state. */
 export function lookOf({ motion, style, at }: Pick<LineState, "motion" | "style" | "at">): Look {
   return { input: { name: motion }, styles: { [style]: 1 }, frame: at };
 }
 
-/** How a state fits. */
+/** The fit settings of a state. */
 export function settingsOf({ joint, axis, k, lambda, noise, taper }: LineState): FitSettings {
   return { dof: 3 * JOINT[joint] + AXES.indexOf(axis), k, lambda, noise: noise / DEGREES, taper };
 }

@@ -1,4 +1,4 @@
-/** One degree of freedom of the nearest examples: target over input, with the line that is fitted to them. */
+/** One degree of freedom of the nearest examples: target over input, with the fitted line. */
 import type { Fit } from "../../../client/learn/protocol";
 import { DEGREES, ROLES, type Role } from "../../../humanoid";
 import { Toggle } from "../../../ui/controls/buttons";
@@ -15,13 +15,13 @@ import sheet from "./line.css?inline";
 import { aboveMean, fitOf, measureLine, residual } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
-/** Least extent of an axis, degrees: among equal examples every hundredth would fill the picture. */
+/** Minimum range of an axis, degrees: among equal examples every hundredth would fill the picture. */
 const LEAST_EXTENT = 2;
-/** Radius of an example of weight 0 and of weight 1, pixels. */
+/** Radius of an example with weight 0 and with weight 1, pixels. */
 const RADIUS = { least: 2, most: 6 };
 /** Rows of the table. */
 const TABLE_ROWS = 12;
-/** Terms that light the dots. */
+/** Terms that highlight the dots. */
 const ON_DOTS: readonly string[] = ["x", "y", "v", "K"];
 
 /** Knobs of the figure. */
@@ -44,7 +44,7 @@ class ScatterFigure implements FigureInstance<LineState> {
   readonly #readout = html("p", { class: "readout" });
   readonly #band = svg("path", { class: "band" });
   readonly #mean = svg("path", { class: "mean" });
-  /** One path: all of them change at once. */
+  /** A single path: all dots change at once. */
   readonly #dots = svg("path", { class: "dots", "data-term": "v" });
   readonly #line = svg("path", { class: "fit", "data-term": "c" });
   readonly #guide = svg("path", { class: "guide", "data-term": "x" });
@@ -152,7 +152,7 @@ class ScatterFigure implements FigureInstance<LineState> {
 
   light(term: string | undefined): void {
     this.#frame.light(term);
-    // The dots are pairs of x and y, and K of them.
+    // The dots are pairs of x and y, and there are K of them.
     this.#dots.classList.toggle("lit", term !== undefined && ON_DOTS.includes(term));
     const knobs: Readonly<Record<string, KnobName>> = { K: "k", lambda: "lambda" };
     for (const [of, name] of Object.entries(knobs)) this.#knobs[name].element.classList.toggle("lit", of === term);
@@ -204,7 +204,7 @@ class ScatterFigure implements FigureInstance<LineState> {
     setAttributes(this.#point, { cx: px, cy: py });
     setAttributes(this.#guide, { d: `M${px} ${yOf(axes, axes.y[0])}V${py}H${xOf(axes, axes.x[0])}` });
     setAttributes(this.#labels.x, { x: px + 6, y: yOf(axes, axes.y[0]) - 6 });
-    // Below its guide where the line comes in above it.
+    // Below its guide if the line approaches from above.
     const isBelow = fit.beta[2] < 0;
     setAttributes(this.#labels.y, { x: xOf(axes, axes.x[0]) + 6, y: py + (isBelow ? 16 : -6) });
     setText(this.#labels.x, `${figure(x, 1, words)}°`);
@@ -222,7 +222,7 @@ class ScatterFigure implements FigureInstance<LineState> {
     setAttributes(this.#dots, { d: xs.map(dot).join("") });
   }
 
-  /** The line at the query's other terms goes through the prediction. */
+  /** The line with the query's other terms passes through the prediction. */
   #drawLine(axes: Axes, fit: Fit, x: number, y: number): void {
     const [from, to] = axes.x;
     const at = (value: number) => y + fit.beta[2] * (value - x);

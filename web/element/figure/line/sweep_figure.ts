@@ -11,10 +11,10 @@ import { figure } from "../words/words";
 import { LAMBDAS, measureLine, sweepOf } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
-/** Share of the range of an arrow key; with Shift the fine one. */
+/** Step of an arrow key, as a share of the range; with Shift the fine one. */
 const STEP = 0.02;
 const FINE_STEP = 0.005;
-/** Least extent of the errors, degrees. */
+/** Minimum range of the errors, degrees. */
 const LEAST_EXTENT = 0.1;
 
 export const SWEEP: FigureKind<LineState> = {
@@ -101,7 +101,7 @@ class SweepFigure implements FigureInstance<LineState> {
   }
 
   async #sweep(state: LineState): Promise<void> {
-    // The ridge and the instant do not change the curve.
+    // λ and the instant do not change the curve.
     const key = JSON.stringify({ ...state, lambda: 0, at: 0 });
     if (this.#swept?.key === key) return;
     const errors = await sweepOf(this.#parts.engine, state);
@@ -110,7 +110,7 @@ class SweepFigure implements FigureInstance<LineState> {
     this.#draw();
   }
 
-  /** The error at the state's λ is read from the curve. */
+  /** The error at the state's λ, interpolated from the curve. */
   #now() {
     const [state, swept] = [this.#state, this.#swept];
     if (!state || !swept) return undefined;

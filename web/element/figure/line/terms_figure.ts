@@ -1,4 +1,4 @@
-/** What each term of the line adds to one prediction: bars that begin where the one before has ended. */
+/** The contribution of each term of the line to one prediction: bars that begin where the previous one ended. */
 import type { Fit } from "../../../client/learn/protocol";
 import { DEGREES } from "../../../humanoid";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
@@ -11,14 +11,14 @@ import sheet from "./line.css?inline";
 import { fitOf, measureLine, termsOf } from "./line_measure";
 import { LINE_FIELDS, type LineState } from "./line_state";
 
-/** Share of a row that its bar fills, and its greatest height, pixels. */
+/** Share of a row that its bar fills, and its largest height, pixels. */
 const BAR = { share: 0.6, most: 28 };
-/** Room for the names of the rows, and for the values at the other side, pixels. */
+/** Space for the names of the rows, and for the values at the other side, pixels. */
 const ROOM = { ...MARGIN, left: 84, right: 64 };
-/** Less than this returns nothing, degrees. */
+/** A returned part below this is not shown, degrees. */
 const NOTHING = 0.05;
 
-/** A row: its term, its coefficient, and from where to where its bar reaches, degrees. */
+/** A row: its term, its coefficient, and the ends of its bar, degrees. */
 interface Row {
   term: "a" | "b" | "c" | "d" | "returned" | "y";
   coefficient: number | undefined;
@@ -95,7 +95,7 @@ class TermsFigure implements FigureInstance<LineState> {
     return `${figure(value, 1, this.#parts.words)}°`;
   }
 
-  /** The terms of the prediction, and the prediction. */
+  /** The terms of the prediction, and their sum. */
   #list(): Row[] {
     if (!this.#fitted) return [];
     const { beta, predicted } = this.#fitted;
@@ -106,7 +106,7 @@ class TermsFigure implements FigureInstance<LineState> {
       rows.push({ term, coefficient, from, to: from + terms[term] });
       from += terms[term];
     };
-    // The constant is the greatest by far: begun with it, the others stay within the picture.
+    // The constant is by far the largest: when it comes first, the others stay within the picture.
     add("d");
     add("a", beta[0]);
     add("b", beta[1]);
@@ -154,7 +154,7 @@ class TermsFigure implements FigureInstance<LineState> {
       const [hit, bar, link, name, value] = element.children as unknown as SVGElement[];
       setAttributes(hit!, { x: 0, y: middle - step / 2, width: axes.width, height: step });
       setAttributes(bar!, { x: left, y: middle - height / 2, width: Math.max(1.5, right - left), height });
-      // From the end of a bar to where the next begins.
+      // From the end of a bar to the start of the next.
       const end = i < rows.length - 1 ? `M${xOf(axes, to)} ${middle + height / 2}V${middle + step - height / 2}` : "";
       setAttributes(link!, { d: end });
       setAttributes(name!, { x: 20, y: middle + 4 });
@@ -178,7 +178,7 @@ class TermsFigure implements FigureInstance<LineState> {
       svg("text", { class: "name" }),
       svg("text", { class: "value" }),
     );
-    // Rows come and go: each tells of the term that it has then.
+    // Rows are reused: each reports its current term.
     row.addEventListener("pointerenter", () => this.#parts.point(row.getAttribute("data-term") ?? undefined));
     row.addEventListener("pointerleave", () => this.#parts.point(undefined));
     return row;

@@ -1,4 +1,4 @@
-/** A cycle of the style variables that goes through keys, and how far its poses are from the recorded ones. */
+/** A cycle of the style variables through keys, and the distance of its poses from the recorded ones. */
 import type { Keyed, StyleSamples } from "../../../client/learn/protocol";
 import { button } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
@@ -13,7 +13,7 @@ import sheet from "./map.css?inline";
 import { keyedOf, measureMap, samplesOf, worstStretch } from "./map_measure";
 import { MAP_FIELDS, type MapState, MOST_KEYS } from "./map_state";
 
-/** An error of so many degrees is as high as a third of the picture. */
+/** An error of this size, degrees, has a third of the picture's height. */
 const FULL = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 4;
@@ -117,7 +117,7 @@ class KeysFigure implements FigureInstance<MapState> {
     this.#frame.light(term);
   }
 
-  /** A key goes to a frame, no further than its neighbours. */
+  /** Moves a key to a frame, but not past its neighbours. */
   #move(which: number, secs: number): void {
     const [state, shown] = [this.#state, this.#shown];
     if (!state || !shown || which >= state.keys.length) return;
@@ -127,7 +127,7 @@ class KeysFigure implements FigureInstance<MapState> {
     this.#parts.change({ keys: state.keys.map((key, i) => (i === which ? frame : key)) }, false);
   }
 
-  /** A further key in the middle of the longest stretch. */
+  /** Adds a key in the middle of the longest gap. */
   #addKey(): void {
     const [state, shown] = [this.#state, this.#shown];
     if (!state || !shown || state.keys.length >= MOST_KEYS) return;

@@ -1,4 +1,4 @@
-/** The error of the model after each pass that has been made. */
+/** The error of the model after each finished pass. */
 import type { StyleSamples } from "../../../client/learn/protocol";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
@@ -128,7 +128,7 @@ class LearningFigure implements FigureInstance<MapState> {
     const columns = ticksOf(axes.x, 10).map((value) => [value, figure(value, 0, words)] as const);
     const labels = { x: words.map.pass, y: "", columns, rows: ticksOf(axes.y, 4) };
     this.#frame.drawGrid(axes, labels, words);
-    // At the left it would lie under the flag before the first pass.
+    // At the left it would be under the flag before the first pass.
     setAttributes(this.#name, { x: xOf(axes, axes.x[1]) - 6, y: yOf(axes, axes.y[1]) + 16 });
     setText(this.#name, words.map.error);
     const pass = this.#pass;

@@ -1,25 +1,25 @@
-/** What exercises about key-styling are judged by. */
+/** Measures for the exercises about key-styling. */
 import type { LearnEngine } from "../../../client/learn/protocol";
 import type { Measure } from "../kind";
 import { meanOf } from "../pairing";
 import { remembered } from "../remembered";
 import { type MapState, sharingOf } from "./map_state";
 
-/** What is learned from; asked once. */
+/** The training data; requested once. */
 export const samplesOf = remembered((engine) => engine.styleSamples());
-/** The error after every pass, degrees; asked once. */
+/** The error after every pass, degrees; requested once. */
 export const errorsOf = remembered((engine) => engine.somnErrors());
-/** How well the model can be dragged. */
+/** How smoothly the model can be dragged. */
 export const draggedOf = remembered((engine, temperature: number) => engine.dragged(sharingOf({ temperature })));
 /** The cycle from its keys. */
 export const keyedOf = remembered((engine, keys: readonly number[]) => engine.keyed(keys));
 
-/** The pass that so many updates have come to the end of: 0 before the first. */
+/** Number of passes finished by some updates: 0 before the end of the first. */
 export function passOf(updates: number, frames: number): number {
   return Math.floor(updates / frames);
 }
 
-/** The stretch between two keys in which the cycle is farthest off: the frames of both, and the greatest error. */
+/** The gap between two keys with the largest error: the frames of both, and the error. */
 export function worstStretch(
   errors: Float32Array,
   keys: readonly number[],
@@ -27,7 +27,7 @@ export function worstStretch(
   let worst = { from: keys[0] ?? 0, to: keys[0] ?? 0, error: 0 };
   errors.forEach((error, frame) => {
     if (error <= worst.error) return;
-    // The cycle goes on from its last key to its first.
+    // The cycle continues from its last key to its first.
     const from = [...keys].reverse().find((key) => key <= frame) ?? keys.at(-1)!;
     const to = keys.find((key) => key > frame) ?? keys[0]!;
     worst = { from, to, error };

@@ -3,15 +3,15 @@ import type { PoseSharing } from "../../../client/learn/protocol";
 import { type Fields, flag, listed, number } from "../../../link/fields";
 import type { DialRange } from "../../../ui/controls/dial";
 
-/** How far learning has come, and what is made of what was learned. */
+/** Progress of learning, and the settings for the trained model. */
 export interface MapState {
   /** Updates of the network. */
   updates: number;
-  /** Whether signs are those that the paper prints. */
+  /** Whether the signs printed in the paper are used. */
   printed: boolean;
-  /** T: how softly components share in a pose. */
+  /** T: softness of the blending of components in a pose. */
   temperature: number;
-  /** Style variables that are asked for, cm: distance of the feet along the way, and in height. */
+  /** The requested style variables, cm: distance of the feet along the direction of walking, and in height. */
   separation: number;
   height: number;
   /** Frames of the cycle that are keys, in order. */
@@ -20,16 +20,16 @@ export interface MapState {
 
 /** T. */
 export const TEMPERATURE: DialRange = { min: 0.5, max: 20, digits: 1, scale: "log" };
-/** Regions of components are blurred by so many deviations of the variables. */
+/** Blur of the components' regions, in deviations of the variables. */
 export const BLUR = 0.3;
-/** Most keys of a cycle. */
+/** Maximum number of keys of a cycle. */
 export const MOST_KEYS = 4;
-/** A frame of a cycle is below this. */
+/** Upper limit of a cycle's frames. */
 const MOST_FRAMES = 50;
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const MAP_FIELDS: Fields<MapState> = {
-  // Some way into the second pass: every mark has something to show.
+  // In the second pass: every mark has something to show.
   updates: number("updates", 1000, { min: 0, max: 100_000, digits: 0 }, true),
   printed: flag("printed", false, true),
   temperature: number("T", 1, TEMPERATURE, true),
@@ -38,7 +38,7 @@ export const MAP_FIELDS: Fields<MapState> = {
   keys: listed("marks", [0, 16], (keys) => keys.join(","), decodeKeys),
 };
 
-/** Frames in order; `undefined` where the text is something else. */
+/** Frames in order; `undefined` if the text is invalid. */
 function decodeKeys(text: string): readonly number[] | undefined {
   const keys = text.split(",", MOST_KEYS + 1).map(Number);
   const ordered = keys.every((frame, i) => i === 0 || frame > keys[i - 1]!);
@@ -46,7 +46,7 @@ function decodeKeys(text: string): readonly number[] | undefined {
   return text !== "" && ordered && known && keys.length <= MOST_KEYS ? keys : undefined;
 }
 
-/** How poses follow the variables of a state. */
+/** The blending of components for a state. */
 export function sharingOf({ temperature }: Pick<MapState, "temperature">): PoseSharing {
   return { temperature, blur: BLUR };
 }

@@ -1,4 +1,4 @@
-/** The style variables as a plane in which the character is dragged. */
+/** The plane of style variables, in which the character is dragged. */
 import type { Dragged, StyleSamples } from "../../../client/learn/protocol";
 import type { Knob } from "../../../ui/controls/knob";
 import { html, setAttributes, setText } from "../../../ui/dom";
@@ -14,7 +14,7 @@ import { draggedOf, measureMap, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState, sharingOf, TEMPERATURE } from "./map_state";
 import { SamplePlane, ShareBars } from "./plane";
 
-/** Centimetres of an arrow key; with Shift the fine one. */
+/** Step of an arrow key, centimetres; with Shift the fine one. */
 const STEP = { coarse: 2, fine: 0.5 };
 
 export const PAD: FigureKind<MapState> = {

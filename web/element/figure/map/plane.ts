@@ -4,13 +4,13 @@ import { type Axes, extentOf, ticksOf, xOf, yOf } from "../axes";
 import type { PlotFrame } from "../plot_frame";
 import { figure, type Words } from "../words/words";
 
-/** The training frames as dots on the plane; they and the axes are computed anew only where there is other room. */
+/** The training frames as dots on the plane. They and the axes are computed again only when the size changes. */
 export class SamplePlane {
-  /** One path, as there are hundreds of frames. */
+  /** A single path, as there are hundreds of frames. */
   readonly dots = svg("path", { class: "samples" });
   #axes: Axes | undefined;
 
-  /** Axes that hold all training frames, with their grid and dots in the picture. */
+  /** Axes that contain all training frames, with their grid and dots in the picture. */
   draw(frame: PlotFrame, values: Float32Array, words: Words): Axes {
     const { width, height } = frame;
     if (this.#axes?.width === width && this.#axes.height === height) return this.#axes;
@@ -32,17 +32,17 @@ function dotsOf(axes: Axes, values: Float32Array): string {
   return path;
 }
 
-/** Height of the bar of 1, units; and how far from one bar to the next, at most that, and together a share of the plot. */
+/** Height of a bar of weight 1, units; and the distance between bars: at most `most`, and together a share of the plot. */
 const BAR = { height: 34, most: 10, share: 0.3, filled: 0.7 };
 
-/** A bar for every component at the upper right, with the name of what they are. */
+/** A bar for every component at the upper right, with the name of their quantity. */
 export class ShareBars {
   readonly element: SVGGElement;
   readonly #name: SVGTextElement;
-  /** One path: there are dozens of bars, and all of them change at once. */
+  /** A single path: there are dozens of bars, which all change at once. */
   readonly #bars = svg("path");
 
-  /** @param name also the term of the bars */
+  /** @param name name and term of the bars */
   constructor(name: string) {
     this.#name = svg("text", { class: "label y", "text-anchor": "end" }, name);
     this.element = svg("g", { class: "bars", "data-term": name }, this.#name, this.#bars);

@@ -1,4 +1,4 @@
-/** The pose that the model gives to the style variables. */
+/** The pose that the model predicts from the style variables. */
 import { html, setText } from "../../../ui/dom";
 import { FigureStage } from "../figure_stage";
 import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
@@ -7,7 +7,7 @@ import { figure } from "../words/words";
 import { measureMap, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState, sharingOf } from "./map_state";
 
-/** Components with less are not listed. */
+/** Components with smaller weights are not listed. */
 const LEAST = 0.005;
 
 export const POSED: FigureKind<MapState> = {

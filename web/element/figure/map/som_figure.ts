@@ -13,11 +13,11 @@ import { measureMap, passOf, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState } from "./map_state";
 import { SamplePlane, ShareBars } from "./plane";
 
-/** Updates a second while it plays: few at first, then a share of those that were made. */
+/** Updates per second during playback: few at first, then a share of those made so far. */
 const PLAY = { least: 4, share: 0.4 };
-/** A centre that an update moves less than so many units has no arrow. */
+/** If an update moves a centre by less than this, units, no arrow is drawn. */
 const LEAST_MOVE = 3;
-/** Errors from here on, degrees, are said by their powers of ten. */
+/** Larger errors, degrees, are displayed as powers of ten. */
 const HUGE = 10_000;
 
 export const SOM: FigureKind<MapState> = {
@@ -41,7 +41,7 @@ class SomFigure implements FigureInstance<MapState> {
   readonly #stepping = new Latest<MapState>((state) => this.#step(state));
   #state: MapState | undefined;
   #shown: { samples: StyleSamples; now: SomnSnapshot } | undefined;
-  /** The updates that playing has come to, and the time of its last picture; `undefined` while it stands. */
+  /** The number of updates reached by playback, and the time of its last picture; `undefined` while paused. */
   #run: { at: number; last: number } | undefined;
 
   constructor(parts: FigureParts<MapState>) {
@@ -55,7 +55,7 @@ class SomFigure implements FigureInstance<MapState> {
     };
     const { one, ten, pass, all, restart } = words.map.steps;
     this.#play = button(words.play, () => (this.#run ? this.#stop() : this.#start()), { label: true });
-    // Its name changes.
+    // The button's name changes.
     this.#play.removeAttribute("title");
     signal.addEventListener("abort", () => this.#stop(), { once: true });
     const steps = [
@@ -97,7 +97,7 @@ class SomFigure implements FigureInstance<MapState> {
   show(state: MapState): Promise<void> {
     this.#state = state;
     this.#printed.on = state.printed;
-    // Somebody has gone elsewhere meanwhile.
+    // The learner has moved elsewhere meanwhile.
     if (this.#run && state.updates !== Math.floor(this.#run.at)) this.#run.at = state.updates;
     return this.#stepping.take(state);
   }
@@ -147,7 +147,7 @@ class SomFigure implements FigureInstance<MapState> {
     this.#frame.light(term);
   }
 
-  /** The running error; once learning has diverged it is no number any more. */
+  /** The running error as text; once learning has diverged it is not a number. */
   #error({ error }: SomnSnapshot): string {
     if (!Number.isFinite(error)) return "∞";
     const degrees = error * DEGREES;
@@ -158,7 +158,7 @@ class SomFigure implements FigureInstance<MapState> {
     const { words } = this.#parts;
     const { state, now } = { state: this.#state, now: this.#shown?.now };
     if (!state || !now) return;
-    // From the end it begins anew.
+    // At the end playback restarts.
     this.#run = { at: state.updates >= now.total ? 0 : state.updates, last: performance.now() };
     setText(this.#play.querySelector("span")!, words.pause);
     requestAnimationFrame((time) => this.#goOn(time));
@@ -171,11 +171,11 @@ class SomFigure implements FigureInstance<MapState> {
     if (!this.#parts.signal.aborted) this.#parts.change({}, true);
   }
 
-  /** The next picture while it plays; where motion is to be reduced, a pass a second. */
+  /** The next picture during playback; with reduced motion, one pass per second. */
   #goOn(time: number): void {
     const [run, now] = [this.#run, this.#shown?.now];
     if (!run || !now) return;
-    // Nobody sees it.
+    // It is not visible.
     if (this.#frame.picture.getClientRects().length === 0) {
       this.#stop();
       return;
@@ -225,7 +225,7 @@ class SomFigure implements FigureInstance<MapState> {
     const [sx, sy] = known ? [samples.values[2 * now.sample]!, samples.values[2 * now.sample + 1]!] : [0, 0];
     const visibility = known ? "visible" : "hidden";
     setAttributes(this.#sample, { cx: xOf(axes, sx), cy: yOf(axes, sy), visibility });
-    // The neighbourhood is one of poses; the ring says only how wide it is against its first width.
+    // The neighbourhood is one of poses; the ring shows only its width relative to the initial width.
     setAttributes(this.#neighbourhood, { cx: xOf(axes, sx), cy: yOf(axes, sy), r: 60 * now.sigma, visibility });
     this.#bars.draw(axes, now.r);
     setAttributes(this.#moves, { d: known ? movesOf(now, [sx, sy], (x, y) => [xOf(axes, x), yOf(axes, y)]) : "" });
@@ -234,7 +234,7 @@ class SomFigure implements FigureInstance<MapState> {
   }
 }
 
-/** How the last update moved the centres: each by δ r of the way to the sample. */
+/** Movements of the centres in the last update: each by δ r of the distance to the sample. */
 function movesOf(
   { centres, r, delta }: SomnSnapshot,
   sample: readonly number[],
@@ -253,7 +253,7 @@ function movesOf(
   return path;
 }
 
-/** A large number by its power of ten. */
+/** A large number as a power of ten. */
 function powerOfTen(value: number): string {
   const digits = String(Math.floor(Math.log10(value)));
   return `10${Array.from(digits, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(digit)]).join("")}`;

@@ -1,4 +1,4 @@
-/** The sample of the last update as it was recorded, and as the network predicts it now. */
+/** The recorded pose of the last update's sample, and the network's current prediction of it. */
 import type { SamplePoses } from "../../../client/learn/protocol";
 import { html, setText } from "../../../ui/dom";
 import { FigureStage } from "../figure_stage";
@@ -61,7 +61,7 @@ class UpdateFigure implements FigureInstance<MapState> {
   light(term: string | undefined): void {
     const { viewer } = this.stage;
     if (!viewer) return;
-    // Either body is lit by its name.
+    // Its name highlights either body.
     viewer.labels = this.#labels(term);
     this.stage.invalidate();
   }

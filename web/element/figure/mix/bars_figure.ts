@@ -1,4 +1,4 @@
-/** The nearest classes at a frame: their distances, and the weights that these become by a curve. */
+/** The nearest classes at a frame: their distances, and the curve that converts them to weights. */
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
 import { GuessField } from "../controls";
@@ -10,15 +10,15 @@ import sheet from "./mix.css?inline";
 import { type ClassShare, FLOOR, measureMix, sharesOf, widthAt } from "./mix_measure";
 import { MIX_FIELDS, type MixState } from "./mix_state";
 
-/** Classes that are shown. */
+/** Number of displayed classes. */
 const SHOWN = 6;
-/** Classes that the question is about. */
+/** Number of classes in the question. */
 const ASKED = 2;
-/** Up to this share of the axis the width is named beside its line. */
+/** Up to this share of the axis the width is labelled next to its line. */
 const SPAN_BESIDE = 0.7;
-/** Pieces of the curve. */
+/** Number of segments of the curve. */
 const PIECES = 48;
-/** δ is said as it is here where it differs by so much of it. */
+/** The actual δ is displayed if it differs by more than this share. */
 const WIDER = 0.01;
 
 export const BARS: FigureKind<MixState> = {
@@ -144,7 +144,7 @@ class BarsFigure implements FigureInstance<MixState> {
     this.#frame.request();
   }
 
-  /** λ over D: it begins at the nearest class, and every class lies on it. */
+  /** λ over D: it begins at the nearest class, and passes through every class. */
   #drawNow(): void {
     const [shown, state] = [this.#shares.slice(0, SHOWN), this.#state];
     const [first] = shown;
@@ -171,10 +171,10 @@ class BarsFigure implements FigureInstance<MixState> {
     setAttributes(this.#least, { d: `M${start} ${bottom}V${yOf(axes, 1)}` });
     setAttributes(this.#labels.least, { x: start + 5, y: yOf(axes, 1) + 12 });
     setText(this.#labels.least, words.mix.least);
-    // Over so much distance a weight falls to 1/e.
+    // The distance over which a weight falls to 1/e.
     const [height, end] = [yOf(axes, first.weight / Math.E), Math.min(axes.x[1], first.square + span)];
     setAttributes(this.#span, { d: `M${start} ${height - 4}v8M${start} ${height}H${xOf(axes, end)}` });
-    // Near the right edge its name stands above the dots.
+    // Near the right edge its label is above the dots.
     const isWide = end > SPAN_BESIDE * axes.x[1];
     const place = isWide
       ? { x: xOf(axes, end) - 4, "text-anchor": "end" }
@@ -198,7 +198,7 @@ function row(): HTMLElement {
   const bar = (kind: string, term: string) =>
     html("span", { class: kind, "data-term": term }, html("i", { class: "bar" }), html("span", { class: "number" }));
   const square = bar("square", "D");
-  // The first has the least distance.
+  // The first one has the smallest distance.
   square.append(html("span", { class: "least", "data-term": "min" }, "min"));
   return html("div", { class: "class" }, html("span", { class: "name" }), square, bar("weight", "lambda"));
 }

@@ -1,4 +1,4 @@
-/** What exercises about the mixture of classes are judged by. */
+/** Measures for the exercises about the mixture of classes. */
 import type { LearnEngine } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import type { Measure } from "../kind";
@@ -24,9 +24,9 @@ export interface Reading {
   rateHz: number;
 }
 
-/** The floor of the least distance, (1 mm)² in cm². */
+/** The floor of the minimum distance, (1 mm)² in cm². */
 export const FLOOR = 0.01;
-/** The least distance at which input is known by half, cm², and how many times as wide δ is where it is unknown. */
+/** The smallest distance at which input is half known, cm², and the factor by which δ is widened for unknown input. */
 export const HALF_KNOWN = 25;
 export const WIDEST = 3;
 
@@ -48,14 +48,14 @@ export function widthAt(least: number, delta: number): number {
   return delta * (WIDEST - (WIDEST - 1) * known);
 }
 
-/** λ of the first of distances if they were alone, with a δ that nothing widens (Eq. 4). */
+/** λ of the first of some distances if they were the only ones, with a δ that is not widened (Eq. 4). */
 export function weightAlone(squares: readonly number[], delta: number): number {
   const least = Math.max(FLOOR, Math.min(...squares));
   const raw = squares.map((square) => Math.exp(-(square - squares[0]!) / (delta * least)));
   return 1 / raw.reduce((sum, weight) => sum + weight, 0);
 }
 
-/** How the engine reads an input over time, with a width; computed once. */
+/** The engine's recognition of an input over time, with a given width; computed once. */
 export const readingOf = remembered(async (engine, motion: string, delta: number): Promise<Reading> => {
   const options = { ...DEFAULT_OPTIONS, styles: { [MIX_STYLE]: 1 }, delta };
   const [{ classes, actions, rateHz }, { classWeights }] = await Promise.all([
@@ -71,7 +71,7 @@ export const readingOf = remembered(async (engine, motion: string, delta: number
   return { actions, weights, frames, rateHz };
 });
 
-/** The first frame at which an action weighs as much as another; −1 where there is none. */
+/** The first frame at which an action weighs as much as another; −1 if there is none. */
 export function firstFrame({ actions, weights, frames }: Reading, rising: string, falling: string): number {
   const [up, down] = [rising, falling].map((action) => weights[actions.indexOf(action)]);
   if (!up || !down) return -1;
@@ -101,7 +101,7 @@ export async function measureMix(engine: LearnEngine, state: MixState): Promise<
     first: first!.square,
     second: second!.square,
     alone: weightAlone([first!.square, second!.square], state.delta),
-    // Without the division by the least distance.
+    // Without the division by the minimum distance.
     plain: weightAlone([first!.square, second!.square], 1 / Math.max(FLOOR, first!.square)),
     heaviest: `${first!.action}/${first!.style}`,
   };

@@ -12,11 +12,11 @@ import sheet from "./mix.css?inline";
 import { measureMix, type Reading, readingOf } from "./mix_measure";
 import { DELTA, MIX_FIELDS, type MixState } from "./mix_state";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 30;
-/** An action is named where it weighs so much. */
+/** Minimum weight for the label of an action. */
 const NAMED = 0.6;
 
 export const READING: FigureKind<MixState> = {
@@ -38,7 +38,7 @@ class ReadingFigure implements FigureInstance<MixState> {
   #state: MixState | undefined;
   #shown: { delta: number; motion: string; reading: Reading } | undefined;
   #axes: Axes | undefined;
-  /** What the areas were drawn for: a playhead that moves leaves them as they are. */
+  /** The data of the drawn areas: moving the playhead does not draw them again. */
   #areasOf: { reading: Reading; width: number; height: number } | undefined;
 
   constructor(parts: FigureParts<MixState>) {
@@ -63,7 +63,7 @@ class ReadingFigure implements FigureInstance<MixState> {
     const texts = { delta: words.mix.delta };
     this.#knob = createKnobs(["delta"], words, texts, { delta: DELTA }, MIX_FIELDS, change).delta;
     picture.append(this.#areas, this.#names, this.#handle.element);
-    // Until it has a place.
+    // Hidden until it has a position.
     setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(
@@ -206,7 +206,7 @@ class ReadingFigure implements FigureInstance<MixState> {
   }
 }
 
-/** Where weights are large: first and last frames. */
+/** Ranges with large weights: first and last frames. */
 function stretches(weights: Float32Array): [from: number, to: number][] {
   const found: [number, number][] = [];
   let from = -1;

@@ -1,7 +1,10 @@
-/** The best motion over the ground of one pose onto another: T of Eq. 1 for a window of one frame. Pure. */
+/** The best alignment of one pose to another on the ground: T of Eq. 1 for a window of one frame. Pure functions. */
 import { createWorldPose, JOINT, POSE_FLOATS, placePose, type Role, worldFromLocal } from "../../../humanoid";
 
-/** w of each joint of the metric, by size and visibility; their sum is {@link WEIGHT}. `near.test.ts` holds them to the engine. */
+/**
+ * w of each joint of the metric, by size and visibility; their sum is {@link WEIGHT}. `near.test.ts` checks them
+ * against the engine.
+ */
 export const WEIGHTS: Readonly<Partial<Record<Role, number>>> = {
   left_upper_leg: 1,
   right_upper_leg: 1,
@@ -29,16 +32,16 @@ export const WEIGHTS: Readonly<Partial<Record<Role, number>>> = {
 const POINTS = Object.entries(WEIGHTS).map(([role, weight]) => [JOINT[role as Role], weight] as const);
 export const WEIGHT = POINTS.reduce((sum, [, weight]) => sum + weight, 0);
 
-/** A pose that was brought to another one. */
+/** A pose aligned to another one. */
 export interface Aligned {
   pose: Float32Array;
   /** Its joints in the world, metres. */
   positions: Float32Array;
-  /** θ, radians, and where the pose's origin went, metres. */
+  /** θ, radians, and the position of the pose's origin after alignment, metres. */
   turn: number;
   x: number;
   z: number;
-  /** Mean squares of what is left of heights and on the ground, m²: their sum is D. */
+  /** Mean squares of the remaining differences in height and on the ground, m²: their sum is D. */
   heights: number;
   ground: number;
 }
@@ -50,7 +53,7 @@ export function positionsOf(pose: ArrayLike<number>, proportions: ArrayLike<numb
   return Float32Array.from(world.positions);
 }
 
-/** A pose, turned and moved over the ground to where it is nearest to given joints. */
+/** A pose, rotated and moved over the ground so that it is nearest to given joints. */
 export function align(to: ArrayLike<number>, pose: ArrayLike<number>, proportions: ArrayLike<number>): Aligned {
   const from = positionsOf(pose, proportions);
   const [a, b] = [centreOf(to), centreOf(from)];

@@ -1,18 +1,18 @@
-/** A mark on the ground below a body: the body is moved by it, or with the arrow keys. */
+/** A mark on the ground below a body, which moves the body by dragging or with the arrow keys. */
 import { setAttributes, svg } from "../../../ui/dom";
 import { listenToDrags } from "../../../ui/drag";
 import type { FigureStage } from "../figure_stage";
 
-/** Metres of an arrow key; with Shift a hundredth. */
+/** Step of an arrow key, metres; with Shift a hundredth. */
 const STEP = { coarse: 0.1, fine: 0.01 };
-/** Half axes of the mark, and radius of what a finger takes hold of, pixels. */
+/** Half axes of the mark, and radius of its touch target, pixels. */
 const MARK = { rx: 13, ry: 6 };
 const TARGET = 22;
-/** Metres over which the picture of the ground is looked at. */
+/** Distance over which the projection of the ground is differentiated, metres. */
 const NEAR = 0.01;
 
 export interface GroundListeners {
-  /** Where the mark is in the world, and how far the body is moved, metres. */
+  /** Position of the mark in the world, and displacement of the body, metres. */
   place: () => { at: readonly [x: number, z: number]; by: readonly [x: number, z: number] } | undefined;
   onInput: (x: number, z: number) => void;
   onSettle: () => void;
@@ -32,7 +32,7 @@ export class GroundHandle {
       svg("circle", { class: "target", r: TARGET }),
       svg("ellipse", { class: "mark", ...MARK }),
     );
-    // Unseen until it has its place.
+    // Hidden until it has a position.
     setAttributes(this.#mark, { "aria-valuemin": -1, "aria-valuemax": 1, visibility: "hidden" });
     listenToDrags(this.#mark, (press) => this.#drag(press), signal);
     this.#mark.addEventListener("pointerdown", (event) => event.stopPropagation(), { signal });
@@ -40,7 +40,7 @@ export class GroundHandle {
     if (stage.viewer) stage.element.append(svg("svg", { class: "overlay", role: "group" }, this.#mark));
   }
 
-  /** Brings the mark to the picture that was drawn. @param say how far the body is moved, in words */
+  /** Moves the mark to its position in the drawn picture. @param say converts the body's displacement to text */
   place(say: (x: number, z: number) => string): void {
     const [{ viewer }, place] = [this.#stage, this.#listeners.place()];
     if (!viewer || !place) return;
@@ -61,7 +61,7 @@ export class GroundHandle {
     const [x, z] = place.at;
     const here = viewer.screenPosition(x, 0, z);
     const [east, south] = [viewer.screenPosition(x + NEAR, 0, z), viewer.screenPosition(x, 0, z + NEAR)];
-    // What a metre in each direction is in the picture, taken as straight.
+    // The projection of a metre in each direction, linearised.
     const [a, b] = [(east.x - here.x) / NEAR, (south.x - here.x) / NEAR];
     const [c, d] = [(east.y - here.y) / NEAR, (south.y - here.y) / NEAR];
     const area = a * d - b * c;
@@ -76,7 +76,7 @@ export class GroundHandle {
     return { move, cancel: () => this.#listeners.onInput(...place.by), end: () => this.#listeners.onSettle() };
   }
 
-  /** Left and right across the picture, up away from who looks. */
+  /** Left and Right move across the picture, Up away from the viewer. */
   #key(event: KeyboardEvent): void {
     const [{ viewer }, place] = [this.#stage, this.#listeners.place()];
     if (!viewer || !place || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -1,4 +1,4 @@
-/** What exercises about the distance of two windows are judged by. */
+/** Measures for the exercises about the distance of two windows. */
 import type { LearnEngine, Profile } from "../../../client/learn/protocol";
 import type { Measure } from "../kind";
 import { remembered } from "../remembered";
@@ -6,7 +6,7 @@ import { changeOf, lengthOf, lookOf, NEAR_FIELDS, type NearState, NO_GUESS, WIND
 
 /** A query, and the windows of a class from the nearest to the farthest. */
 export interface Found extends Profile {
-  /** Indices into the profile, nearest first; windows that do not exist are left out. */
+  /** Indices into the profile, nearest first; nonexistent windows are left out. */
   order: Uint32Array;
 }
 
@@ -20,18 +20,18 @@ const profileOf = remembered(async (engine, query: NearState): Promise<Found> =>
   return { ...profile, order };
 });
 
-/** The windows that a state's query is compared with. */
+/** The windows with which a state's query is compared. */
 export function foundOf(engine: LearnEngine, state: NearState): Promise<Found> {
-  // What is made of the windows is not part of what is asked.
+  // The use of the windows is not part of the request.
   return profileOf(engine, { ...state, k: NEAR_FIELDS.k.initial, guess: NO_GUESS });
 }
 
-/** √D of the nearest window but so many, metres. */
+/** √D of the nearest window at a given rank, metres. */
 export function distanceOf({ order, distances }: Found, place: number): number {
   return distances[order[place] ?? -1] ?? Number.NaN;
 }
 
-/** How many times as far the nearest window is if the query's time runs backwards. */
+/** Ratio of the nearest window's distance with reversed time to that without. */
 export async function backwards(engine: LearnEngine, state: NearState): Promise<number> {
   const [forward, reversed] = await Promise.all(
     [false, true].map((reversed) => foundOf(engine, { ...state, reversed })),
@@ -39,7 +39,7 @@ export async function backwards(engine: LearnEngine, state: NearState): Promise<
   return distanceOf(reversed!, 0) / distanceOf(forward!, 0);
 }
 
-/** Millimetres of a metre. */
+/** Millimetres per metre. */
 const MM = 1000;
 
 /** The measure of a state; distances in millimetres, whole numbers as text. */

@@ -1,4 +1,4 @@
-/** The state of figures about the distance of two windows: a query, and how it is changed. */
+/** The state of figures about the distance of two windows: a query, and its changes. */
 import type { Look, QueryChange, WindowLength } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { choice, type Fields, flag, number } from "../../../link/fields";
@@ -10,30 +10,30 @@ import { type TurnedJoint, turnedJoints, turnsOf } from "../turned_joints";
 export const WINDOWS = ["1", "5", "9", "15"] as const;
 export type WindowName = (typeof WINDOWS)[number];
 
-/** Which query is compared, and how many of its neighbours are looked at. */
+/** Which query is compared, and the number of examined neighbours. */
 export interface NearState {
   motion: InputName;
   /** Last frame of the query. */
   at: number;
-  /** Limbs that are turned in every frame of it. */
+  /** Limbs that are rotated in every frame of it. */
   turned: readonly TurnedJoint[];
-  /** How far it is turned about the vertical, degrees. */
+  /** Rotation about the vertical, degrees. */
   heading: number;
-  /** How far it is moved on the ground, metres. */
+  /** Displacement on the ground, metres. */
   x: number;
   z: number;
   window: WindowName;
-  /** Whether its time runs backwards. */
+  /** Whether its time is reversed. */
   reversed: boolean;
   k: number;
-  /** By how many millimetres somebody says that √D₁ changed; {@link NO_GUESS} while nobody has. */
+  /** Change of √D₁ entered by the learner, millimetres; {@link NO_GUESS} if empty. */
   guess: number;
 }
 
-/** So many of the nearest are drawn. */
+/** Number of nearest examples that are drawn. */
 export const DRAWN = 8;
 
-/** Stands for an empty field. */
+/** Value of an empty field. */
 export const NO_GUESS = -1;
 
 /** The knobs. */
@@ -44,7 +44,7 @@ export const NEAR_RANGES = {
   k: { min: 1, max: 160, digits: 0, scale: "log" },
 } as const satisfies Record<string, DialRange>;
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const NEAR_FIELDS: Fields<NearState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   at: number("i", 160, { min: 14, max: 5000, digits: 0 }, true),
@@ -58,15 +58,15 @@ export const NEAR_FIELDS: Fields<NearState> = {
   guess: number("guess", NO_GUESS, { min: NO_GUESS, max: 5000, digits: 2 }, true),
 };
 
-/** Radians of a degree. */
+/** Radians per degree. */
 export const RADIANS = Math.PI / 180;
 
-/** What a state looks at. Distances are the same whatever the style. */
+/** The engine's frame for a state. Distances do not depend on the style. */
 export function lookOf({ motion, at }: Pick<NearState, "motion" | "at">): Look {
   return { input: { name: motion }, styles: { neutral: 1 }, frame: at };
 }
 
-/** How the query is changed. */
+/** The changes of the query. */
 export function changeOf({ turned, heading, x, z, reversed }: NearState): QueryChange {
   return { turns: turnsOf(turned), heading: heading * RADIANS, x, z, reversed };
 }

@@ -1,4 +1,4 @@
-/** How far every window of a class is from the query, over time, with the K nearest marked. */
+/** Distance of every window of a class from the query, over time, with the K nearest marked. */
 import { Segment, Toggle } from "../../../ui/controls/buttons";
 import type { Knob } from "../../../ui/controls/knob";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
@@ -13,7 +13,7 @@ import sheet from "./near.css?inline";
 import { distanceOf, type Found, foundOf, measureNear } from "./near_measure";
 import { NEAR_FIELDS, NEAR_RANGES, type NearState, NO_GUESS, WINDOWS, type WindowName } from "./near_state";
 
-/** Least height of the axis, mm. */
+/** Minimum range of the axis, mm. */
 const LEAST_EXTENT = 10;
 /** Rows of the table. */
 const TABLE_ROWS = 12;
@@ -128,7 +128,7 @@ class ProfileFigure implements FigureInstance<NearState> {
     this.#frame.request();
   }
 
-  /** √D of the nearest window but so many, in words. */
+  /** √D of the nearest window at a given rank, as text. */
   #mm(place: number): string {
     return figure(MM * distanceOf(this.#found!.found, place), 1, this.#parts.words);
   }
@@ -168,7 +168,7 @@ class ProfileFigure implements FigureInstance<NearState> {
   }
 }
 
-/** The curve of the least distance in every unit of the picture: a class has more windows than that. */
+/** The lower envelope of the distances per unit of the picture: a class has more windows than units. */
 function envelope(axes: Axes, distances: Float32Array): string {
   let path = "";
   let pen = "M";

@@ -1,4 +1,4 @@
-/** A query with its nearest examples around it: limbs are bent, and the whole is turned and moved, by hand. */
+/** A query with its nearest examples around it: limbs can be bent, and the body can be rotated and moved, by hand. */
 import { DEGREES, JOINT, ROLES, type Role } from "../../../humanoid";
 import { button } from "../../../ui/controls/buttons";
 import type { Knob } from "../../../ui/controls/knob";
@@ -18,9 +18,9 @@ import sheet from "./near.css?inline";
 import { distanceOf, type Found, foundOf, measureNear } from "./near_measure";
 import { DRAWN, NEAR_FIELDS, NEAR_RANGES, type NearState } from "./near_state";
 
-/** Opacity of the farthest of them, as a share of the nearest's. */
+/** Opacity of the farthest example, as a share of the nearest one's. */
 const FARTHEST = 0.25;
-/** Radius of a joint of weight 1, pixels. */
+/** Radius of a joint with weight 1, pixels. */
 const RADIUS = 6;
 /** Length of the marks of θ, x₀ and z₀ on the ground, metres, and of their heads. */
 const MOVE = { length: 0.6, head: 0.12 };
@@ -37,7 +37,7 @@ export const QUERY: FigureKind<NearState> = {
 const posesOf = remembered((engine, rows: readonly number[]) => engine.rowPoses(rows));
 const proportionsOf = remembered(async (engine, name: string) => (await engine.motion({ name })).proportions);
 
-/** A query with its nearest examples where they fit best. */
+/** A query with its aligned nearest examples. */
 interface Shown {
   state: NearState;
   found: Found;
@@ -54,7 +54,7 @@ class QueryFigure implements FigureInstance<NearState> {
   readonly #readout = html("p", { class: "readout" });
   readonly #heights = svg("path", { class: "apart heights", "data-term": "y" });
   readonly #grounds = svg("path", { class: "apart ground", "data-term": "z" });
-  /** Where the nearest example was turned to and moved along, on the ground. */
+  /** The rotation and translation of the nearest example on the ground. */
   readonly #moves = {
     theta: svg("path", { class: "move", "data-term": "theta" }),
     x0: svg("path", { class: "move", "data-term": "x0" }),
@@ -173,11 +173,11 @@ class QueryFigure implements FigureInstance<NearState> {
     this.#grounds.classList.toggle("lit", term === "z" || term === "D");
   }
 
-  /** Where the query stands, and how far it was moved. */
+  /** Position of the query, and its displacement. */
   #place() {
     const [state, shown] = [this.#state, this.#shown];
     if (!state || !shown) return undefined;
-    // The picture may still be that of an earlier move.
+    // The picture may still show an earlier displacement.
     const [x, , z] = shown.found.query as unknown as [number, number, number];
     return { at: [x + state.x - shown.state.x, z + state.z - shown.state.z], by: [state.x, state.z] } as const;
   }
@@ -209,7 +209,7 @@ class QueryFigure implements FigureInstance<NearState> {
       );
       viewer.description = this.sentence();
       if (before?.motion !== state.motion || before.at !== state.at) {
-        // The camera goes to another frame once, and stays where it is while the query is moved.
+        // The camera moves to another frame once, and does not follow while the query is moved.
         viewer.follow = true;
         viewer.resetTrail();
         viewer.follow = false;
@@ -222,7 +222,7 @@ class QueryFigure implements FigureInstance<NearState> {
     this.#parts.changed();
   }
 
-  /** Brings the marks to the picture that was drawn. */
+  /** Moves the marks to the joints of the drawn picture. */
   #placeMarks(): void {
     const [{ viewer }, shown, { words }] = [this.stage, this.#shown, this.#parts];
     if (!viewer || !shown) return;
@@ -251,19 +251,19 @@ class QueryFigure implements FigureInstance<NearState> {
     setAttributes(this.#grounds, { d: ground });
   }
 
-  /** θ points to where the nearest example faces, x₀ and z₀ along the axes, from where the query stands. */
+  /** θ points to the heading of the nearest example, x₀ and z₀ along the axes, from the query's position. */
   #placeMoves(viewer: Viewer, { found, nearest }: Shown): void {
     const [x, , z] = found.query as unknown as [number, number, number];
     const turn = nearest[0]?.aligned.turn ?? 0;
     const arrow = (dx: number, dz: number) => ({ d: groundArrow(viewer, [x, z], [dx, dz]) });
-    // Examples face +Z before they are turned.
+    // Examples face +Z before they are rotated.
     setAttributes(this.#moves.theta, arrow(Math.sin(turn), Math.cos(turn)));
     setAttributes(this.#moves.x0, arrow(Math.sign(nearest[0]?.aligned.x ?? 1) || 1, 0));
     setAttributes(this.#moves.z0, arrow(0, Math.sign(nearest[0]?.aligned.z ?? 1) || 1));
   }
 }
 
-/** An arrow on the ground from a place in a direction. */
+/** An arrow on the ground from a position in a direction. */
 function groundArrow(viewer: Viewer, [x, z]: readonly [number, number], [dx, dz]: readonly [number, number]): string {
   const { length, head } = MOVE;
   const at = (along: number, across: number) =>

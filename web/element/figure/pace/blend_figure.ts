@@ -1,4 +1,7 @@
-/** The weights of two styles as the axes of a plane: the neutral style is the origin, and beyond the triangle is no data. */
+/**
+ * The weights of two styles as the axes of a plane: the neutral style is the origin, and beyond the triangle there is
+ * no data.
+ */
 import type { Knob } from "../../../ui/controls/knob";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { hatching } from "../../../ui/polygon/drawing";
@@ -13,9 +16,9 @@ import sheet from "./pace.css?inline";
 import { measurePace, type Paced, pacedOf, ratioOf } from "./pace_measure";
 import { BLENDED, type Blended, neutralOf, PACE_FIELDS, type PaceState, WEIGHT } from "./pace_state";
 
-/** Weights of an arrow key; with Shift the fine one. */
+/** Step of an arrow key, in weights; with Shift the fine one. */
 const STEP = { coarse: 0.05, fine: 0.01 };
-/** What of the plane is shown: all weights, and room for the handle at their ends. */
+/** The displayed range: all weights, and space for the handle at their limits. */
 const SHOWN = [WEIGHT.min - 0.05, WEIGHT.max + 0.05] as const;
 
 export const POLYGON: FigureKind<PaceState> = {
@@ -171,7 +174,7 @@ class BlendFigure implements FigureInstance<PaceState> {
   }
 }
 
-/** A weight with its decimals and within its range. */
+/** A weight rounded and clamped to its range. */
 function weight(value: number): number {
   return Number(Math.min(WEIGHT.max, Math.max(WEIGHT.min, value)).toFixed(WEIGHT.digits));
 }

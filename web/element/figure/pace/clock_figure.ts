@@ -1,4 +1,4 @@
-/** When a blend does what its input does. */
+/** Output time of a blend over input time. */
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, curvePath, ticksOf, valueOfX, xOf, yOf } from "../axes";
 import { Handle } from "../handle";
@@ -10,11 +10,11 @@ import sheet from "./pace.css?inline";
 import { lengthOf, measurePace, type Paced, pacedOf, ratioOf } from "./pace_measure";
 import { PACE_FIELDS, type PaceState } from "./pace_state";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 10;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 60;
-/** The axis of the output reaches so far at least, times the input's length, so that it stands still while weights change. */
+/** Minimum range of the output axis, relative to the input's length, so that it does not change with the weights. */
 const REACH = 1.6;
 
 export const CLOCK: FigureKind<PaceState> = {
@@ -57,7 +57,7 @@ class ClockFigure implements FigureInstance<PaceState> {
       signal,
     );
     picture.append(this.#even, this.#curve, this.#guide, this.#handle.element, this.#point);
-    // Until it has a place.
+    // Hidden until it has a position.
     setAttributes(this.#handle.element, { visibility: "hidden" });
     this.#frame.listenToMarks(parts.point);
     container.append(

@@ -1,4 +1,4 @@
-/** What exercises about the pace of a blend are judged by. */
+/** Measures for the exercises about the pace of a blend. */
 import type { Analysis, LearnEngine, LearnMotion } from "../../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../../client/protocol";
 import { POSE_FLOATS } from "../../../humanoid";
@@ -8,7 +8,7 @@ import { frameAtTime } from "../pairing";
 import { remembered } from "../remembered";
 import { inputOf, neutralOf, type PaceState, stylesOf } from "./pace_state";
 
-/** An input, and what a blend makes of it. */
+/** An input, and its output in a blend. */
 export interface Paced {
   input: LearnMotion;
   styled: Analysis;
@@ -27,7 +27,7 @@ const pacedBy = remembered(
   },
 );
 
-/** What the blend of a state makes of its input; computed once. */
+/** The output of a state's blend for its input; computed once. */
 export function pacedOf(engine: LearnEngine, { motion, old, childlike }: PaceState): Promise<Paced> {
   return pacedBy(engine, motion, old, childlike);
 }
@@ -42,17 +42,17 @@ export function lengthOf({ styled: { timeOut } }: Paced): number {
   return timeOut.at(-1)! - timeOut[0]!;
 }
 
-/** The same, times the length of the input. */
+/** Length of the output relative to the input's. */
 export function ratioOf(paced: Paced): number {
   return lengthOf(paced) / paced.secs;
 }
 
-/** The frame that a blend has come to at a second of its clock; NaN once it has ended. */
+/** The frame that a blend has reached at a second of its clock; NaN after its end. */
 export function frameAtSecond({ styled }: Paced, second: number): number {
   return frameAtTime(styled.timeOut, second);
 }
 
-/** The recorded style that takes longest for an input, and how many times the input's length. */
+/** The recorded style that takes longest for an input, and its length relative to the input's. */
 export const longestOf = remembered(async (engine, motion: PaceState["motion"]) => {
   const performed = await Promise.all(
     STYLES.slice(1).map(async (style) => ({ style, by: await engine.counterpart(motion, style) })),

@@ -3,7 +3,7 @@ import type { LearnInput, Look, StyleWeights } from "../../../client/learn/proto
 import { choice, type Fields, number } from "../../../link/fields";
 import { INPUTS, type InputName } from "../built_in";
 
-/** The styles that are blended; the neutral style has what is left of 1. */
+/** The blended styles; the remainder to 1 is the neutral style's. */
 export const BLENDED = ["old", "childlike"] as const;
 export type Blended = (typeof BLENDED)[number];
 
@@ -12,7 +12,7 @@ export interface PaceState {
   motion: InputName;
   /** Frame of the input. */
   at: number;
-  /** s of either style; beyond 0 and 1 it is extrapolated. */
+  /** s of either style; outside 0 to 1 it is extrapolated. */
   old: number;
   childlike: number;
 }
@@ -20,7 +20,7 @@ export interface PaceState {
 /** Range of a weight. */
 export const WEIGHT = { min: -0.25, max: 1.75, digits: 2, scale: "linear" } as const;
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const PACE_FIELDS: Fields<PaceState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   at: number("i", 160, { min: 2, max: 5000, digits: 0 }, true),
@@ -28,7 +28,7 @@ export const PACE_FIELDS: Fields<PaceState> = {
   childlike: number("childlike", 0, WEIGHT, true),
 };
 
-/** The weights of a blend as the engine takes them. */
+/** The weights of a blend for the engine. */
 export function stylesOf({ old, childlike }: Pick<PaceState, Blended>): StyleWeights {
   return { old, childlike };
 }
@@ -43,7 +43,7 @@ export function inputOf({ motion }: Pick<PaceState, "motion">): LearnInput {
   return { name: motion };
 }
 
-/** What a state looks at. */
+/** The engine's frame for a state. */
 export function lookOf(state: PaceState): Look {
   return { input: inputOf(state), styles: stylesOf(state), frame: state.at };
 }

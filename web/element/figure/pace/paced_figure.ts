@@ -82,7 +82,7 @@ class PacedFigure implements FigureInstance<PaceState> {
 
   light(): void {}
 
-  /** The second that is shown, and the frame that the blend has come to then; NaN once it has ended. */
+  /** The displayed second, and the frame that the blend has reached then; NaN after its end. */
   #now() {
     const [state, paced] = [this.#state, this.#paced];
     if (!state || !paced) return undefined;

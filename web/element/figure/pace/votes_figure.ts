@@ -1,4 +1,4 @@
-/** How long each neighbour's frame lasted, over how far the neighbour is, and the mean by a kernel. */
+/** Duration of each neighbour's frame over the neighbour's distance, and the kernel-weighted mean. */
 import type { Timing } from "../../../client/learn/protocol";
 import { html, keepCount, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
@@ -11,9 +11,9 @@ import sheet from "./pace.css?inline";
 import { kernelAt, measurePace } from "./pace_measure";
 import { BLENDED, type Blended, lookOf, PACE_FIELDS, type PaceState } from "./pace_state";
 
-/** Radius of a neighbour of g 0 and of g 1, units. */
+/** Radius of a neighbour with g 0 and with g 1, units. */
 const RADIUS = { least: 1.5, most: 6 };
-/** Pieces of the kernel's curve. */
+/** Number of segments of the kernel's curve. */
 const PIECES = 48;
 /** Rows of the table. */
 const TABLE_ROWS = 12;
@@ -115,7 +115,7 @@ class VotesFigure implements FigureInstance<PaceState> {
   async #time(state: PaceState): Promise<void> {
     const style = this.#chosen;
     const { engine, signal } = this.#parts;
-    // A style without weight has no output: its neighbours are asked as if it had some.
+    // A style without weight has no output: its neighbours are requested with a nonzero weight.
     const styles = { ...lookOf(state).styles, [style]: state[style] || 1 };
     const timing = await engine.timing({ ...lookOf(state), styles }, style);
     if (signal.aborted) return;

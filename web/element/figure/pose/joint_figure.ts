@@ -1,4 +1,4 @@
-/** A pose, and where the mean rotation would have one of its joints: the axis and the angle between them are w. */
+/** A pose, and one of its joints in the mean rotation: w is the axis and the angle between them. */
 import {
   DEGREES,
   exp,
@@ -28,11 +28,11 @@ import sheet from "./pose.css?inline";
 import { degreesOfFreedom, framesOf, meanOf, measurePose, motionOf, rotationAt } from "./pose_measure";
 import { COMPONENT, POSE_FIELDS, POSE_RANGES, type PoseState, READ } from "./pose_state";
 
-/** Length of the axis for a radian, and at most, metres. */
+/** Length of the axis per radian, and largest length, metres. */
 const AXIS = { radian: 0.8, most: 0.8 };
-/** Head of the arrow, pixels. */
+/** Length of the arrow's head, pixels. */
 const HEAD = 8;
-/** Pieces of the arc. */
+/** Number of segments of the arc. */
 const PIECES = 16;
 /** Opacity of the mean, as a share of a ghost's. */
 const GHOST = 0.9;
@@ -45,12 +45,12 @@ export const JOINT_KIND: FigureKind<PoseState> = {
   create: (parts) => new JointFigure(parts),
 };
 
-/** A pose as it is shown. */
+/** A displayed pose. */
 interface Shown {
   state: PoseState;
   w: Vector;
   proportions: Float32Array;
-  /** The mean rotation of the joint, and the joint's rotation as the input has it. */
+  /** The mean rotation of the joint, and its rotation in the input. */
   mean: ReturnType<typeof meanOf>;
   given: ReturnType<typeof meanOf>;
 }
@@ -66,7 +66,7 @@ class JointFigure implements FigureInstance<PoseState> {
   readonly #readout = html("p", { class: "readout" });
   readonly #axis = svg("path", { class: "axis", "data-term": "w" });
   readonly #arc = svg("path", { class: "arc", "data-term": "w" });
-  /** The bone as the mean rotation would have it, and as it is: the two edges of the arc. */
+  /** The bone in the mean rotation, and the actual bone: the two edges of the arc. */
   readonly #bones = {
     mean: svg("path", { class: "edge", "data-term": "mean" }),
     R: svg("path", { class: "edge", "data-term": "R" }),
@@ -176,7 +176,7 @@ class JointFigure implements FigureInstance<PoseState> {
     return figure(radians * DEGREES, 1, this.#parts.words);
   }
 
-  /** Turns the joint to where a component of w is so many degrees. */
+  /** Rotates the joint so that a component of w is `degrees`. */
   #turnTo(component: number, degrees: number): void {
     const [state, shown] = [this.#state, this.#shown];
     if (!state || !shown) return;
@@ -256,7 +256,7 @@ interface Pixel {
   y: number;
 }
 
-/** An arrow in the picture; only its line where it is short. */
+/** An arrow in the picture; only its line if it is short. */
 function arrow(from: Pixel, to: Pixel): string {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const length = Math.hypot(dx, dy);

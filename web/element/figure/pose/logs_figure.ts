@@ -1,4 +1,4 @@
-/** One component of a joint's rotation over time, read with and without its mean. */
+/** One component of a joint's rotation over time, computed with and without its mean. */
 import { DEGREES } from "../../../humanoid";
 import type { Knob } from "../../../ui/controls/knob";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
@@ -14,11 +14,11 @@ import sheet from "./pose.css?inline";
 import { degreesOfFreedom, framesOf, greatestJump, measurePose, motionOf, rawLog } from "./pose_measure";
 import { POSE_FIELDS, POSE_RANGES, type PoseState } from "./pose_state";
 
-/** Frames of an arrow key; with Shift one. */
+/** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 5;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 30;
-/** Least height of the axis, degrees. */
+/** Minimum range of the axis, degrees. */
 const LEAST_EXTENT = 60;
 
 export const LOGS: FigureKind<PoseState> = {
@@ -27,7 +27,7 @@ export const LOGS: FigureKind<PoseState> = {
   create: (parts) => new LogsFigure(parts),
 };
 
-/** Curves, degrees, and their greatest jumps, radians. */
+/** Curves, degrees, and their largest jumps, radians. */
 interface Curves {
   key: string;
   raw: number[];

@@ -10,7 +10,7 @@ import { POSE_FIELDS, type PoseState } from "./pose_state";
 
 /** Terms of the numbers after those of the joints. */
 const REST = ["h", "v", "v", "psi"] as const;
-/** Decimals of metres and of metres a second. */
+/** Decimals of metres and of metres per second. */
 const DIGITS = 2;
 
 export const NUMBERS: FigureKind<PoseState> = {
@@ -91,7 +91,7 @@ class NumbersFigure implements FigureInstance<PoseState> {
 
   light(term: string | undefined): void {
     const joint = this.#state && ROLES.indexOf(this.#state.joint);
-    // w is that of the joint that is read.
+    // w belongs to the joint that is read.
     this.#cells.forEach((cell, i) => {
       cell.classList.toggle("lit", cell.dataset.term === term && (term !== "w" || Math.floor(i / 3) === joint));
     });

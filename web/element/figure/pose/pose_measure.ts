@@ -1,4 +1,4 @@
-/** What exercises about the degrees of freedom of a pose are judged by. */
+/** Measures for the exercises about the degrees of freedom of a pose. */
 import type { LearnEngine, LearnMotion } from "../../../client/learn/protocol";
 import {
   DEGREES,
@@ -19,20 +19,20 @@ import type { Measure } from "../kind";
 import { remembered } from "../remembered";
 import { inputOf, type PoseState } from "./pose_state";
 
-/** Numbers of a row of degrees of freedom, of which the last is padding. */
+/** Numbers per row of degrees of freedom, of which the last is padding. */
 const ROW = 68;
-/** Degrees of freedom of a pose. */
+/** Number of degrees of freedom of a pose. */
 export const DOFS = 3 * JOINTS + 4;
-/** A number that differs by less is the same but for rounding: radians, metres and seconds. */
+/** Smaller differences are due to rounding: radians, metres and seconds. */
 const ROUNDING = 1e-4;
 
-/** A motion as a state turns it; computed once. */
+/** A motion rotated as in a state; computed once. */
 export const motionOf = remembered(
   (engine, motion: PoseState["motion"], turned: PoseState["turned"], heading: number) =>
     engine.motion(inputOf({ motion, turned, heading })),
 );
 
-/** Frames of a motion. */
+/** Number of frames of a motion. */
 export function framesOf({ poses }: LearnMotion): number {
   return poses.length / POSE_FLOATS;
 }
@@ -47,22 +47,22 @@ export function meanOf({ means }: LearnMotion, joint: Role): Quaternion {
   return quaternionAt(means, JOINT[joint]);
 }
 
-/** The turn of a joint's own axes. */
+/** The rotation of a joint's own axes. */
 const ownAxes = (phi: number): Quaternion => exp([phi / DEGREES, 0, 0]);
 
 /** w of a joint at a frame in its own axes, radians. */
 export function degreesOfFreedom({ rows }: LearnMotion, joint: Role, phi: number, frame: number): Vector {
   const at = ROW * frame + 3 * JOINT[joint];
-  // R and R̄ turn alike, so w is only seen from other axes.
+  // R and R̄ rotate together, so w is only seen in other axes.
   return turnedBy(inverse(ownAxes(phi)), [rows[at]!, rows[at + 1]!, rows[at + 2]!]);
 }
 
-/** log R of a joint at a frame in its own axes, radians: what is read without a mean. */
+/** log R of a joint at a frame in its own axes, radians: computed without a mean. */
 export function rawLog(motion: LearnMotion, joint: Role, phi: number, frame: number): Vector {
   return log(multiply(rotationAt(motion, joint, frame), ownAxes(phi)));
 }
 
-/** Greatest distance of a vector from itself a frame earlier. */
+/** Largest distance of a vector from its value in the previous frame. */
 export function greatestJump(frames: number, vectorAt: (frame: number) => Vector): number {
   let [greatest, before] = [0, vectorAt(0)];
   for (let frame = 1; frame < frames; frame++) {
@@ -78,12 +78,12 @@ export function numbersAt({ rows }: LearnMotion, frame: number): Float32Array {
   return rows.subarray(ROW * frame, ROW * frame + DOFS);
 }
 
-/** Whether two numbers are the same but for rounding. */
+/** Whether two numbers are equal up to rounding. */
 export function same(a: number, b: number): boolean {
   return Math.abs(a - b) < ROUNDING;
 }
 
-/** How many of the numbers of a frame the state changes. */
+/** Number of values in a frame that the state changes. */
 export async function changedNumbers(engine: LearnEngine, state: PoseState): Promise<number> {
   const { motion, turned, heading, at } = state;
   const [plain, changed] = await Promise.all([

@@ -12,17 +12,17 @@ import { type TurnedJoint, turnedJoints, turnsOf } from "../turned_joints";
 /** Joints that can be read. */
 export const READ: readonly Role[] = LIMBS.map(([joint]) => joint);
 
-/** Which joint of which pose is read, and how. */
+/** Which joint of which pose is read, and in which axes. */
 export interface PoseState {
   motion: InputName;
   /** Frame of the input. */
   at: number;
   joint: Role;
-  /** Limbs that are turned in every frame. */
+  /** Limbs that are rotated in every frame. */
   turned: readonly TurnedJoint[];
-  /** How far the whole is turned about the vertical, degrees. */
+  /** Rotation of the whole body about the vertical, degrees. */
   heading: number;
-  /** φ: how far the joint's own axes are turned about its x axis, degrees. */
+  /** φ: rotation of the joint's own axes about its x axis, degrees. */
   phi: number;
 }
 
@@ -35,7 +35,7 @@ export const POSE_RANGES = {
 /** Range of a component of w, degrees. */
 export const COMPONENT: DialRange = { min: -180, max: 180, digits: 0, scale: "linear" };
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const POSE_FIELDS: Fields<PoseState> = {
   motion: choice("motion", "neutral walk", INPUTS, true),
   at: number("i", 160, { min: 0, max: 5000, digits: 0 }, true),
@@ -45,7 +45,7 @@ export const POSE_FIELDS: Fields<PoseState> = {
   phi: number("phi", 0, POSE_RANGES.phi, true),
 };
 
-/** The input as a state turns it. */
+/** The input rotated as in a state. */
 export function inputOf({ motion, turned, heading }: Pick<PoseState, "motion" | "turned" | "heading">): LearnInput {
   return {
     name: motion,

@@ -1,4 +1,4 @@
-/** An input and its performance in a style, side by side; each joint is marked by how far apart the two have it. */
+/** An input and its performance in a style, side by side; each joint has a mark for the difference. */
 import { JOINT, ROLES, type Role } from "../../../humanoid";
 import { poseAt } from "../../../player/measured";
 import { Segment } from "../../../ui/controls/buttons";
@@ -15,13 +15,13 @@ import { Playing } from "../playing";
 import { sharedPair } from "../shared";
 import { figure } from "../words/words";
 
-/** A difference that is marked in full, cm. */
+/** A difference with the largest mark, cm. */
 const FULL_CM = 30;
 /** Radius of a mark, pixels: at no difference, and at {@link FULL_CM}. */
 const RADIUS = { none: 2.5, full: 8 };
-/** So many frames further the camera jumps instead of following. */
+/** Beyond this number of frames the camera jumps instead of following. */
 const JUMP = 30;
-/** Where the label of the joint stands beside its mark, pixels. */
+/** Distance of the joint's label from its mark, pixels. */
 const LABEL = 64;
 
 export const STAGE: FigureKind<PairState> = {
@@ -140,11 +140,11 @@ class StageFigure implements FigureInstance<PairState> {
   }
 
   light(term: string | undefined): void {
-    // The difference is the mean of all the joints.
+    // The difference is the mean of all joints.
     this.stage.overlay.classList.toggle("lit", term === "e" || term === "J");
     const labels = { styled: this.#styleName, input: this.#parts.words.styles.neutral };
     if (!this.#viewer) return;
-    // Either walker is lit by its name.
+    // Its name highlights either walker.
     if (term === "p") this.#viewer.labels = { ...labels, styled: "" };
     else if (term === "q") this.#viewer.labels = { ...labels, input: "" };
     else this.#viewer.labels = labels;
@@ -159,7 +159,7 @@ class StageFigure implements FigureInstance<PairState> {
     return Math.min(this.#state?.at ?? 0, (this.#pair?.input.frames ?? 1) - 1);
   }
 
-  /** Time at which the styled walker does what is compared. */
+  /** Time at which the styled walker is compared. */
   #styledSecs({ styled, rateHz }: Pair, { pairing }: PairState): number {
     return pairing === "content" ? styled.timeOut[this.#frame]! : this.#frame / rateHz;
   }
@@ -174,7 +174,7 @@ class StageFigure implements FigureInstance<PairState> {
     if (at !== undefined && at !== this.#state?.at) this.#parts.change({ at }, false);
   }
 
-  /** Poses both walkers and says when they are. */
+  /** Poses both walkers and shows their times. */
   #showNow(): void {
     const [pair, state] = [this.#pair, this.#state];
     if (!pair || !state) return;
@@ -199,7 +199,7 @@ class StageFigure implements FigureInstance<PairState> {
     this.#parts.changed();
   }
 
-  /** Brings the marks to the joints of the picture that was drawn. */
+  /** Moves the marks to the joints of the drawn picture. */
   #placeMarks(): void {
     const [viewer, state] = [this.#viewer, this.#state];
     if (!viewer || !state) return;

@@ -1,17 +1,17 @@
-/** A table of costs as a picture: the dearer, the darker. */
+/** A table of costs as an image: the higher the cost, the darker. */
 import { html } from "../../../ui/dom";
 import { rem } from "../../../ui/drawing";
 import { type Axes, xOf, yOf } from "../axes";
 import type { Warping } from "./warping";
 
-/** The dearest cell is painted so much. */
+/** Opacity of the cell with the highest cost. */
 const FULL = 0.85;
 
 export class Heat {
   readonly element = html("canvas", { class: "heat", "aria-hidden": "true" });
   #painted: { costs: Float32Array; colour: string } | undefined;
 
-  /** Brings the picture to where the axes have it. */
+  /** Moves the image to its position in the axes. */
   place(axes: Axes, warping: Warping): void {
     const { style } = this.element;
     const [left, right] = axes.x.map((value) => xOf(axes, value));
@@ -21,7 +21,7 @@ export class Heat {
     this.#paint(warping);
   }
 
-  /** A pixel a cell; roots tell valleys apart. */
+  /** One pixel per cell; square roots make valleys distinguishable. */
   #paint({ costs, neutral, styled }: Warping): void {
     const { color: colour } = getComputedStyle(this.element);
     if (this.#painted?.costs === costs && this.#painted.colour === colour) return;

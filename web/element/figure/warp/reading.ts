@@ -1,4 +1,4 @@
-/** What a path pairs at the cursor: both figures of a warp read it. */
+/** The pair of instants of a path at the cursor: both figures of a warp use it. */
 import type { Style } from "../built_in";
 import { figure, type Words } from "../words/words";
 import type { WarpState } from "./warp_state";
@@ -6,12 +6,12 @@ import { costAt, feetAt, pathOf, type Step, type Warping } from "./warping";
 
 /** A pair of instants. */
 export interface Reading {
-  /** Frame of the neutral step, and the fractional one of the style's. */
+  /** Frame of the neutral step, and the fractional frame of the style's. */
   frame: number;
   other: number;
   /** c. */
   cost: number;
-  /** In words: their times, and the feet that stand. */
+  /** As text: their times, and the planted feet. */
   said: { style: string; time: string; tau: string; neutral: string; styled: string };
 }
 
@@ -20,7 +20,7 @@ export function wholeMs(frames: number, { rateHz }: Warping, words: Words): stri
   return figure((1000 * frames) / rateHz, 0, words);
 }
 
-/** What a state's path pairs at its cursor. */
+/** The pair of instants of a state's path at its cursor. */
 export function readAt(warping: Warping, state: WarpState, words: Words): Reading {
   const frame = Math.min(state.at, warping.neutral.frames - 1);
   const other = pathOf(warping, state)[frame]!;
@@ -39,7 +39,7 @@ export function readAt(warping: Warping, state: WarpState, words: Words): Readin
   };
 }
 
-/** The feet that stand, in words. */
+/** The planted feet, as text. */
 function feetIn({ warp: { feet } }: Words, step: Step, frame: number): string {
   const [left, right] = feetAt(step, frame);
   if (left) return right ? feet.both : feet.left;

@@ -92,7 +92,7 @@ class WalkersFigure implements FigureInstance<WarpState> {
     this.stage.invalidate();
   }
 
-  /** Names above the heads; the paired one alone while its symbol is lit. */
+  /** Names above the heads; only the paired one while its symbol is highlighted. */
   #labels(paired: boolean) {
     const { styles } = this.#parts.words;
     return { styled: this.#state ? styles[this.#state.style] : "", input: paired ? "" : styles.neutral };

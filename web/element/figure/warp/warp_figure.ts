@@ -1,4 +1,4 @@
-/** What it costs to pair instants of two steps, and the paths that say which of them correspond; one is bent by hand. */
+/** The costs of pairing instants of two steps, and the paths of corresponding instants; one of them can be bent by hand. */
 import { Segment } from "../../../ui/controls/buttons";
 import { html, setAttributes, setText, svg } from "../../../ui/dom";
 import { type Axes, type Margin, ticksOf, valueOfX, xOf, yOf } from "../axes";
@@ -17,15 +17,15 @@ import { measureWarp } from "./warp_measure";
 import { PATHS, type PathName, WARP_FIELDS, WARPED, type WarpState } from "./warp_state";
 import { cornersOf, costRatio, MAX_PACE, moved, msOff, pathOf, type Step, type Warping, warpingOf } from "./warping";
 
-/** Frames of an arrow key; with Shift one, and of an anchor a part of one. */
+/** Step of an arrow key, frames; with Shift one frame, and for an anchor a part of one. */
 const STEP = 5;
 const ANCHOR_STEP = { coarse: 1, fine: 0.25 };
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
-/** Bars of planted feet stand above and at the right. */
+/** Bars of planted feet are above and at the right. */
 const ROOM: Margin = { left: 44, right: 38, top: 40, bottom: 44 };
 const BAR = { first: 5, each: 10, width: 6 };
-/** Half the length of the lines that show the greatest pace, frames of the faster step. */
+/** Half the length of the lines that show the largest pace, frames of the faster step. */
 const WEDGE = 15;
 
 export const WARP: FigureKind<WarpState> = {
@@ -201,7 +201,7 @@ class WarpFigure implements FigureInstance<WarpState> {
     return (ms * (this.#shown?.warping.rateHz ?? 1)) / 1000;
   }
 
-  /** Whoever bends the own path wants to read it. */
+  /** Bending the own path also selects it for reading. */
   #bend(which: number, [x, y]: Place): void {
     const now = this.#now();
     if (!now) return;
@@ -255,7 +255,7 @@ class WarpFigure implements FigureInstance<WarpState> {
     }
   }
 
-  /** A bar for every stretch on a foot: left and right, above for the neutral step and at the right for the other. */
+  /** A bar for every contact range: left and right foot, above for the neutral step and at the right for the other. */
   #drawFeet(axes: Axes, { neutral, styled }: Warping): void {
     const [top, right] = [yOf(axes, axes.y[1]), xOf(axes, axes.x[1])];
     const bars = [0, 1].flatMap((foot) => {
@@ -268,7 +268,7 @@ class WarpFigure implements FigureInstance<WarpState> {
         const [y, end] = [this.#y(axes, to), this.#y(axes, from)];
         return svg("rect", { x: right + away, y, width: BAR.width, height: end - y });
       });
-      // Whose foot it is stands at the first end of the bars.
+      // The name of the foot is at the first end of the bars.
       const name = this.#parts.words.warp.sides[foot]!;
       const middle = away + BAR.width / 2;
       const names = [
@@ -291,7 +291,7 @@ class WarpFigure implements FigureInstance<WarpState> {
     this.#handle.place({ x, bottom: yOf(axes, 0), value: frame, text: this.sentence() });
   }
 
-  /** Pixels of frames of the neutral step, and of the style's. */
+  /** X position of a frame of the neutral step; `#y` is the Y position of a frame of the style's. */
   #x(axes: Axes, frames: number): number {
     return xOf(axes, this.#ms(frames));
   }
@@ -301,7 +301,7 @@ class WarpFigure implements FigureInstance<WarpState> {
   }
 }
 
-/** First and last frames of a step on a foot. */
+/** First and last frames of a step's stances on a foot. */
 function stances({ contacts, frames }: Step, foot: number): [from: number, to: number][] {
   const found: [number, number][] = [];
   for (let frame = 0; frame < frames; frame++) {

@@ -1,4 +1,4 @@
-/** What exercises about a warp are judged by. */
+/** Measures for the exercises about a warp. */
 import type { LearnEngine } from "../../../client/learn/protocol";
 import type { Measure } from "../kind";
 import type { Anchor, WarpState } from "./warp_state";
@@ -14,7 +14,7 @@ import {
   warpingOf,
 } from "./warping";
 
-/** Frames at which linear time pairs a standing foot with a lifted one, and dynamic time warping does not. */
+/** Frames at which linear time pairs a planted foot with a lifted one, and dynamic time warping does not. */
 export function mendedFrames(warping: Warping): number[] {
   const { linear, dtw } = warping.paths;
   return Array.from({ length: warping.neutral.frames }, (_, i) => i).filter(
@@ -22,7 +22,10 @@ export function mendedFrames(warping: Warping): number[] {
   );
 }
 
-/** The part of the own path, between two of its corners, that costs most beyond the cheapest path's in the same frames. */
+/**
+ * The segment of the own path, between two of its corners, with the largest excess cost over the cheapest path in the
+ * same frames.
+ */
 export function dearestPart(warping: Warping, anchors: readonly Anchor[]) {
   const corners = cornersOf(warping, anchors);
   const own = ownPath(warping, anchors);

@@ -2,17 +2,17 @@
 import { choice, type Fields, listed, number } from "../../../link/fields";
 import { STYLES, type Style } from "../built_in";
 
-/** What may say which instants correspond: as the database was made, equal shares of time, the two methods, or a hand. */
+/** Sources of the correspondence: as the database was made, linear time, the two methods, or a path bent by hand. */
 export const PATHS = ["linear", "dtw", "imw", "own", "exact"] as const;
 export type PathName = (typeof PATHS)[number];
 
-/** A bend of the own path: a share of the neutral step, and the share of the style's that corresponds. */
+/** A corner of the own path: a share of the neutral step, and the corresponding share of the style's. */
 export interface Anchor {
   x: number;
   y: number;
 }
 
-/** Which step, which path, and where it is read. */
+/** Which step, which path, and the instant at which it is read. */
 export interface WarpState {
   style: Style;
   path: PathName;
@@ -34,7 +34,7 @@ function encodeAnchors(anchors: readonly Anchor[]): string {
   return anchors.map(({ x, y }) => [x, y].map((share) => Number(share.toFixed(DIGITS))).join(":")).join(",");
 }
 
-/** What {@link encodeAnchors} wrote; `undefined` where it is none. */
+/** Decodes {@link encodeAnchors}; `undefined` if it is invalid. */
 function decodeAnchors(text: string): readonly Anchor[] | undefined {
   const anchors = text.split(",").map((part) => part.split(":").map(Number));
   const isShare = (value: number) => value > 0 && value < 1;
@@ -43,7 +43,7 @@ function decodeAnchors(text: string): readonly Anchor[] | undefined {
   return anchors.map(([x, y]) => ({ x: x!, y: y! }));
 }
 
-/** How the state is written into a link. */
+/** Encoding of the state in a link. */
 export const WARP_FIELDS: Fields<WarpState> = {
   style: choice("style", "old", WARPED, true),
   path: choice("path", "linear", PATHS, true),

@@ -1,4 +1,4 @@
-/** A neutral step beside a style's, and the paths that say which of their instants correspond. Pure but for {@link warpingOf}. */
+/** A neutral step and a style's step, and the paths of corresponding instants. Pure except for {@link warpingOf}. */
 import type { Stretch } from "../../../client/learn/protocol";
 import type { Style } from "../built_in";
 import { meanOf } from "../pairing";
@@ -10,7 +10,7 @@ const ACTION = "walk";
 const CLIP = "walk-pace";
 const CYCLE = 2;
 
-/** A frame of one step lasts at most so many of the other. */
+/** Maximum number of frames of one step that correspond to a single frame of the other. */
 export const MAX_PACE = 3;
 
 /** A step. */
@@ -18,25 +18,25 @@ export interface Step {
   frames: number;
   /** The row of its first frame in the database. */
   row: number;
-  /** Planted feet, left and right interleaved. */
+  /** Foot contacts, left and right interleaved. */
   contacts: Uint8Array;
 }
 
-/** What registration knows of two steps. */
+/** Registration data of two steps. */
 export interface Warping {
   rateHz: number;
   neutral: Step;
   styled: Step;
-  /** c of every frame of the neutral step and every frame of the style's, row after row. */
+  /** c of every pair of a frame of the neutral step and a frame of the style's, row after row. */
   costs: Float32Array;
-  /** τ: for every frame of the neutral step the frame of the style's. */
+  /** τ: for every frame of the neutral step, the frame of the style's. */
   paths: Readonly<Record<Exclude<PathName, "own">, Float32Array>>;
   /** α and β of the strongest feature in every frame. */
   scale: Float32Array;
   offset: Float32Array;
 }
 
-/** The steps of a style, registered in all ways; computed once. */
+/** The steps of a style, registered by all methods; computed once. */
 export const warpingOf = remembered(async (engine, style: Style): Promise<Warping> => {
   const [clips, { rateHz }] = await Promise.all([engine.clips(ACTION), engine.database()]);
   const stepOf = (of: string): [Stretch, Step] => {
@@ -56,7 +56,7 @@ export const warpingOf = remembered(async (engine, style: Style): Promise<Warpin
 /** A point of a path, in frames of both steps. */
 type Place = readonly [x: number, y: number];
 
-/** The place nearest to a wanted one that two others can be joined through at a pace of {@link MAX_PACE} at most. */
+/** The point nearest to a given one through which two others can be connected with a pace of at most {@link MAX_PACE}. */
 function joining([x, y]: Place, [x0, y0]: Place, [x1, y1]: Place, room = 1): Place {
   const clamp = (value: number, low: number, high: number) => Math.min(high, Math.max(low, value));
   const at = clamp(x, x0 + 1, x1 - room);
@@ -70,7 +70,7 @@ function endsOf({ neutral, styled }: Warping): Place {
   return [neutral.frames - 1, styled.frames - 1];
 }
 
-/** The corners of the own path, in frames; anchors that the pace does not allow are brought to where it does. */
+/** The corners of the own path, in frames; anchors beyond the largest pace are moved to the nearest valid point. */
 export function cornersOf(warping: Warping, anchors: readonly Anchor[]): Place[] {
   const end = endsOf(warping);
   const corners: Place[] = [[0, 0]];
@@ -80,7 +80,7 @@ export function cornersOf(warping: Warping, anchors: readonly Anchor[]): Place[]
   return [...corners, end];
 }
 
-/** The anchors with one of them brought to a place between its neighbours, or as near to it as the pace allows. */
+/** The anchors with one of them moved to a point between its neighbours, or as near to it as the pace allows. */
 export function moved(warping: Warping, anchors: readonly Anchor[], which: number, to: Anchor): Anchor[] {
   const [n, m] = endsOf(warping);
   const corners = cornersOf(warping, anchors);
@@ -104,7 +104,7 @@ export function ownPath(warping: Warping, anchors: readonly Anchor[]): Float32Ar
   });
 }
 
-/** τ of a path of a state. */
+/** τ of a state's path. */
 export function pathOf(warping: Warping, { path, anchors }: Pick<WarpState, "path" | "anchors">): Float32Array {
   return path === "own" ? ownPath(warping, anchors) : warping.paths[path];
 }
@@ -116,7 +116,10 @@ export function costAt({ costs, styled }: Warping, frame: number, other: number)
   return from + (to - from) * Math.min(1, Math.max(0, other - j));
 }
 
-/** What each frame of a path costs: c, as often as frames of the style's step are passed, and once at least. */
+/**
+ * The cost of each frame of a path: c, multiplied by the number of frames of the style's step that are passed, at least
+ * one.
+ */
 export function costsAlong(warping: Warping, path: ArrayLike<number>): number[] {
   return Array.from(path, (other, i) => {
     const passed = i > 0 ? other - path[i - 1]! : 1;
@@ -124,7 +127,7 @@ export function costsAlong(warping: Warping, path: ArrayLike<number>): number[] 
   });
 }
 
-/** How many times the cost of the cheapest path, dynamic time warping's, a path costs. */
+/** Ratio of a path's cost to that of the cheapest path, from dynamic time warping. */
 export function costRatio(warping: Warping, path: ArrayLike<number>): number {
   return meanOf(costsAlong(warping, path)) / meanOf(costsAlong(warping, warping.paths.dtw));
 }
@@ -140,7 +143,7 @@ export function feetAt({ contacts, frames }: Step, frame: number): [left: boolea
   return [contacts[2 * at] === 1, contacts[2 * at + 1] === 1];
 }
 
-/** Whether the same feet stand in both steps where a path pairs them. */
+/** Whether the same feet are planted in both steps where a path pairs them. */
 export function feetAgree({ neutral, styled }: Warping, path: ArrayLike<number>, frame: number): boolean {
   const [a, b] = [feetAt(neutral, frame), feetAt(styled, path[frame]!)];
   return a[0] === b[0] && a[1] === b[1];

@@ -1,4 +1,4 @@
-/** What the figures of the bias say. */
+/** Texts of the figures of the bias. */
 import type { KnobWords } from "./knob";
 
 export interface BiasWords {
@@ -10,13 +10,13 @@ export interface BiasWords {
   input: string;
   output: string;
   guess: string;
-  /** Heads of the table: quantity, degrees. */
+  /** Headers of the table: quantity, degrees. */
   columns: readonly [string, string];
   /** Rows of the table. */
   rows: Readonly<Record<"x" | "mean" | "deviation" | "bias" | "y", string>>;
   read: (low: string, high: string) => string;
   said: (x: string, low: string, high: string, bias: string, y: string) => string;
-  /** Heads of the stage's table: walker, elevation of its arms in degrees. */
+  /** Headers of the stage's table: walker, elevation of its arms in degrees. */
   elevations: readonly [string, string];
   posed: (style: string, time: string, raise: string) => string;
 }

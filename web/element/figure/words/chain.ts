@@ -1,4 +1,4 @@
-/** What the figures of a synthesised step say. */
+/** Texts of the figures of a synthesised step. */
 import type { KnobWords } from "./knob";
 
 export interface ChainWords {
@@ -7,7 +7,7 @@ export interface ChainWords {
   path: string;
   gait: string;
   knobs: Record<"pose" | "velocity" | "acceleration" | "left" | "right" | "share", KnobWords>;
-  /** End of a step that is dragged. */
+  /** End of a step that can be dragged. */
   ends: Record<"left" | "right", string>;
   steps: Record<"left" | "right", string>;
   state: (n: number) => string;
@@ -19,7 +19,7 @@ export interface ChainWords {
   said: (joint: string, farthest: string, deviations: string, jerk: string) => string;
   walks: (style: string, share: string) => string;
   walker: string;
-  /** Heads of the tables. */
+  /** Headers of the tables. */
   columns: readonly [string, string, string, string];
   durations: readonly [string, string, string];
   shares: readonly [string, string];

@@ -1,4 +1,4 @@
-/** What the figures of feet say. */
+/** Texts of the figures of feet. */
 
 export interface FeetWords {
   /** Titles of the plot, the soles and the leg. */
@@ -23,7 +23,7 @@ export interface FeetWords {
   said: (time: string, foot: string, stands: boolean, speed: string, held: boolean) => string;
   seen: (foot: string, cm: string, held: boolean) => string;
   bent: (d: string, gamma: string, bend: string) => string;
-  /** Heads of the tables. */
+  /** Headers of the tables. */
   columns: readonly [string, string, string];
   places: readonly [string, string, string];
   parts: readonly [string, string];

@@ -1,4 +1,4 @@
-/** What the figures of the evaluation say. */
+/** Texts of the figures of the evaluation. */
 import type { Honest, Method, Source } from "../judge/judge_state";
 
 export interface JudgeWords {
@@ -10,7 +10,7 @@ export interface JudgeWords {
   sources: Readonly<Record<Source, string>>;
   leaveIn: string;
   honestOne: string;
-  /** With the error in mm, or without where it is not known yet. */
+  /** With the error in mm, or empty if it is not known yet. */
   honest: Readonly<Record<Honest, (mm: string) => string>>;
   computing: string;
   where: (take: string, style: string, leftIn: boolean) => string;

@@ -1,4 +1,4 @@
-/** A knob: what is printed, what is said, and what it does. */
+/** Texts of a knob: symbol, accessible name, and description. */
 export interface KnobWords {
   symbol: string;
   name: string;

@@ -1,17 +1,17 @@
-/** What the figures of one prediction say. */
+/** Texts of the figures of one prediction. */
 import type { KnobWords } from "./knob";
 
-/** What the figure of a fitted line says. */
+/** Texts of the figure of a fitted line. */
 export interface LineWords {
   title: string;
   knobs: Record<"k" | "lambda" | "noise", KnobWords>;
   taper: string;
   input: (joint: string) => string;
   output: (joint: string, style: string) => string;
-  /** Heads of the table: row of the database, input, target, weight. */
+  /** Headers of the table: row of the database, input, target, weight. */
   columns: readonly [string, string, string, string];
   read: (mean: string, above: string) => string;
-  /** Title of the terms, their names, heads of their table, and their axis. */
+  /** Title of the terms, their names, headers of their table, and their axis. */
   terms: string;
   termNames: Readonly<Record<"a" | "b" | "c" | "d" | "returned" | "y", string>>;
   termColumns: readonly [string, string, string];
@@ -20,7 +20,7 @@ export interface LineWords {
   said: (joint: string, k: string, x: string, y: string, slope: string, above: string) => string;
 }
 
-/** What the figure of the ridge's sweep says. */
+/** Texts of the figure of the ridge's sweep. */
 export interface SweepWords {
   title: string;
   error: string;

@@ -1,4 +1,4 @@
-/** What the figures of key-styling say. */
+/** Texts of the figures of key-styling. */
 import type { KnobWords } from "./knob";
 
 export interface MapWords {
@@ -10,7 +10,7 @@ export interface MapWords {
   update: string;
   keys: string;
   temperature: KnobWords;
-  /** Buttons: updates, a pass, all, and the beginning. */
+  /** Buttons: single updates, a pass, all, and restart. */
   steps: Record<"one" | "ten" | "pass" | "all" | "restart", string>;
   printed: string;
   handle: string;
@@ -33,12 +33,12 @@ export interface MapWords {
   asked: (separation: string, height: string) => string;
   interpolated: (count: string, error: string, from: string, to: string, worst: string) => string;
   pose: string;
-  /** The two bodies of an update, and how far they are apart. */
+  /** The two bodies of an update, and their distance. */
   sampled: string;
   predicted: string;
   predictedOff: (degrees: string) => string;
   noUpdate: string;
-  /** Heads of the tables. */
+  /** Headers of the tables. */
   components: readonly [string, string, string, string];
   passes: readonly [string, string];
   variables: readonly [string, string];

@@ -1,4 +1,4 @@
-/** What the figures of the mixture say. */
+/** Texts of the figures of the mixture. */
 import type { KnobWords } from "./knob";
 
 export interface MixWords {
@@ -8,9 +8,9 @@ export interface MixWords {
   weight: string;
   actions: Readonly<Record<string, string>>;
   guess: string;
-  /** Heads of the table: class, D, λ. */
+  /** Headers of the table: class, D, λ. */
   columns: readonly [string, string, string];
-  /** Title of the curve, what its width is called, and the least distance. */
+  /** Title of the curve, the name of its width, and the smallest distance. */
   decay: string;
   distance: string;
   span: string;

@@ -1,4 +1,4 @@
-/** What the figures of the distance of windows say. */
+/** Texts of the figures of the distance of windows. */
 import type { KnobWords } from "./knob";
 
 export interface NearWords {
@@ -6,10 +6,10 @@ export interface NearWords {
   stage: string;
   title: string;
   knobs: Record<"heading" | "x" | "z" | "k", KnobWords>;
-  /** Mark on the ground, and how far it is moved. */
+  /** Mark on the ground, and its displacement. */
   move: string;
   moved: (x: string, z: string) => string;
-  /** Puts the query back to the input. */
+  /** Resets the query to the input. */
   restore: string;
   window: string;
   reversed: string;
@@ -21,6 +21,6 @@ export interface NearWords {
   read: (first: string, k: string, last: string) => string;
   said: (window: string, reversed: boolean, first: string, k: string, last: string) => string;
   posed: (heading: string, x: string, z: string, limbs: string, first: string) => string;
-  /** Heads of the table: row, √D in mm, θ in degrees. */
+  /** Headers of the table: row, √D in mm, θ in degrees. */
   columns: readonly [string, string, string];
 }

@@ -1,4 +1,4 @@
-/** What the figures of the pace of a blend say. */
+/** Texts of the figures of the pace of a blend. */
 import type { KnobWords } from "./knob";
 
 export interface PaceWords {
@@ -22,9 +22,9 @@ export interface PaceWords {
   ended: (time: string) => string;
   mean: (ms: string, bandwidth: string) => string;
   voted: (style: string, count: string, ms: string, bandwidth: string) => string;
-  /** A name of the blended walker. */
+  /** Name of the blended walker. */
   blendName: string;
-  /** Heads of the tables. */
+  /** Headers of the tables. */
   shares: readonly [string, string];
   times: readonly [string, string];
   voices: readonly [string, string, string];

@@ -1,4 +1,4 @@
-/** What the figures of the degrees of freedom of a pose say. */
+/** Texts of the figures of the degrees of freedom of a pose. */
 import type { KnobWords } from "./knob";
 
 export interface PoseWords {
@@ -28,7 +28,7 @@ export interface PoseWords {
   posed: (joint: string, angle: string, x: string, y: string, z: string) => string;
   listed: (changed: string, of: string, heading: string, limbs: string) => string;
   plotted: (joint: string, phi: string, raw: string, jump: string) => string;
-  /** Heads of the tables: joint and components of w; time and both values. */
+  /** Headers of the tables: joint and components of w; time and both values. */
   components: readonly [string, string, string, string];
   columns: readonly [string, string, string];
 }

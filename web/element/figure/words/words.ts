@@ -1,4 +1,4 @@
-/** What figures say; `languages.ts` has it in each language, and each group of kinds has a table of its own. */
+/** Texts of figures; `languages.ts` has them in each language, and each group of kinds has a table of its own. */
 import type { Role } from "../../../humanoid";
 import type { InputName, Style } from "../built_in";
 import type { BiasWords } from "./bias";
@@ -13,9 +13,9 @@ import type { PaceWords } from "./pace";
 import type { PoseWords } from "./pose";
 import type { WarpWords } from "./warp";
 
-/** What a language has to say of figures. */
+/** Texts of figures in a language. */
 export interface Words {
-  /** What stands between a number's whole part and its decimals. */
+  /** The decimal sign. */
   decimal: string;
   /** The field for a number. */
   number: string;

@@ -1,4 +1,4 @@
-/** The picture of an atlas on a canvas: a pixel for each pixel of the picture, stretched by the page. */
+/** The picture of an atlas on a canvas: one canvas pixel per pixel of the picture, stretched by the page. */
 import { html } from "../../../../ui/dom";
 import type { Shades, Span } from "./shades";
 
@@ -11,7 +11,7 @@ export class AtlasCanvas {
   #stale = false;
 
   constructor() {
-    // Read by the page's tests; and a canvas of the graphics processor's waits for the 3-D picture to be drawn.
+    // The page's tests read it, and a canvas on the GPU would wait for the 3-D picture.
     this.#context = this.element.getContext("2d", { willReadFrequently: true })!;
   }
 
@@ -21,7 +21,7 @@ export class AtlasCanvas {
     this.#invalidate();
   }
 
-  /** Begins another picture: until it comes, what was shown of the same windows is stretched to where it belongs. */
+  /** Begins another picture. Until it arrives, the previous picture of the same windows is stretched to its position. */
   begin(shades: Shades, span: Span): void {
     const { columns, height } = shades;
     const before = this.#shades;
@@ -35,7 +35,7 @@ export class AtlasCanvas {
     this.#invalidate();
   }
 
-  /** Shows what came of the picture. */
+  /** Shows the part of the picture that has arrived. */
   update(): void {
     this.#invalidate();
   }

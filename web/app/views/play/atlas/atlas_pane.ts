@@ -1,4 +1,4 @@
-/** The atlas: how near every window of the database is to every frame of the input, under the timeline's playhead. */
+/** The atlas: the distance of every window of the database from every frame of the input, under the timeline's playhead. */
 
 import "./atlas.css";
 import { AtlasDrawing, type Drawn } from "../../../../client/atlas/atlas_drawing";
@@ -14,32 +14,32 @@ import { spoken } from "../../../ui/words";
 import { AtlasCanvas } from "./atlas_canvas";
 import { bandsOf, NEAREST, type Rgb, ramp, Shades, type Span, shifted, zoomed } from "./shades";
 
-/** Most columns: a walk of ten seconds has one a frame. */
+/** Maximum number of columns: a walk of ten seconds has one per frame. */
 const MAX_COLUMNS = 600;
-/** Fewest windows that are shown: half a second to two, of which each has lines of its own. */
+/** Fewest windows that are shown: half a second to two, so that each has lines of its own. */
 const LEAST_SPAN = 60;
 /** Height of a label, CSS pixels. */
 const LABEL_PX = 13;
-/** How much of the length shown a notch of the wheel takes away, and a press of a key or a button. */
+/** Factors of zooming in by a notch of the wheel, and by a press of a key or a button. */
 const [NOTCH, PRESS] = [0.82, 0.5];
-/** Space left and right of the axis, as the timeline has it. */
+/** Space left and right of the axis, as in the timeline. */
 const INSET = 6;
 /** A press that moves less than this, in pixels, is a click. */
 const CLICK_PX = 4;
 
-/** What the pane needs of the page. */
+/** The page's interface for the pane. */
 export interface AtlasHost {
   session: Session;
   onPart: (part: AtlasPart) => void;
-  /** Other windows are shown; `undefined` for all. */
+  /** Called when other windows are shown; `undefined` for all. */
   onWindows: (windows: Span | undefined) => void;
   onClose: () => void;
-  /** A window was chosen as a ghost, at a frame of the input; `undefined` takes it away. */
+  /** Called when a window is selected as a ghost, at a frame of the input; `undefined` removes it. */
   onGhost: (ghost: AtlasGhost | undefined) => void;
   onError: (error: unknown) => void;
 }
 
-/** A window of the database, as the metric has it nearest to a frame of the input. */
+/** A window of the database, aligned with a frame of the input as in the metric. */
 export interface AtlasGhost {
   frame: number;
   pose: Float32Array;
@@ -65,14 +65,14 @@ export class AtlasPane {
   #classes: DatabaseInfo["classes"] = [];
   #part: AtlasPart = "whole";
   #span: Span = { first: 0, last: 0 };
-  /** The windows that were asked for; all if there are none. */
+  /** The requested windows; `undefined` for all. */
   #asked: Span | undefined;
   #shown = false;
   #open: { atlas: OpenedAtlas; drawing: AtlasDrawing } | undefined;
-  /** Ends what is being drawn, or opened. */
+  /** Cancels the current drawing or opening. */
   #busy = new AbortController();
   #shades: Shades | undefined;
-  /** Least distances by part. */
+  /** Minimum distances by part. */
   #leasts = new Map<AtlasPart, Float32Array>();
   #pointed: { column: number; line: number } | undefined;
   #asking = false;
@@ -122,7 +122,7 @@ export class AtlasPane {
     this.#observer.observe(this.#stage);
   }
 
-  /** Shows the pane by a part of the body, and these windows, or all. */
+  /** Shows the pane for a part of the body, with these windows, or all. */
   show(part: AtlasPart, windows: Span | undefined): void {
     for (const [name, chip] of this.#chips) chip.setAttribute("aria-pressed", String(name === part));
     const before = this.#span;
@@ -154,7 +154,7 @@ export class AtlasPane {
     if (this.#shown) this.#head.style.transform = `translateX(${this.#x(frame).toFixed(1)}px)`;
   }
 
-  /** Reads the colours again after the theme changed. */
+  /** Reads the colours again after a change of theme. */
   recolour(): void {
     const { panel, weight, "weight-edge": edge } = readColours(this.element);
     const stops = [panel, weight, edge].map(rgbOf).filter((colour) => colour !== undefined);
@@ -178,7 +178,7 @@ export class AtlasPane {
     this.#point(undefined);
   }
 
-  /** Of another database other windows would be shown. */
+  /** Another database has other windows. */
   #takeDatabase(): void {
     if (this.#open && this.#asked) {
       this.#asked = undefined;
@@ -187,7 +187,7 @@ export class AtlasPane {
     this.#reopen();
   }
 
-  /** Opens the atlas of the present input in the present database. */
+  /** Opens the atlas of the current input in the current database. */
   #reopen(): void {
     const { session } = this.#host;
     this.#close();
@@ -204,14 +204,14 @@ export class AtlasPane {
     });
   }
 
-  /** What is shown of the windows that were asked for: all where the database does not have them. */
+  /** The displayed part of the requested windows: all if the database does not have them. */
   get #fitting(): Span {
     const count = this.#open?.atlas.firsts.at(-1) ?? 0;
     const asked = this.#asked;
     return asked && asked.last <= count ? zoomed(asked, 1, 0, LEAST_SPAN, count) : { first: 0, last: count };
   }
 
-  /** The lines that are drawn of a span. */
+  /** Number of lines drawn of a span. */
   get #height(): number {
     return Math.max(1, Math.min(Math.round(this.#stage.clientHeight), this.#span.last - this.#span.first));
   }
@@ -248,7 +248,7 @@ export class AtlasPane {
     });
   }
 
-  /** Runs what takes the place of what runs; a cancellation is no error. */
+  /** Runs work that replaces the current work; a cancellation is not an error. */
   async #attempt(work: (signal: AbortSignal) => Promise<void>): Promise<void> {
     this.#busy.abort();
     this.#busy = new AbortController();
@@ -276,7 +276,7 @@ export class AtlasPane {
     else this.#draw();
   }
 
-  /** Names of what lies beside each other, and lines between. */
+  /** Draws the names of adjacent groups, and lines between them. */
   #label(): void {
     const { first, last } = this.#span;
     const perPx = (last - first) / Math.max(1, this.#stage.clientHeight);
@@ -300,7 +300,7 @@ export class AtlasPane {
     );
   }
 
-  // --- what a person does ---
+  // --- input ---
 
   #zoom(factor: number, at: number): void {
     const count = this.#open?.atlas.firsts.at(-1) ?? 0;
@@ -432,7 +432,7 @@ export class AtlasPane {
     };
   }
 
-  /** Reads what is under the pointer. */
+  /** Shows a readout of the point under the pointer. */
   #point(at: { column: number; line: number } | undefined): void {
     this.#pointed = at;
     this.#cross.hidden = !at || !this.#shades;
@@ -446,7 +446,7 @@ export class AtlasPane {
     void this.#read();
   }
 
-  /** Asks the engine for one place after the other; those in between are skipped. */
+  /** Asks the engine for one point after another; those in between are skipped. */
   async #read(): Promise<void> {
     const [at, open, view] = [this.#pointed, this.#open, this.#view];
     if (this.#asking || !at || !open) return;
@@ -477,7 +477,7 @@ export class AtlasPane {
   }
 }
 
-/** The numbers of a colour as `getComputedStyle` gives it; none of one that cannot be seen. */
+/** The numbers of a colour in the format of `getComputedStyle`; `undefined` for a transparent one. */
 function rgbOf(css: string): Rgb | undefined {
   const [r, g, b, alpha = 1] = [...css.matchAll(/[\d.]+/g)].map(Number);
   return alpha === 0 ? undefined : [r!, g!, b!];

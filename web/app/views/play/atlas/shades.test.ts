@@ -23,7 +23,7 @@ describe("shades", () => {
     };
     expect(levels(NEAREST.whole, [0, 0.04, 0.13])).toEqual([255, 255, 0]);
     expect(levels(NEAREST.legs, [0, 0.024, 0.08])).toEqual([255, 255, 0]);
-    // What all windows are within by the head is not all bright.
+    // If all windows are within the threshold of the head, not all are bright.
     expect(levels(NEAREST.head, [0, 0.02, 0.04])).toEqual([255, 0, 0]);
   });
 

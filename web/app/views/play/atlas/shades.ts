@@ -1,12 +1,12 @@
-/** From distances to shades: each column from its least distance, the brightest, to 3.2 times it. Pure. */
+/** Converts distances to shades: each column from its minimum distance, the brightest, to 3.2 times it. Pure functions. */
 
 import type { AtlasPart } from "../../../../client/atlas/opened_atlas";
 
 /**
- * Least distance that shades begin at by a part of the body, metres: windows of one take of a walk are no farther apart. Beside
- * itself, an input that is in the database would leave all else black. For parts it is that of the whole body in the ratio of
- * the distances within which one window in a hundred is from a frame of the built-in walk: 4.8 cm by the whole body, 2.9 by the
- * legs, 2.6 by the arms, 0.9 by the torso and 0.6 by the head.
+ * Smallest lower bound of the shades by part of the body, metres: windows of one take of a walk are at most this far
+ * apart. Without it, an input that is in the database would leave all other windows black. For parts it is that of the
+ * whole body, scaled by the ratio of the distances within which one window in a hundred is from a frame of the built-in
+ * walk: 4.8 cm for the whole body, 2.9 for the legs, 2.6 for the arms, 0.9 for the torso and 0.6 for the head.
  */
 export const NEAREST: Readonly<Record<AtlasPart, number>> = {
   whole: 0.04,
@@ -16,20 +16,20 @@ export const NEAREST: Readonly<Record<AtlasPart, number>> = {
   head: 0.005,
 };
 
-/** Where shades end, in multiples of the least distance of a column. */
+/** Upper bound of the shades, in multiples of the minimum distance of a column. */
 const FARTHEST = 3.2;
-/** Shades that are told apart. */
+/** Number of shades. */
 export const SHADES = 256;
 
-/** A picture as distances come, a column or some at a time. */
+/** A picture that is filled as distances arrive, one or more columns at a time. */
 export class Shades {
   /** Shade of each pixel, line by line; 0 is farthest or unknown. */
   readonly levels: Uint8Array;
   private readonly leasts: Float32Array;
 
   /**
-   * @param nearest least distance that shades begin at, metres
-   * @param leasts least distance of each column over all windows, where known: shades then stay while the view changes
+   * @param nearest smallest lower bound of the shades, metres
+   * @param leasts minimum distance of each column over all windows, if known: shades then do not change with the view
    */
   constructor(
     readonly columns: number,
@@ -41,13 +41,13 @@ export class Shades {
     this.leasts = leasts ?? new Float32Array(columns).fill(Number.POSITIVE_INFINITY);
   }
 
-  /** Least distance of each column so far, metres. */
+  /** Minimum distance of each column so far, metres. */
   get least(): Float32Array {
     return this.leasts;
   }
 
   /**
-   * Takes a column's squared distances, which stand for the columns after it, too.
+   * Sets a column's squared distances, which also fill the columns after it.
    * @param isWhole whether they are of all windows
    */
   take(column: number, width: number, squares: Float32Array, isWhole: boolean): void {
@@ -74,7 +74,7 @@ export class Shades {
   }
 }
 
-/** Shade of a distance: the last at the least one, 0 from 3.2 times that on. */
+/** Shade of a distance: the brightest at the minimum distance, 0 from 3.2 times that on. */
 export function shadeOf(distance: number, least: number): number {
   const share = (distance / least - 1) / (FARTHEST - 1);
   return Math.round((SHADES - 1) * (1 - Math.min(1, Math.max(0, share))));
@@ -83,7 +83,7 @@ export function shadeOf(distance: number, least: number): number {
 /** A colour, 0 to 255 each. */
 export type Rgb = readonly [r: number, g: number, b: number];
 
-/** The colours of shades, red, green and blue one after the other: evenly from the first of `stops` to the last. */
+/** The colours of shades, red, green and blue one after another: evenly spaced from the first of `stops` to the last. */
 export function ramp(stops: readonly Rgb[]): Uint8Array {
   const colours = new Uint8Array(3 * SHADES);
   for (let shade = 0; shade < SHADES; shade++) {
@@ -102,8 +102,8 @@ export interface Span {
 }
 
 /**
- * A span `factor` times as long, in which what is at a share of the picture's height stays there; as long as `least` at least,
- * and within `count` windows.
+ * A span with `factor` times the length, which keeps the point at a share of the picture's height; at least `least`
+ * long, and within `count` windows.
  */
 export function zoomed({ first, last }: Span, factor: number, at: number, least: number, count: number): Span {
   const length = Math.min(count, Math.max(Math.min(least, count), Math.round((last - first) * factor)));
@@ -111,22 +111,22 @@ export function zoomed({ first, last }: Span, factor: number, at: number, least:
   return shifted({ first: begin, last: begin + length }, 0, count);
 }
 
-/** A span that is moved by some windows, within `count`. */
+/** A span moved by some windows, within `count`. */
 export function shifted({ first, last }: Span, by: number, count: number): Span {
   const length = last - first;
   const begin = Math.min(Math.max(0, first + by), count - length);
   return { first: begin, last: begin + length };
 }
 
-/** Neighbouring classes that share a label: where they begin and end in windows. */
+/** Neighbouring classes that share a label: the windows at which they begin and end. */
 export interface Band extends Span {
   label: string;
 }
 
 /**
- * The bands of a span: the classes of an action where they are as high as a line of text on average, else the action.
- * @param firsts number of the first window of each class, and of all windows
- * @param windowsOfText windows that a line of text is as high as
+ * The bands of a span: the classes of an action if they are as high as a line of text on average, otherwise the action.
+ * @param firsts index of the first window of each class, and of all windows
+ * @param windowsOfText number of windows with the height of a line of text
  */
 export function bandsOf(
   classes: readonly { action: string; style: string }[],
@@ -145,7 +145,7 @@ export function bandsOf(
     const ofAction = shown.slice(i, end < 0 ? shown.length : end);
     const span = { first: ofAction[0]!.first, last: ofAction.at(-1)!.last };
     const isRoomy = span.last - span.first >= windowsOfText * ofAction.length;
-    // The first that has room for words says the action for those after it.
+    // The first one with room for text names the action, also for those after it.
     const named = ofAction.findIndex(({ first, last }) => last - first >= windowsOfText);
     const label = (i: number) => (i === named ? `${action} ${ofAction[i]!.style}` : ofAction[i]!.style);
     if (isRoomy) bands.push(...ofAction.map(({ first, last }, i) => ({ label: label(i), first, last })));

@@ -1,10 +1,10 @@
-/** Speed over the last half minute: asked for, and driven. */
+/** Chart of the speed over the last half minute: requested and actual. */
 import type { DriveControl, DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { formatNumber, html, setAttributes } from "../../../../ui/dom";
 import { type Colours, readColours } from "../../../ui/colours";
 import { driveWords } from "./strings.en";
 
-/** Length of what is shown, seconds, and of what a point stands for. */
+/** Duration of the chart, seconds, and duration per point. */
 const SPAN_SECS = 30;
 const POINT_SECS = 0.1;
 const POINTS = SPAN_SECS / POINT_SECS;
@@ -23,7 +23,7 @@ export class DriveChart {
     this.#speeds = speeds;
   }
 
-  /** Takes what was asked and what came of it. */
+  /** Adds the requested and the actual speed. */
   take({ move, gait }: DriveControl, { speed, timeOut, progress }: DriveFrame): void {
     if (timeOut - this.#secs < POINT_SECS && timeOut >= this.#secs) return;
     this.#secs = timeOut;
@@ -36,7 +36,7 @@ export class DriveChart {
     this.draw();
   }
 
-  /** Takes the colours of another theme. */
+  /** Applies the colours of another theme. */
   recolour(): void {
     this.#colours = undefined;
     this.draw();
@@ -62,7 +62,7 @@ export class DriveChart {
     pen.font = `${0.6875 * rem}px ${getComputedStyle(canvas).fontFamily}`;
     pen.textBaseline = "middle";
     pen.lineWidth = 1;
-    // What is at a tick moves with the curve.
+    // Ticks move with the curve.
     const shift = (this.#ticks * POINT_SECS) % TICK_SECS;
     pen.strokeStyle = line;
     pen.beginPath();

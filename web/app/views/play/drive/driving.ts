@@ -1,4 +1,4 @@
-/** Driving in Play: what the devices ask for goes to the engine, and what comes of it to the stage and the panels. */
+/** Driving in Play: passes the input devices' steering to the engine, and the result to the stage and the panels. */
 
 import "./drive.css";
 import type { DriveControl, DriveFrame, DriveInfo, Move } from "../../../../client/drive/protocol";
@@ -20,30 +20,30 @@ import { driveWords } from "./strings.en";
 import { TouchStick } from "./touch_stick";
 import { headingOf, overGround, type Wish } from "./wish";
 
-/** A press of Q or E turns by this, radians. */
+/** Turn of a press of Q or E, radians. */
 const TURN = Math.PI / 4;
-/** Slower than this somebody stands, m/s: an arrow turns them on the spot. */
+/** Below this speed the character counts as standing, m/s: the arrow turns it on the spot. */
 const STANDING = 0.3;
 const NO_PATH = new Float32Array();
 
-/** Where Play has room for what belongs to driving. */
+/** Elements of Play that contain the elements of driving. */
 export interface DrivePlaces {
-  /** Over the picture. */
+  /** The layer over the picture. */
   readonly stage: HTMLElement;
-  /** What is touched of it. */
+  /** The element of the picture that receives touches. */
   readonly picture: HTMLElement;
-  /** Its buttons. */
+  /** The buttons of the picture. */
   readonly controls: HTMLElement;
-  /** The panel of the input, which driving comes after. */
+  /** The panel of the input, after which that of driving is inserted. */
   readonly input: HTMLElement;
   /** The transport. */
   readonly transport: HTMLElement;
 }
 
-/** What Play does that driving has keys for. */
+/** Actions of Play with keys in driving. */
 export interface DriveActions {
   pause(): void;
-  /** Takes all of the next style, or of the one before. */
+  /** Selects the next style alone, or the previous one. */
   corner(by: -1 | 1): void;
   /** Moves the point of the polygon. */
   movePoint(key: "ArrowUp" | "ArrowDown" | "ArrowLeft" | "ArrowRight"): void;
@@ -68,14 +68,14 @@ export class Driving {
   readonly #elements: HTMLElement[];
   #lease: ViewerLease | undefined;
   #frame: DriveFrame | undefined;
-  /** Heading that is kept while the character stands. */
+  /** Heading that the character keeps while it stands. */
   #face: number | undefined;
-  /** The line that is followed, and whether the engine has it. */
+  /** The path being followed, and whether the engine has it. */
   #line = NO_PATH;
   #isNew = false;
   #move: Move | undefined;
   #used = false;
-  /** Whether another window has the focus: its pad is not ours. */
+  /** Whether another window has the focus, which then uses the gamepad. */
   #away = false;
   #isViewed = false;
   #asked: DriveControl = { move: [0, 0], gait: 1 };
@@ -95,7 +95,7 @@ export class Driving {
       (action) => this.#act(action),
       (glyphs) => this.#use(glyphs),
     );
-    // Before the stick and the path: what takes the arrow is not theirs.
+    // Created before the stick and the path tool, so that it can claim presses on the arrow.
     this.#heading = new HeadingTool(
       places.picture,
       {
@@ -149,7 +149,7 @@ export class Driving {
     host.session.steer = () => this.#steer();
   }
 
-  /** Takes the 3-D viewer; `undefined` gives it back. */
+  /** Sets the 3-D viewer; `undefined` returns it. */
   set lease(lease: ViewerLease | undefined) {
     const viewer = this.#lease?.viewer;
     if (viewer) {
@@ -166,7 +166,7 @@ export class Driving {
     void lease.viewer.setProp(this.#course).then(lease.invalidate);
   }
 
-  /** Goes behind the character once, from where the ground ahead is seen, unless another view was chosen. */
+  /** Moves behind the character once, to a view of the ground ahead, unless another view was chosen. */
   #view(viewer: Viewer): void {
     if (this.#isViewed || this.#host.store.state.camera !== "orbit") return;
     this.#isViewed = true;
@@ -190,12 +190,12 @@ export class Driving {
     this.#mark(frame);
   }
 
-  /** Makes what was driven an input, with the styles it was shown in. */
+  /** Makes the recording an input, with the styles in which it was displayed. */
   async keep(): Promise<boolean> {
     return keep(this.#host);
   }
 
-  /** Takes the colours of another theme. */
+  /** Applies the colours of another theme. */
   recolour(): void {
     this.#chart.recolour();
   }
@@ -207,7 +207,7 @@ export class Driving {
     for (const element of this.#elements) element.remove();
   }
 
-  // --- what is asked ---
+  // --- steering ---
 
   #steer(): DriveControl {
     this.#asked = this.#ask();
@@ -226,7 +226,7 @@ export class Driving {
     return { ...control, ...path, ...(action && { action }) };
   }
 
-  /** Over the ground where the devices say. */
+  /** Converts the devices' input to steering over the ground. */
   #going(wish: Wish): DriveControl {
     const [x, z] = overGround(wish, this.#lease?.viewer.lineOfSight ?? [0, 0, 1]);
     this.#face = wish.turns ? headingOf(x, z) : undefined;
@@ -286,16 +286,16 @@ export class Driving {
     if (this.#info.moves.includes(move)) this.#move = move;
   }
 
-  /** Notes that something was used, a device or the arrow, which belongs to none. */
+  /** Records the use of a device, or of the arrow, which belongs to none. */
   #use(device: Device | "arrow"): void {
     if (device !== "arrow") this.#help.device = device;
     if (this.#used) return;
     this.#used = true;
-    // On a small screen it is over the ground that is walked on; elsewhere it stays until ? hides it.
+    // On a small screen the help covers the ground; elsewhere it stays until ? hides it.
     if (device === "touch") this.#help.isShown = false;
   }
 
-  /** Shows the line that says how to drive, or hides it. */
+  /** Shows the line that explains the controls, or hides it. */
   toggleHelp(): void {
     this.#help.isShown = !this.#help.isShown;
   }
@@ -323,7 +323,7 @@ export class Driving {
     return of(this.#lease.viewer, clientX - left, clientY - top);
   }
 
-  /** Where the arrow that turns the character can be taken on the page. */
+  /** Points in the page at which the arrow that turns the character can be grabbed. */
   #arrowOnPage() {
     if (!this.#lease || this.#path.draws) return [];
     const { element, viewer } = this.#lease;
@@ -334,7 +334,7 @@ export class Driving {
     });
   }
 
-  /** Where the styled character is. */
+  /** Position of the styled character. */
   #place() {
     const pose = this.#frame?.pose;
     return { x: pose?.[0] ?? 0, z: pose?.[2] ?? 0 };
@@ -363,7 +363,7 @@ export class Driving {
     this.#lease?.element.classList.toggle("draws", this.#path.draws);
   }
 
-  /** Marks the next second about the styled character, who is not where the neutral one is. */
+  /** Marks the next second at the styled character, whose position differs from the neutral one's. */
   #mark({ root, asked, ahead, speed }: DriveFrame): void {
     const { x, z } = this.#place();
     const [dx, dz] = [x - root[0], z - root[1]];

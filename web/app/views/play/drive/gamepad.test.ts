@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { GamepadInput, glyphsOf, type Pad } from "./gamepad";
 
-/** A pad with a stick at a place and some buttons pressed. */
+/** A pad with a stick position and some pressed buttons. */
 function pad(axes: readonly number[], pressed: readonly number[] = [], id = "Pad"): Pad {
   const buttons = Array.from({ length: 17 }, (_, i) => ({
     pressed: pressed.includes(i),

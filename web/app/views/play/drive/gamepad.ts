@@ -1,7 +1,7 @@
 /** Driving with a gamepad of the standard mapping. */
 import { stickWish, type Wish } from "./wish";
 
-/** Buttons by what they do, by their numbers in the standard mapping. */
+/** Index of the button in the standard mapping, by action. */
 const BUTTONS = {
   jump: 0,
   kick: 1,
@@ -17,13 +17,13 @@ const BUTTONS = {
 } as const;
 const RUN_TRIGGER = 7;
 
-/** What a button does. */
+/** Action of a button. */
 export type PadAction = keyof typeof BUTTONS;
 
-/** Marks on the buttons of a pad: its vendor's, or numbers. */
+/** Labels of a pad's buttons: the vendor's, or numbers. */
 export type Glyphs = "shapes" | "letters" | "numbers";
 
-/** As much of a pad as is read. */
+/** The part of a gamepad that is read. */
 export type Pad = Pick<Gamepad, "id" | "connected" | "mapping"> & {
   readonly axes: readonly number[];
   readonly buttons: readonly Pick<GamepadButton, "pressed" | "value">[];
@@ -36,8 +36,8 @@ export class GamepadInput {
   #pressed: readonly boolean[] = [];
 
   /**
-   * @param onUse called while something of the pad is moved or pressed
-   * @param pads those that are connected
+   * @param onUse called while a stick or button of the pad is used
+   * @param pads returns the connected pads
    */
   constructor(
     onAction: (action: PadAction) => void,
@@ -49,7 +49,7 @@ export class GamepadInput {
     this.#pads = pads;
   }
 
-  /** Reads the pad: does what its buttons say, and gives what its stick asks for; nothing where there is no pad any more. */
+  /** Reads the pad: runs the actions of its buttons, and returns the input of its stick; `undefined` without a pad. */
   read(): Wish | undefined {
     const pad = this.#pads().find((one) => one?.connected && one.mapping === "standard");
     if (!pad) {
@@ -67,7 +67,7 @@ export class GamepadInput {
   }
 }
 
-/** The marks on a pad, by what its browser calls it. */
+/** The labels of a pad, by its name in the browser. */
 export function glyphsOf(id: string): Glyphs {
   if (/054c|dualshock|dualsense/i.test(id)) return "shapes";
   return /045e|xbox|xinput/i.test(id) ? "letters" : "numbers";

@@ -1,29 +1,29 @@
-/** The arrow before the character's feet: whoever drags it turns the character on the spot. */
+/** The arrow in front of the character's feet: dragging it turns the character on the spot. */
 
 import type { Spot } from "./path_tool";
 import { headingOf } from "./wish";
 
-/** The arrow is taken so near to it, CSS pixels: as far as a finger reaches. */
+/** The arrow can be grabbed within this distance, CSS pixels: the size of a fingertip. */
 const REACH_PX = 28;
 
-/** What the tool needs of the page. */
+/** The page's interface for the tool. */
 export interface HeadingGround {
-  /** Where it can be taken on the page; nowhere while it is not shown. */
+  /** Points in the page at which it can be grabbed; empty while it is hidden. */
   arrow(): readonly { x: number; y: number }[];
-  /** The place on the ground under a place of the page. */
+  /** The point on the ground under a point of the page. */
   groundAt(clientX: number, clientY: number): Spot | undefined;
-  /** Where the character is. */
+  /** Position of the character. */
   place(): Spot;
-  /** A heading is asked for, radians about +Y. */
+  /** Called when a heading is requested, radians about +Y. */
   onTurn(heading: number): void;
 }
 
 export class HeadingTool {
   #pointer: number | undefined;
-  /** Whether the click that ends a drag is still to come. */
+  /** Whether the click that ends a drag is still pending. */
   #dragged = false;
 
-  /** To be made before what else listens to the picture: it comes first. */
+  /** To be created before other listeners on the picture, so that it comes first. */
   constructor(picture: HTMLElement, ground: HeadingGround, signal: AbortSignal) {
     const options = { signal, capture: true };
     const take = (event: Event): void => {
@@ -61,7 +61,7 @@ export class HeadingTool {
     picture.addEventListener("pointermove", onMove, options);
     for (const type of ["pointerup", "pointercancel"] as const) picture.addEventListener(type, onEnd, options);
     picture.addEventListener("click", onClick, options);
-    // A page that scrolls under the finger would take the pointer away.
+    // If the page scrolled under the finger, the pointer would be lost.
     const onTouch = (event: Event): void => {
       if (this.#pointer !== undefined) event.preventDefault();
     };

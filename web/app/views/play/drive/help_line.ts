@@ -1,4 +1,4 @@
-/** The line that says how to drive, for the device that was used last. */
+/** The line that explains the controls of the device used last. */
 import type { Move } from "../../../../client/drive/protocol";
 import { html } from "../../../../ui/dom";
 import type { Glyphs } from "./gamepad";
@@ -6,7 +6,7 @@ import { driveWords } from "./strings.en";
 
 const words = driveWords.help;
 
-/** What the character is driven with. */
+/** Devices for steering. */
 export type Device = "keyboard" | "touch" | Glyphs;
 
 /** Keys of the moves. */
@@ -22,7 +22,7 @@ export class HelpLine {
     this.device = device;
   }
 
-  /** What was used last. */
+  /** The device used last. */
   set device(device: Device) {
     if (device === this.#device) return;
     this.#device = device;

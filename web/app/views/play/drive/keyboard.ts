@@ -1,7 +1,7 @@
-/** Driving with the keyboard: keys by their place, so that WASD is there on every layout. */
+/** Driving with the keyboard: keys by their position, so that WASD works on every layout. */
 import type { Wish } from "./wish";
 
-/** Where each key goes: right in the picture, and away from the viewer. */
+/** Direction of each key: right in the picture, and away from the viewer. */
 const WAYS: Readonly<Record<string, readonly [right: number, ahead: number]>> = {
   KeyW: [0, 1],
   KeyA: [-1, 0],
@@ -14,23 +14,23 @@ const WAYS: Readonly<Record<string, readonly [right: number, ahead: number]>> = 
 };
 const RUN = ["ShiftLeft", "ShiftRight"];
 
-/** What keys do when they are pressed. */
+/** Actions of keys when they are pressed. */
 export type Presses = Readonly<Record<string, () => void>>;
 
-/** Who else may want a key: what has the focus keeps those that it uses itself. */
+/** Elements that keep keys for themselves while focused. */
 const OWN_KEYS = "input:not([type=checkbox]), select, textarea, [contenteditable], [role=slider], [role=tab]";
 const OWN_SPACE = "button, a, summary, [role=button], [role=switch]";
 
 export class Keyboard {
-  /** Whether a way that was let go is kept until another one is pressed, or the same. */
+  /** Whether a released direction is kept until another one, or the same, is pressed. */
   latches = false;
   readonly #held = new Set<string>();
   #latched: Wish | undefined;
 
   /**
-   * @param presses by `KeyboardEvent.code`
-   * @param singleKeys whether letters and digits act as keys
-   * @param onUse called when a key that drives is pressed
+   * @param presses actions by `KeyboardEvent.code`
+   * @param singleKeys whether single-character shortcuts are on
+   * @param onUse called when a steering key is pressed
    */
   constructor(presses: () => Presses, singleKeys: () => boolean, onUse: () => void, signal: AbortSignal) {
     const onDown = (event: KeyboardEvent): void => {
@@ -39,7 +39,7 @@ export class Keyboard {
       if (!(event.code in WAYS) && !press && !RUN.includes(event.code)) return;
       if (!RUN.includes(event.code)) {
         event.preventDefault();
-        // The page and the camera have other uses for some of them.
+        // The page and the camera use some of these keys otherwise.
         event.stopPropagation();
       }
       if (event.repeat) return;
@@ -53,18 +53,18 @@ export class Keyboard {
     };
     addEventListener("keydown", onDown, { signal, capture: true });
     addEventListener("keyup", ({ code }) => this.#held.delete(code), { signal, capture: true });
-    // macOS sends no keyup of a key that is let go while Command is held.
+    // macOS sends no keyup for a key released while Command is held.
     addEventListener("keydown", ({ key }) => key === "Meta" && this.stop(), { signal, capture: true });
     addEventListener("blur", () => this.stop(), { signal });
     document.addEventListener("visibilitychange", () => document.hidden && this.stop(), { signal });
   }
 
-  /** What the keys ask for; `undefined` where none is pressed. */
+  /** The input of the keys; `undefined` if none is pressed. */
   get wish(): Wish | undefined {
     return this.#pressed() ?? (this.latches ? this.#latched : undefined);
   }
 
-  /** Lets go of everything. */
+  /** Releases all keys. */
   stop(): void {
     this.#held.clear();
     this.#latched = undefined;
@@ -86,7 +86,7 @@ export class Keyboard {
 const same = (a: Wish, b: Wish | undefined): boolean =>
   a.right === b?.right && a.ahead === b.ahead && a.gait === b.gait;
 
-/** Whether nothing else takes a key. */
+/** Whether nothing else handles a key. */
 function isFree(event: KeyboardEvent): boolean {
   if (event.altKey || event.ctrlKey || event.metaKey || document.querySelector("dialog[open]")) return false;
   const focused = event.target instanceof Element ? event.target : null;

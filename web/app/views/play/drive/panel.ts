@@ -1,4 +1,4 @@
-/** What the driven character does, in numbers. */
+/** The driven character's state in numbers. */
 import type { DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { Toggle } from "../../../../ui/controls/buttons";
 import { formatNumber, html, setAttributes, setText } from "../../../../ui/dom";
@@ -6,7 +6,7 @@ import { spoken } from "../../../ui/words";
 import { driveWords } from "./strings.en";
 
 const words = driveWords.panel;
-/** Minimum time between updates, so that they can be read. */
+/** Minimum time between updates, so that they are readable. */
 const READ_OUT_MS = 250;
 
 export class DrivePanel {
@@ -59,7 +59,10 @@ export class DrivePanel {
     );
   }
 
-  /** Shows a frame, at most every {@link READ_OUT_MS}; `offCourse` gives metres from the path, where there is one. */
+  /**
+   * Shows a frame, at most every {@link READ_OUT_MS}; `offCourse` returns the distance from the path in metres, if
+   * there is one.
+   */
   show({ speed, clip, row, transitions }: DriveFrame, offCourse: () => number | undefined): void {
     const now = performance.now();
     if (now - this.#shownAt < READ_OUT_MS) return;
@@ -74,7 +77,7 @@ export class DrivePanel {
   }
 }
 
-/** What a clip is of, in words: its name without style and take, and without what is said twice. */
+/** The content of a clip in words: its name without style, take and duplicates. */
 export function clipWords(name: string, neutral: string): string {
   const [file, isMirrored] = [name.replace(/, mirrored$/, ""), name.endsWith(", mirrored")];
   const parts = file.split("_").filter((part) => part !== neutral && !/^\d+$/.test(part));

@@ -1,6 +1,6 @@
-/** Lines drawn on the ground: a stroke is a path to follow, a click a place to walk to. */
+/** Lines drawn on the ground: a stroke is a path to follow, a click is a target to walk to. */
 
-/** A place on the ground, metres. */
+/** A position on the ground, metres. */
 export interface Spot {
   readonly x: number;
   readonly z: number;
@@ -8,16 +8,19 @@ export interface Spot {
 
 /** Distance between points of a path, metres. */
 const SPACING = 0.1;
-/** A hand trembles, and nobody turns in a point: every point becomes the mean of those so near, metres on either side. */
+/**
+ * Radius of smoothing, metres: every point becomes the mean of its neighbourhood, since a hand trembles and a character
+ * cannot turn in a point.
+ */
 const NEARBY = 0.3;
-/** A stroke that begins farther from the character is walked to first, metres. */
+/** If a stroke begins farther from the character than this, the character walks to its start first, metres. */
 const NEAR = 0.3;
-/** Places beyond this are near the horizon: a pixel there is metres. */
+/** Points beyond this distance are near the horizon, where a pixel covers metres. */
 const FAR = 40;
 /** Longest movement of a click, pixels. */
 const CLICK_PX = 4;
 
-/** Points of a path, x and z each, from where the character is through the places of a stroke. Pure. */
+/** Points of a path, x and z each, from the character's position along a stroke. Pure. */
 export function pathOf(from: Spot, stroke: readonly Spot[]): Float32Array<ArrayBuffer> {
   const [first] = stroke;
   if (!first) return new Float32Array();
@@ -26,7 +29,7 @@ export function pathOf(from: Spot, stroke: readonly Spot[]): Float32Array<ArrayB
   return Float32Array.from(line.flatMap(({ x, z }) => [x, z]));
 }
 
-/** The same line with points so far apart. */
+/** Resamples the line at a constant spacing. */
 function evenly(stroke: readonly Spot[]): Spot[] {
   const line = [stroke[0]!];
   let left = SPACING;
@@ -48,7 +51,7 @@ function evenly(stroke: readonly Spot[]): Spot[] {
   return line;
 }
 
-/** The same line without its tremble and sharp corners; its ends stay. */
+/** Smooths the line; its ends are unchanged. */
 function smoothed(line: readonly Spot[]): Spot[] {
   const half = Math.round(NEARBY / SPACING);
   return line.map((_, i) => {
@@ -59,7 +62,7 @@ function smoothed(line: readonly Spot[]): Spot[] {
   });
 }
 
-/** Distance of a place from a path, metres. Pure. */
+/** Distance of a position from a path, metres. Pure. */
 export function distanceTo(path: Float32Array, { x, z }: Spot): number {
   let least = Number.POSITIVE_INFINITY;
   for (let i = 2; i < path.length; i += 2) {
@@ -72,22 +75,22 @@ export function distanceTo(path: Float32Array, { x, z }: Spot): number {
   return least;
 }
 
-/** What the tool needs of the page. */
+/** The page's interface for the tool. */
 export interface PathGround {
-  /** The place on the ground under a place of the page. */
+  /** The point on the ground under a point of the page. */
   groundAt(clientX: number, clientY: number): Spot | undefined;
-  /** Whether the character's body is there: a click on it chooses a part of it. */
+  /** Whether the character's body is there: a click on it selects a body part. */
   isBody(clientX: number, clientY: number): boolean;
-  /** Where the character is. */
+  /** Position of the character. */
   place(): Spot;
-  /** Shows the line as it is drawn. */
+  /** Shows the line while it is drawn. */
   sketch(points: Float32Array<ArrayBuffer>): void;
-  /** A path to follow is there. */
+  /** Called with a path to follow. */
   onPath(points: Float32Array<ArrayBuffer>): void;
 }
 
 export class PathTool {
-  /** Whether a stroke draws; otherwise it turns the camera, and only a click says where to go. */
+  /** Whether a stroke draws a path; otherwise it turns the camera, and only a click sets a target. */
   draws = false;
   #pointer: number | undefined;
   #stroke: Spot[] = [];

@@ -1,4 +1,4 @@
-/** What is said while a character is driven. */
+/** Texts of driving. */
 import { counted } from "../../../strings/counted.en";
 
 export const driveWords = {
@@ -46,7 +46,7 @@ export const driveWords = {
     legend: "On the ground, the next second",
     asked: "asked",
     ofClip: "of the clip",
-    /** @param why how much walking the database has, a sentence */
+    /** @param why sentence on how much walking the database has */
     note: (why: string) => `${why} Built-in clips walk.`,
     from: (clips: number, frames: number) => `${counted("neutral clip")(clips)}, ${counted("frame")(frames)}`,
   },

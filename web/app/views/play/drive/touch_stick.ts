@@ -1,8 +1,8 @@
-/** A stick under the thumb, on the left half of the picture. */
+/** A virtual stick under the thumb, on the left half of the picture. */
 import { html } from "../../../../ui/dom";
 import { stickWish, type Wish } from "./wish";
 
-/** How far the thumb moves, CSS pixels; beyond this share of it the character runs. */
+/** Largest deflection, CSS pixels; beyond this share of it the character runs. */
 const REACH_PX = 56;
 const RUNS = 0.85;
 
@@ -13,9 +13,9 @@ export class TouchStick {
   #wish: Wish | undefined;
 
   /**
-   * @param picture what is touched
+   * @param picture element that is touched
    * @param isFree whether touches steer
-   * @param onUse called when the stick is taken
+   * @param onUse called when the stick is grabbed
    */
   constructor(picture: HTMLElement, isFree: () => boolean, onUse: () => void, signal: AbortSignal) {
     this.element.append(this.#knob);
@@ -24,7 +24,7 @@ export class TouchStick {
       if (event.pointerType !== "touch" || this.#held || !isFree()) return;
       const { left, top, width } = picture.getBoundingClientRect();
       if (event.clientX > left + width / 2) return;
-      // The camera would turn.
+      // Otherwise the camera would turn.
       event.stopPropagation();
       event.preventDefault();
       picture.setPointerCapture(event.pointerId);
@@ -45,19 +45,19 @@ export class TouchStick {
     picture.addEventListener("pointerdown", onDown, options);
     picture.addEventListener("pointermove", onMove, options);
     for (const type of ["pointerup", "pointercancel"] as const) picture.addEventListener(type, onEnd, options);
-    // A page that scrolls under the thumb would take the pointer away.
+    // If the page scrolled under the thumb, the pointer would be lost.
     picture.addEventListener("touchstart", (event) => this.#held && event.preventDefault(), {
       ...options,
       passive: false,
     });
   }
 
-  /** What the thumb asks for. */
+  /** The input of the stick. */
   get wish(): Wish | undefined {
     return this.#wish;
   }
 
-  /** Lets go. */
+  /** Releases the stick. */
   stop(): void {
     this.#held = undefined;
     this.#wish = undefined;

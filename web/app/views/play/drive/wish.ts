@@ -1,31 +1,31 @@
-/** What a device asks for, in the frame of the picture, and what that is over the ground. Pure. */
+/** Steering input of a device in the picture's frame, and its conversion to the ground. Pure functions. */
 
-/** Where to, how fast, and whether only to turn there. */
+/** Direction, speed, and whether only to turn. */
 export interface Wish {
-  /** Right in the picture and away from the viewer, of length 0 to 1. */
+  /** Right in the picture and away from the viewer, length 0 to 1. */
   readonly right: number;
   readonly ahead: number;
-  /** 1 walks, 2 runs. */
+  /** 1 walk, 2 run. */
   readonly gait: number;
-  /** Whether the character turns that way on the spot. */
+  /** Whether the character turns to this direction on the spot. */
   readonly turns?: boolean;
 }
 
-/** A deflection that a stick at rest may have, and up to which one turns without going. */
+/** Dead zone of a stick at rest, and the deflection up to which it only turns the character. */
 const DEAD = 0.2;
 const TURNING = 0.35;
 
-/** What a stick asks for that is deflected to the right and away by shares of its reach; `undefined` in its dead zone. */
+/** The input of a stick deflected to the right and away by shares of its range; `undefined` in its dead zone. */
 export function stickWish(right: number, ahead: number, gait: number): Wish | undefined {
   const deflection = Math.hypot(right, ahead);
   if (!(deflection > DEAD)) return undefined;
   const turns = deflection < TURNING;
-  // The square lets small deflections be told apart.
+  // The square makes small deflections finer.
   const length = turns ? 1 : ((Math.min(deflection, 1) - DEAD) / (1 - DEAD)) ** 2;
   return { right: (right / deflection) * length, ahead: (ahead / deflection) * length, gait, turns };
 }
 
-/** A wish over the ground, [x, z]; `sight` is where the camera looks. */
+/** An input converted to the ground, [x, z]; `sight` is the camera's viewing direction. */
 export function overGround(
   { right, ahead }: Wish,
   sight: readonly [x: number, y: number, z: number],
@@ -36,5 +36,5 @@ export function overGround(
   return [ahead * x - right * z, ahead * z + right * x];
 }
 
-/** The heading of a way over the ground, radians about +Y from +Z to +X. */
+/** The heading of a direction on the ground, radians about +Y from +Z to +X. */
 export const headingOf = (x: number, z: number): number => Math.atan2(x, z);

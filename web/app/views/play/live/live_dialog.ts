@@ -1,4 +1,4 @@
-/** Asks where a performer is, before anything is connected to. */
+/** Asks for the address of a live performer, before any connection is made. */
 import { addressOf, STREAM_FORMATS, type StreamFormat } from "../../../../streams/web_socket_poses";
 import { button } from "../../../../ui/controls/buttons";
 import { icon } from "../../../../ui/controls/icons";
@@ -9,7 +9,7 @@ import { liveWords } from "./strings.en";
 
 const words = liveWords.dialog;
 
-/** The sender that is wanted; `undefined` where none is. */
+/** The chosen sender; `undefined` if the user cancels. */
 export function askForSource(usual: LiveAddress): Promise<LiveAddress | undefined> {
   const url = html("input", {
     type: "text",
@@ -55,7 +55,7 @@ export function askForSource(usual: LiveAddress): Promise<LiveAddress | undefine
   return asked;
 }
 
-/** Why an address cannot be connected to; empty where it can. */
+/** Why an address is refused; empty if it is valid. */
 function refusalOf(url: string): string {
   try {
     addressOf(url);

@@ -1,4 +1,4 @@
-/** Names of live inputs: `live:ws://127.0.0.1:39541`, or `live:bvh:ws://…` where messages are not JSON. */
+/** Names of live inputs: `live:ws://127.0.0.1:39541`, or `live:bvh:ws://…` if messages are not JSON. */
 import { LIVE } from "../../../../player/input_library";
 import { STREAM_FORMATS, type StreamFormat } from "../../../../streams/web_socket_poses";
 
@@ -8,10 +8,10 @@ export interface LiveAddress {
   readonly format: StreamFormat;
 }
 
-/** What a dialog begins with. */
+/** Initial values of the dialog. */
 export const USUAL: LiveAddress = { url: "ws://127.0.0.1:39541", format: "json" };
 
-/** The sender that a name is of; the usual one where it is of none. */
+/** The sender in a name; the default one if there is none. */
 export function addressIn(name: string): LiveAddress {
   const rest = name.slice(LIVE.length);
   const format = STREAM_FORMATS.find((known) => rest.startsWith(`${known}:`));

@@ -1,4 +1,4 @@
-/** How a performer's stream goes, in numbers. */
+/** State of a performer's stream in numbers. */
 import type { LiveStats } from "../../../../client/live/protocol";
 import type { SocketState } from "../../../../streams/web_socket_poses";
 import { button } from "../../../../ui/controls/buttons";
@@ -7,12 +7,12 @@ import { liveWords } from "./strings.en";
 
 const words = liveWords.panel;
 
-/** What stands for a number that is not known yet. */
+/** Placeholder of a number that is not known yet. */
 const UNKNOWN = "–";
 
 export class LivePanel {
   readonly element: HTMLElement;
-  /** Below the picture. */
+  /** The figures below the picture. */
   readonly figures: HTMLElement;
   readonly #state = html("b");
   readonly #rate = html("b");
@@ -24,7 +24,7 @@ export class LivePanel {
   readonly #unreadRow: HTMLElement;
   readonly #fault = html("p", { class: "caption live-fault", role: "status" });
 
-  /** @param sender who performs */
+  /** @param sender display name of the sender */
   constructor(sender: string, onChange: () => void) {
     const row = (name: string, value: HTMLElement, unit: string) =>
       html("div", { class: "live-row" }, html("dt", {}, name), html("dd", {}, value, unit && ` ${unit}`));
@@ -54,7 +54,10 @@ export class LivePanel {
     );
   }
 
-  /** Shows how the connection stands; `waitSecs` is how long it is waited for, and silent a sender that is there. */
+  /**
+   * Shows the state of the connection; `waitSecs` is the time until the next attempt, and `isSilent` means that a
+   * connected sender sends nothing.
+   */
   showState({ kind }: SocketState, waitSecs: number, isSilent: boolean): void {
     const said = {
       connecting: words.connecting,
@@ -64,12 +67,12 @@ export class LivePanel {
     setText(this.#state, said[kind]);
   }
 
-  /** A sentence about what does not work; empty where all does. */
+  /** A sentence about the current problem; empty if there is none. */
   set fault(sentence: string) {
     setText(this.#fault, sentence);
   }
 
-  /** @param unread messages that could not be read */
+  /** @param unread number of messages that could not be read */
   show({ taken, periodSecs, late, missing, delaySecs, latencySecs, refused, frames }: LiveStats, unread: number): void {
     const number = (isKnown: boolean, value: number, digits: number) =>
       isKnown ? formatNumber(value, digits) : UNKNOWN;

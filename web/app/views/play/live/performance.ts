@@ -1,4 +1,4 @@
-/** Somebody performs in Play: their poses go to the engine, and how that goes to the panel. */
+/** A live performance in Play: passes the performer's poses to the engine, and the state of the stream to the panel. */
 import "./live.css";
 import type { StreamFrame } from "../../../../client/live/protocol";
 import { Recording } from "../../../../client/server/recording";
@@ -19,19 +19,19 @@ import { liveWords } from "./strings.en";
 
 /** Time between updates of the panel, milliseconds. */
 const SHOW_MS = 250;
-/** A sender that is there says nothing after this time, milliseconds. */
+/** After this time without messages, a connected sender counts as silent, milliseconds. */
 const SILENT_MS = 1000;
-/** The most that is kept, seconds. */
+/** Longest recording, seconds. */
 const MAX_KEPT_SECS = 300;
 
-/** Where Play has room for what belongs to a performer. */
+/** Elements of Play that contain the elements of a live performance. */
 export interface LivePlaces {
-  /** The panel of the input, which the performer's comes after. */
+  /** The panel of the input, after which the performer's is inserted. */
   readonly input: HTMLElement;
   readonly transport: HTMLElement;
 }
 
-/** Asks for a sender, beginning with the one that a name is of, and connects to it; whether somebody may perform now. */
+/** Asks for a sender, with that of a name as the default, and connects to it. Returns whether a performance has started. */
 export async function askForPerformer(host: ViewHost, name: string): Promise<boolean> {
   const chosen = await askForSource(addressIn(name));
   return chosen !== undefined && connect(host, nameOf(chosen));
@@ -47,7 +47,7 @@ export class Performance {
   readonly #host: ViewHost;
   readonly #performer: LivePerformer;
   readonly #address: LiveAddress;
-  /** Names of the database's styles, its neutral one and its rate. */
+  /** Names of the database's styles, its neutral style and its frame rate. */
   readonly #styles: readonly string[];
   readonly #neutral: string;
   readonly #rateHz: number;
@@ -58,11 +58,11 @@ export class Performance {
   readonly #recording: Recording;
   readonly #showing: ReturnType<typeof setInterval>;
   #state: SocketState = { kind: "connecting" };
-  /** When it is tried again, milliseconds. */
+  /** Time of the next connection attempt, milliseconds. */
   #againAt = 0;
-  /** Messages that could not be read. */
+  /** Number of messages that could not be read. */
   #unread = 0;
-  /** Frames that were taken, and when the last one was seen among them, milliseconds. */
+  /** Number of accepted frames, and when the last new one was seen, milliseconds. */
   #taken = 0;
   #heardAt = 0;
 
@@ -87,7 +87,7 @@ export class Performance {
     void this.#perform(sender);
   }
 
-  /** Makes what was received an input, with the styles it was shown in. */
+  /** Makes the received motion an input, with the styles in which it was displayed. */
   keep(): Promise<boolean> {
     const frames = Math.min(this.#recording.frames, MAX_KEPT_SECS * this.#rateHz);
     const { proportions, rateHz } = this.#performer.stream.database.info;

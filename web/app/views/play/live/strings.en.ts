@@ -1,4 +1,4 @@
-/** What is said while somebody performs live. */
+/** Texts of a live performance. */
 
 export const liveWords = {
   dialog: {

@@ -1,4 +1,4 @@
-/** The file of an assignment of joints, which `strut --joints` takes, too. */
+/** The file of a joint mapping, which `strut --joints` reads, too. */
 import type { JointNames } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
 import { readingWords } from "./strings.en";
@@ -10,7 +10,7 @@ export function jointFile(joints: JointNames): string {
   return `${JSON.stringify({ joints }, null, 2)}\n`;
 }
 
-/** The assignment in a file's text, or a sentence on why there is none. */
+/** The joint mapping in a file's text, or a sentence on why it is invalid. */
 export function readJointFile(name: string, text: string): { joints: JointNames } | { fault: string } {
   let file: unknown;
   try {

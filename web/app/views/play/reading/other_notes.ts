@@ -1,7 +1,7 @@
-/** The notes on a file that the rows of its panel do not say. */
+/** The notes on a file that are not shown in the rows of its panel. */
 import type { Note } from "../../../../client/protocol";
 
-/** Codes of notes that the rows say. */
+/** Codes of notes that are shown in the rows. */
 const IN_ROWS: ReadonlySet<string> = new Set([
   "up",
   "up-unsure",
@@ -12,5 +12,5 @@ const IN_ROWS: ReadonlySet<string> = new Set([
   "unfamiliar",
 ]);
 
-/** The notes that no row says. */
+/** The notes that no row shows. */
 export const otherNotes = (notes: readonly Note[]): Note[] => notes.filter(({ code }) => !IN_ROWS.has(code));

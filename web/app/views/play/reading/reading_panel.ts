@@ -1,4 +1,4 @@
-/** The panel that shows how a file was read: what was found, guessed or said, each to be corrected. */
+/** The panel with the reading of a file: properties that were found, guessed or specified, each of which can be corrected. */
 import "./reading_panel.css";
 import { type FileRead, type FileReading, type InputInfo, type Note, UP_AXES } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
@@ -27,30 +27,30 @@ import { pullToClose } from "./sheet";
 import { readingWords as words } from "./strings.en";
 
 export interface ReadingListeners {
-  /** The file is to be read so. */
+  /** Called when the file is to be read in another way. */
   onRead: (reading: FileReading) => Promise<boolean>;
-  /** The input is of an action; of any where it is empty. */
+  /** Called when the user sets the input's action; empty for any action. */
   onAction: (action: string) => void;
-  /** Nothing is said of what the input is any more. */
+  /** Called when the user's labels of the input are removed. */
   onAnything: () => void;
   onClose: () => void;
-  /** A file of joints is none: a sentence. */
+  /** Called with a sentence if a file of joints is invalid. */
   onRefused: (sentence: string) => void;
 }
 
-/** What the row of likeness shows. */
+/** Contents of the similarity row. */
 export interface ShownLikeness {
-  /** What the input is like; `undefined` while that is not known. */
+  /** The recognised class; `undefined` while it is not known. */
   likeness: Likeness | undefined;
   /** Actions of the database. */
   actions: readonly string[];
-  /** The action that the input was said to be; empty where nobody said. */
+  /** The action that the user set for the input; empty if none. */
   action: string;
-  /** Whether a person said what the input is. */
+  /** Whether the user set labels of the input. */
   said: boolean;
 }
 
-/** A row: its control, and what is said of it. */
+/** A row: its control and its texts. */
 interface Row {
   element: HTMLElement;
   source: HTMLElement;
@@ -122,12 +122,12 @@ export class ReadingPanel {
     pullToClose(this.element, this.#head, listeners.onClose);
   }
 
-  /** Takes the line that shows how far the reading of a file is. */
+  /** Adds the progress line of reading a file. */
   takeProgress(line: HTMLElement): void {
     this.#head.append(line);
   }
 
-  /** The input whose file is shown. */
+  /** The input whose file is displayed. */
   set input(input: InputInfo) {
     this.#input = input;
     const { reading: read, notes } = input;
@@ -150,7 +150,7 @@ export class ReadingPanel {
     this.#resetAll.disabled = !ROW_NAMES.some((name) => saysRow(read.said, name));
   }
 
-  /** What may be wrong with the styled motion, once it is there. */
+  /** Notes on the styled motion, once it exists. */
   set styledNotes(notes: readonly Note[]) {
     this.#ofStyled = notes;
     this.#showNotes();
@@ -162,7 +162,7 @@ export class ReadingPanel {
     this.#notes.hidden = others.length === 0;
   }
 
-  /** How like the styles the input is, and what it was said to be. */
+  /** The recognised class of the input, and the labels set by the user. */
   set likeness({ likeness, actions, action, said }: ShownLikeness) {
     const names = ["", ...actions];
     if (names.join() !== [...this.#action.options].map(({ value }) => value).join())
@@ -211,7 +211,7 @@ export class ReadingPanel {
     return row;
   }
 
-  /** What was said of the file. */
+  /** The user's reading of the file. */
   get #said(): FileReading {
     return this.#input?.reading?.said ?? {};
   }
@@ -226,7 +226,7 @@ export class ReadingPanel {
     else this.#showAgain();
   }
 
-  /** Has the file be read so; where it cannot be, the rows show again how it is. */
+  /** Reads the file in another way; if that fails, the rows return to the current reading. */
   async #read(reading: FileReading): Promise<void> {
     if (await this.#listeners.onRead(reading)) announce(words.again);
     else this.#showAgain();

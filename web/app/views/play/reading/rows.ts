@@ -1,4 +1,4 @@
-/** What the panel says of each part of how a file was read. Pure. */
+/** Texts of the panel about each part of a reading. Pure functions. */
 import type { FileRead, FileReading, Note } from "../../../../client/protocol";
 import { ROLES } from "../../../../humanoid";
 import { formatNumber } from "../../../../ui/dom";
@@ -6,21 +6,21 @@ import { spoken } from "../../../ui/words";
 import type { Likeness } from "../likeness";
 import { readingWords as words } from "./strings.en";
 
-/** The parts of a reading that a person can change. */
+/** The parts of a reading that the user can change. */
 export const ROW_NAMES = ["up", "sides", "floor", "unit", "joints"] as const;
 export type RowName = (typeof ROW_NAMES)[number];
 
-/** What is said of a row. */
+/** Texts of a row. */
 export interface RowText {
-  /** One word or three: where it comes from. */
+  /** One to three words: the source of the value. */
   source: string;
-  /** Whether it is a guess that can be wrong. */
+  /** Whether it is a guess that may be wrong. */
   guessed: boolean;
-  /** A sentence: what it was read from. */
+  /** A sentence: from what it was determined. */
   why: string;
 }
 
-/** Usual units of length, metres. */
+/** Common units of length, metres. */
 export const UNITS = [
   { metres: 1, name: words.unit.metres },
   { metres: 0.1, name: words.unit.decimetres },
@@ -29,7 +29,7 @@ export const UNITS = [
   { metres: 0.001, name: words.unit.millimetres },
 ] as const;
 
-/** What is said of every row. */
+/** Texts of all rows. */
 export function rowTexts(read: FileRead, notes: readonly Note[]): Record<RowName, RowText> {
   const has = (code: string) => notes.some((note) => note.code === code);
   const unsure = notes.find(({ code }) => code === "up-unsure")?.text;
@@ -52,14 +52,17 @@ export function rowTexts(read: FileRead, notes: readonly Note[]): Record<RowName
     ...(read.upFrom === "said" && { up: saidOf(read) }),
     ...(read.sidesFrom === "said" && { sides: saidOf(read) }),
     ...(read.floorFrom === "said" && { floor: saidOf(read) }),
-    // How tall the body is then shows whether it can be.
+    // The resulting height of the body then shows whether the unit is plausible.
     ...(read.unitFrom === "said" && { unit: { ...saidOf(read), why: found.unit.why } }),
     ...(read.jointsFrom === "said" && { joints: { ...saidOf(read), why: without ?? words.joints.none } }),
   };
   return { ...found, ...said };
 }
 
-/** What is said of how like the styles a file is; `said` is whether a person said what it is. It is never a guess of the reading. */
+/**
+ * The text about the recognised class of a file; `said` tells whether the user set labels. It never counts as a guess
+ * of the reading.
+ */
 export function likenessText(likeness: Likeness | undefined, said: boolean): RowText {
   const text = (source: string, why: string): RowText => ({ source, guessed: false, why });
   const { likeness: say, sources } = words;
@@ -80,7 +83,7 @@ export function likenessText(likeness: Likeness | undefined, said: boolean): Row
   return text(kind === "class" ? say.class(action, spoken(read.style)) : say.action(action), whys[kind]);
 }
 
-/** The names of the fields of a reading that a row is of. */
+/** Fields of a reading that belong to each row. */
 const FIELDS = {
   up: ["up"],
   sides: ["mirrored", "swapSides"],
@@ -89,18 +92,18 @@ const FIELDS = {
   joints: ["joints"],
 } as const satisfies Record<RowName, readonly (keyof FileReading)[]>;
 
-/** A reading without what it says of a row. */
+/** A reading without the fields of a row. */
 export function withoutRow(reading: FileReading, row: RowName): FileReading {
   const fields: readonly string[] = FIELDS[row];
   return Object.fromEntries(Object.entries(reading).filter(([name]) => !fields.includes(name)));
 }
 
-/** Whether a reading says anything of a row. */
+/** Whether a reading specifies a field of a row. */
 export function saysRow(reading: FileReading, row: RowName): boolean {
   return Object.keys(withoutRow(reading, row)).length < Object.keys(reading).length;
 }
 
-/** Whether a reading says anything that is remembered. */
+/** Whether a reading specifies a field that is stored for its skeleton. */
 export const saysOfSkeleton = (reading: FileReading): boolean =>
   ROW_NAMES.some((row) => row !== "floor" && saysRow(reading, row));
 

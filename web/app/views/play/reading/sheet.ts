@@ -1,13 +1,13 @@
-/** A sheet at the bottom of a narrow screen, which is pulled down by its head to close it. */
+/** A sheet at the bottom of a narrow screen, which is closed by pulling down its header. */
 import { html } from "../../../../ui/dom";
 import { listenToDrags } from "../../../../ui/drag";
 
-/** How far a sheet is pulled to be closed: a quarter of its height, and at most this, pixels. */
+/** Pull that closes a sheet: a quarter of its height, and at most this, pixels. */
 const MOST_PULL = 96;
 
 /**
- * Puts a handle into a sheet's head and lets the head be pulled. The button that closes the sheet stays, for those who do not
- * drag. Where the sheet is no sheet, as on a wide screen, style sheets hide the handle and nothing can be pulled.
+ * Adds a handle to a sheet's header and makes the header draggable. The close button stays, for users who do not drag.
+ * On a wide screen the element is not a sheet: style sheets hide the handle and dragging is off.
  */
 export function pullToClose(sheet: HTMLElement, head: HTMLElement, onClose: () => void): void {
   const handle = html("span", { class: "sheet-handle", "aria-hidden": "true" });

@@ -1,4 +1,4 @@
-/** What the panel says that shows how a file was read. */
+/** Texts of the panel with the reading of a file. */
 export const readingWords = {
   heading: "How this file was read",
   close: "Close",

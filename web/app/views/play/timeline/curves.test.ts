@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { JOINTS, POSE_FLOATS } from "../../../../humanoid";
 import { CURVES, curveOf, plantedStretches, readStretches, spanOf, timingMap, unitOf, valueAt } from "./curves";
 
-/** A T-pose with one joint turned by `degrees` about an axis. */
+/** A T-pose with one joint rotated by `degrees` about an axis. */
 function turned(joint: number, axis: [number, number, number], degrees: number): Float32Array {
   const pose = new Float32Array(POSE_FLOATS);
   for (let j = 0; j < JOINTS; j++) pose[3 + 4 * j + 3] = 1;

@@ -1,6 +1,6 @@
 /**
- * Joint angles over time, from poses of the canonical humanoid (`rust/strut-core/src/humanoid.rs`): what the
- * timeline draws. Pure.
+ * Joint angles over time, from poses of the canonical humanoid (`rust/strut-core/src/humanoid.rs`), for the timeline.
+ * Pure functions.
  */
 
 import type { CurveSubject } from "../../../../client/protocol";
@@ -9,14 +9,14 @@ import { strings } from "../../../strings/strings";
 
 type Vector = readonly [number, number, number];
 
-/** How a pose becomes one number. */
+/** Converts a pose to a number. */
 export type Measure =
   /**
-   * The angle, in degrees, of the bone that hangs on a joint. `bone` is its direction in the T-pose, +X left, +Y up, +Z
-   * forward; `bend`: how far the bone turned, 0–180; `swing`: forward of hanging down; `lean`: forward of upright.
+   * The angle, in degrees, of the child bone of a joint. `bone` is its direction in the T-pose, +X left, +Y up, +Z
+   * forward; `bend`: the angle of rotation, 0–180; `swing`: forward of hanging down; `lean`: forward of upright.
    */
   | { kind: "bend" | "swing" | "lean"; joint: number; bone: Vector }
-  /** One component of a joint's rotation vector, degrees: a degree of freedom as the engine has it. */
+  /** One component of a joint's rotation vector, degrees: a degree of freedom of the engine. */
   | { kind: "turn"; joint: number; axis: 0 | 1 | 2 }
   /** Height of the hips, centimetres. */
   | { kind: "height" };
@@ -24,7 +24,7 @@ export type Measure =
 const DOWN: Vector = [0, -1, 0];
 const UP: Vector = [0, 1, 0];
 
-/** The measures on offer, by name. */
+/** The available measures, by name. */
 const CHOSEN: Readonly<Record<string, Measure>> = {
   "knee L": { joint: 14, bone: DOWN, kind: "bend" },
   "knee R": { joint: 18, bone: DOWN, kind: "bend" },
@@ -49,7 +49,7 @@ const DEGREES_OF_FREEDOM: Readonly<Record<string, Measure>> = Object.fromEntries
   ),
 );
 
-/** What the timeline offers, in groups. */
+/** The curves offered by the timeline, in groups. */
 export const CURVE_GROUPS: readonly { title: string; names: readonly string[] }[] = [
   { title: strings.play.timeline.curveGroups.angles, names: Object.keys(CHOSEN) },
   { title: strings.play.timeline.curveGroups.freedoms, names: Object.keys(DEGREES_OF_FREEDOM) },
@@ -65,7 +65,7 @@ export function unitOf(measure: Measure): string {
 
 const DEGREES = 180 / Math.PI;
 
-/** v turned by the quaternion at `offset` (x y z w): v + 2w(u×v) + 2u×(u×v). */
+/** v rotated by the quaternion at `offset` (x y z w): v + 2w(u×v) + 2u×(u×v). */
 function rotated(q: ArrayLike<number>, offset: number, v: Vector): Vector {
   const [x, y, z, w] = [q[offset]!, q[offset + 1]!, q[offset + 2]!, q[offset + 3]!];
   const tx = 2 * (y * v[2] - z * v[1]);
@@ -74,7 +74,10 @@ function rotated(q: ArrayLike<number>, offset: number, v: Vector): Vector {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
-/** The part of a pose that a measure reads. The hips turn with the heading, which poses do not share: `undefined`. */
+/**
+ * The part of a pose from which a measure is computed. The hips rotate with the heading, which differs between
+ * examples: `undefined`.
+ */
 export function subjectOf(measure: Measure): CurveSubject | undefined {
   if (measure.kind === "height") return "height";
   return measure.joint === 0 ? undefined : measure.joint;
@@ -85,14 +88,14 @@ export function valueAt(poses: ArrayLike<number>, start: number, measure: Measur
   return measuredAt(poses, measure.kind === "height" ? start + 1 : start + 3 + 4 * measure.joint, measure);
 }
 
-/** The value of a measure whose input is at `offset`: a height in metres or a rotation x y z w. */
+/** The value of a measure from the numbers at `offset`: a height in metres or a rotation x y z w. */
 export function measuredAt(numbers: ArrayLike<number>, offset: number, measure: Measure): number {
   if (measure.kind === "height") return 100 * numbers[offset]!;
   if (measure.kind === "turn") {
     const sign = numbers[offset + 3]! < 0 ? -1 : 1;
     const [x, y, z] = [0, 1, 2].map((i) => sign * numbers[offset + i]!) as [number, number, number];
     const sine = Math.hypot(x, y, z);
-    // Near no rotation the vector is twice the quaternion's.
+    // Near the identity the vector is twice the quaternion's.
     const scale = sine > 1e-6 ? (2 * Math.atan2(sine, sign * numbers[offset + 3]!)) / sine : 2;
     return [x, y, z][measure.axis]! * scale * DEGREES;
   }
@@ -127,7 +130,7 @@ export function spanOf(curves: readonly Float32Array[], minSpan: number): { low:
   return { low: low - air, high: high + air };
 }
 
-/** Stretches of frames, [from, to), in which a foot is planted; `contacts` has two per frame, `foot` is 0 or 1. */
+/** Ranges of frames, [from, to), in which a foot is planted; `contacts` has two per frame, `foot` is 0 or 1. */
 export function plantedStretches(contacts: Uint8Array, foot: 0 | 1): [number, number][] {
   const stretches: [number, number][] = [];
   const frames = contacts.length / 2;
@@ -143,23 +146,23 @@ export function plantedStretches(contacts: Uint8Array, foot: 0 | 1): [number, nu
   return stretches;
 }
 
-/** Pairs of an input frame and the output time it is shown at, one pair every `everyFrames`: lines of the timing map. */
+/** Pairs of an input frame and its output time, one pair every `everyFrames`: lines of the timing map. */
 export function timingMap(timeOut: Float32Array, everyFrames: number): { frame: number; timeOut: number }[] {
   const pairs: { frame: number; timeOut: number }[] = [];
   for (let frame = 0; frame < timeOut.length; frame += everyFrames) pairs.push({ frame, timeOut: timeOut[frame]! });
   return pairs;
 }
 
-/** A stretch of frames, [from, to), that is read as one class, and the mean weight of that class in it. */
+/** A range of frames, [from, to), that is recognised as one class, and the mean weight of that class in it. */
 export interface ReadStretch {
   from: number;
   to: number;
-  /** Number of the class. */
+  /** Index of the class. */
   class: number;
   weight: number;
 }
 
-/** Which class each frame is read as: the heaviest one, frame after frame. */
+/** The recognised class of each frame: the heaviest one, merged to ranges. */
 export function readStretches(weights: Float32Array, classes: number): ReadStretch[] {
   const stretches: ReadStretch[] = [];
   const frames = classes > 0 ? weights.length / classes : 0;

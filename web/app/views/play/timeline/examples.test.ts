@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { CURVES } from "./curves";
 import { exampleCurves } from "./examples";
 
-/** A rotation by some degrees about +X. */
+/** A rotation by `degrees` about +X. */
 const pitched = (degrees: number): number[] => {
   const half = (degrees * Math.PI) / 360;
   return [Math.sin(half), 0, 0, Math.cos(half)];

@@ -1,20 +1,20 @@
-/** What the examples that a clip was predicted from say of a curve: their values, and the band that they make. Pure. */
+/** Values of a curve in the examples from which a clip was predicted, and their band. Pure functions. */
 import type { Examples } from "../../../../client/protocol";
 import { type Measure, measuredAt } from "./curves";
 
 /** The examples of every frame, in the unit of the curve. */
 export interface ExampleCurves {
-  /** Where the examples of each frame begin, and after the last frame where they end. */
+  /** Index of the first example of each frame, and the end after the last frame. */
   starts: Uint32Array;
   values: Float32Array;
-  /** How much each counted, 0–1. */
+  /** Weight of each example, 0–1. */
   weights: Float32Array;
-  /** Weighted mean of each frame's examples, less and plus their weighted standard deviation: the confidence band. */
+  /** Weighted mean of each frame's examples, minus and plus their weighted standard deviation: the confidence band. */
   low: Float32Array;
   high: Float32Array;
 }
 
-/** The examples of a clip beside its curve. Angles are taken on the turn that is nearest to the curve's. */
+/** The examples of a clip for its curve. Angles are unwrapped to the value nearest to the curve's. */
 export function exampleCurves(examples: Examples, measure: Measure, curve: Float32Array): ExampleCurves {
   const { counts, weights } = examples;
   const size = measure.kind === "height" ? 1 : 4;

@@ -1,6 +1,6 @@
 /**
- * Paints the timeline's rows on canvases: what stays until the next analysis, and over it what moves with the
- * playhead. All rows share one x: the input's time.
+ * Paints the timeline's rows on canvases: a still layer until the next analysis, and over it a layer that moves with
+ * the playhead. All rows share one x axis: the input's time.
  */
 
 import type { FrameRange } from "../../../../client/protocol";
@@ -12,18 +12,18 @@ import type { ReadStretch } from "./curves";
 import type { ExampleCurves } from "./examples";
 
 /**
- * Rows from the top that are where they are at any height; {@link Axis} has those below them. All lengths are CSS pixels
- * where text has its usual size, and grow with the text.
+ * Rows at the top, whose positions do not depend on the height; {@link Axis} has those below them. All lengths are CSS
+ * pixels at the normal text size, and scale with the text.
  */
 export const ROWS = {
   ruler: 21,
-  /** Middle of the lane of style keys, which stands on the ruler's line. */
+  /** Middle of the lane of style keys, which is on the ruler's line. */
   keys: 28,
   contacts: [36, 45],
   contactHeight: 6,
   reads: { top: 55, height: 5 },
 } as const;
-/** Where the curve begins, and how far above the lower edge it and the rows below it end. */
+/** Top of the curve, and the distance of its bottom and of the rows below it from the lower edge. */
 const CURVE_TOP = 65;
 const FROM_BELOW = { curve: 36, timing: { top: 31, bottom: 19 } };
 
@@ -32,37 +32,37 @@ const INSET = 6;
 /** Minimum distance of labels on a ruler. */
 const MIN_TICK = 80;
 
-/** All that the still layer shows. Curves are in degrees, one value a frame. */
+/** Contents of the still layer. Curves are in degrees, one value per frame. */
 export interface TimelineData {
   frames: number;
   rateHz: number;
   inputCurve: Float32Array;
   styledCurve: Float32Array;
-  /** What the styled curve was predicted from; `undefined` where that cannot be shown. */
+  /** The examples behind the styled curve; `undefined` if they cannot be shown. */
   examples: ExampleCurves | undefined;
   /** Value range of the curves. */
   span: { low: number; high: number } | undefined;
-  /** Planted stretches, left and right, in frames. */
+  /** Contact ranges, left and right, in frames. */
   planted: [[number, number][], [number, number][]];
-  /** Which class the input is read as. */
+  /** The recognised classes of the input. */
   reads: readonly ReadStretch[];
   /** Lines between the input's and the output's time. */
   timing: readonly { frame: number; timeOut: number }[];
   durationOutSecs: number;
 }
 
-/** What is over the still layer at a moment, in input frames. */
+/** Contents of the moving layer, in input frames. */
 export interface Overlay {
   /** The playhead. */
   frame: number;
-  /** Where the pointer is over the rows. */
+  /** Position of the pointer over the rows. */
   hover: number | undefined;
   range: FrameRange | undefined;
   /** Unit of the curves. */
   unit: string;
 }
 
-/** Maps frames to pixels and back, and has the rows whose places depend on the height. */
+/** Maps frames to pixels and back, and has the rows whose positions depend on the height. */
 export class Axis {
   readonly curve: { readonly top: number; readonly bottom: number };
   readonly timing: { readonly top: number; readonly bottom: number };
@@ -78,7 +78,7 @@ export class Axis {
     this.timing = { top: height - FROM_BELOW.timing.top, bottom: height - FROM_BELOW.timing.bottom };
   }
 
-  /** Other values along the rows. */
+  /** Another scale along the rows. */
   along(min: number, max: number): Scale {
     return { min, max, from: INSET, to: Math.max(INSET, this.width - INSET) };
   }
@@ -87,7 +87,7 @@ export class Axis {
     return pixelOf(this.#frames, frame);
   }
 
-  /** Height of a value in the curve's row. */
+  /** Y position of a value in the curve's row. */
   y(value: number, { low, high }: { low: number; high: number }): number {
     const { top, bottom } = this.curve;
     return pixelOf({ min: low, max: high, from: bottom - 1, to: top + 1 }, value);
@@ -98,14 +98,14 @@ export class Axis {
   }
 }
 
-/** Sizes a canvas for sharp pixels and returns its context, cleared. `zoom` is the number of CSS pixels of a unit. */
+/** Sizes a canvas for sharp pixels and returns its context, cleared. `zoom` is the number of CSS pixels per unit. */
 export function prepare(
   canvas: HTMLCanvasElement,
   width: number,
   height: number,
   zoom: number,
 ): CanvasRenderingContext2D {
-  // In the page's own memory: a canvas of the graphics processor's waits for the 3-D picture to be drawn.
+  // In main memory: a canvas on the GPU would wait for the 3-D picture.
   const context = canvas.getContext("2d", { willReadFrequently: true })!;
   const ratio = (devicePixelRatio || 1) * zoom;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -133,7 +133,7 @@ export function paintStill(c: CanvasRenderingContext2D, axis: Axis, data: Timeli
   paintTiming(c, axis, data, colours);
 }
 
-/** What the input is read as: a bar for each class, as strong as its weight. */
+/** The recognised classes: a bar for each, with its weight as the opacity. */
 function paintReads(c: CanvasRenderingContext2D, axis: Axis, reads: readonly ReadStretch[], colours: Colours): void {
   const { top, height } = ROWS.reads;
   c.fillStyle = colours.track;
@@ -147,7 +147,7 @@ function paintReads(c: CanvasRenderingContext2D, axis: Axis, reads: readonly Rea
   c.globalAlpha = 1;
 }
 
-/** The output's time under the input's, joined by lines, which are slanted where the style changes the timing. */
+/** The output's time under the input's, connected by lines, which are slanted where the style changes the timing. */
 function paintTiming(c: CanvasRenderingContext2D, axis: Axis, data: TimelineData, colours: Colours): void {
   const { top, bottom } = axis.timing;
   const duration = data.durationOutSecs;
@@ -190,7 +190,7 @@ function paintRuler(c: CanvasRenderingContext2D, axis: Axis, durationSecs: numbe
   }
 }
 
-/** Seconds under or over their mark; the first has the unit and begins at its mark. */
+/** A time below or above its tick; the first has the unit and begins at its tick. */
 function paintSecs(c: CanvasRenderingContext2D, secs: number, label: string, x: number, y: number): void {
   c.textAlign = secs === 0 ? "left" : "center";
   if (secs === 0) c.fillText(strings.play.timeline.zero, x - 0.5, y);
@@ -227,7 +227,7 @@ function paintCurve(
   colour: string,
   width: number,
 ): void {
-  // Long clips have many frames a pixel: the minimum and maximum of each pixel draw the same line.
+  // Long clips have many frames per pixel: the minimum and maximum of each pixel give the same line.
   const perPixel = Math.max(1, Math.floor(curve.length / axis.width));
   c.beginPath();
   for (let i = 0; i < curve.length; i += perPixel) {
@@ -265,7 +265,7 @@ function paintBand(
   c.globalAlpha = 1;
 }
 
-/** The range, the playhead with its flag, the contact that is under it, and what the curves say where the pointer is. */
+/** The range, the playhead with its flag, the contact under it, and the values of the curves at the pointer. */
 export function paintMoving(
   c: CanvasRenderingContext2D,
   axis: Axis,
@@ -297,7 +297,7 @@ export function paintMoving(
   paintReadOut(c, axis, data, hover, unit, colours);
 }
 
-/** Dims everything outside of the range. */
+/** Dims everything outside the range. */
 function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, colours: Colours): void {
   const [from, to] = [axis.x(range.first), axis.x(range.last)];
   c.globalAlpha = 0.62;
@@ -310,7 +310,7 @@ function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, 
   for (const edge of [from, to]) c.fillRect(edge - 1, ROWS.ruler - 6, 2, 11);
 }
 
-/** The examples of a frame as points: the more one counted, the larger and the clearer. */
+/** The examples of a frame as points: the larger the weight, the larger and more opaque. */
 function paintExamples(
   c: CanvasRenderingContext2D,
   axis: Axis,
@@ -358,7 +358,7 @@ function paintPoints(
   }
 }
 
-/** The values of both curves in words beside the pointer. */
+/** The values of both curves as text next to the pointer. */
 function paintReadOut(
   c: CanvasRenderingContext2D,
   axis: Axis,
@@ -399,7 +399,7 @@ function describe(value: number | undefined, unit: string): string {
   return value === undefined ? "" : `${formatNumber(value, 1)}${unit === "°" ? "" : " "}${unit}`;
 }
 
-/** What the examples of a frame come to, in words; empty without any. */
+/** The band of a frame's examples as text; empty without examples. */
 export function describeBand(examples: ExampleCurves | undefined, at: number, unit: string): string {
   const [low, high] = [examples?.low[at], examples?.high[at]];
   if (low === undefined || high === undefined) return "";

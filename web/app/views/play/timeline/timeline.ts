@@ -28,23 +28,26 @@ import {
 import { exampleCurves } from "./examples";
 import { Axis, describeBand, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
 
-/** Minimum span of the curve row, degrees: a still joint stays a flat line. */
+/** Minimum span of the curve row, degrees: a still joint remains a flat line. */
 const MIN_SPAN = 20;
 /** Input time between two lines of the timing map, seconds. */
 const MAP_SECS = 0.1;
-/** Pixels that a press in the ruler moves before it selects a range, and around the playhead, which is dragged there. */
+/**
+ * Distance that a press in the ruler must move to select a range, and the radius around the playhead in which it is
+ * dragged, pixels.
+ */
 const SELECT_PX = 4;
 const FLAG_PX = 9;
 
 export interface TimelineListeners {
-  /** The playhead was put at an input frame. */
+  /** Called when the playhead was moved to an input frame. */
   onScrub: (frame: number) => void;
   onScrubEnd: () => void;
-  /** The pointer is over an input frame, or has left. */
+  /** Called when the pointer is over an input frame, or has left. */
   onHover: (frame: number | undefined) => void;
   onRange: (range: FrameRange | undefined) => void;
   onCurve: (name: string) => void;
-  /** The atlas under the rows is to open or close. */
+  /** Called when the atlas under the rows is to open or close. */
   onAtlas: () => void;
 }
 
@@ -64,7 +67,7 @@ export class Timeline {
   #curve = "knee L";
   #data: TimelineData | undefined;
   #axis = new Axis(0, 0, 0);
-  /** CSS pixels of a unit of the drawing: more than one where the person's text is larger. */
+  /** CSS pixels per unit of the drawing: more than one if the user's text is larger. */
   #zoom = 1;
   #colours: Colours | undefined;
   #frame = 0;
@@ -73,7 +76,7 @@ export class Timeline {
   #range: FrameRange | undefined;
   #classes: DatabaseInfo["classes"] = [];
 
-  /** `keys` stands over the rows: the keys of the style track. */
+  /** `keys` is placed over the rows: the keys of the style track. */
   constructor(listeners: TimelineListeners, keys: HTMLElement) {
     this.#listeners = listeners;
     this.#menu = html("select", { "aria-label": strings.play.timeline.curve });
@@ -140,13 +143,13 @@ export class Timeline {
       ),
       html("div", { class: "timeline-stage" }, this.#rows, keys),
     );
-    // Made now, while the graphics processor is idle: making a canvas waits for it.
+    // Created now, while the GPU is idle: creating a canvas waits for it.
     for (const canvas of [this.#still, this.#moving]) prepare(canvas, 1, 1, 1);
     this.#listenToPointer();
     this.#observer.observe(this.#rows);
   }
 
-  /** Shows another input; the styled rows stay empty until its analysis comes. */
+  /** Shows another input; the styled rows stay empty until its analysis arrives. */
   set input(input: InputInfo) {
     this.#input = input;
     this.#analysis = undefined;
@@ -155,18 +158,18 @@ export class Timeline {
   }
 
   set analysis(analysis: Analysis) {
-    // Until its own examples come the curve is shown without those of the analysis before.
+    // Until the new examples arrive, the curve is shown without the previous ones.
     this.#examples = undefined;
     this.#analysis = analysis;
     this.#rebuild();
   }
 
-  /** The quantity that examples are compared in; see {@link subjectOf}. */
+  /** The quantity in which examples are compared; see {@link subjectOf}. */
   get subject(): CurveSubject | undefined {
     return subjectOf(CURVES[this.#curve]!);
   }
 
-  /** The examples that the analysis came from, of the curve's {@link subject}. */
+  /** The examples behind the analysis, for the curve's {@link subject}. */
   set examples(examples: Examples | undefined) {
     this.#examples = examples;
     this.#rebuild();
@@ -185,7 +188,7 @@ export class Timeline {
     this.#atlas.setAttribute("aria-expanded", String(open));
   }
 
-  /** The classes that the input is read as. */
+  /** The classes that can be recognised. */
   set classes(classes: DatabaseInfo["classes"]) {
     this.#classes = classes;
   }
@@ -222,7 +225,7 @@ export class Timeline {
     this.#paintMoving();
   }
 
-  /** Reads the colours again after the theme changed. */
+  /** Reads the colours again after a change of theme. */
   recolour(): void {
     this.#colours = undefined;
     this.#repaint();
@@ -293,7 +296,7 @@ export class Timeline {
     });
   }
 
-  /** A press moves the playhead, which follows; one in the ruler beside the playhead begins a range. */
+  /** A press moves the playhead, which follows; a press in the ruler away from the playhead begins a range. */
   #beginDrag(press: PointerEvent): Drag | undefined {
     if (!this.#data) return undefined;
     const listeners = this.#listeners;
@@ -336,21 +339,21 @@ export class Timeline {
     this.#rows.title = frame === undefined ? "" : `${this.#readAt(frame)} ${this.#examplesAt(frame)}`.trim();
   }
 
-  /** What the engine reads the input as at a frame, in words. */
+  /** The recognised class at a frame, as text. */
   #readAt(frame: number): string {
     const stretch = this.#data?.reads.find(({ from, to }) => frame >= from && frame < to);
     const read = stretch && this.#classes[stretch.class];
     return read ? strings.play.timeline.readAt(spoken(read.action), spoken(read.style)) : "";
   }
 
-  /** What the examples of a frame say of the curve, in words. */
+  /** The examples' values of the curve at a frame, as text. */
   #examplesAt(frame: number): string {
     const text = describeBand(this.#data?.examples, Math.round(frame), unitOf(CURVES[this.#curve]!));
     return text && `${capitalised(text)}.`;
   }
 }
 
-/** The range between two places, at least two frames long. */
+/** The range between two frames, at least two frames long. */
 function rangeBetween(a: number, b: number): FrameRange {
   const [first, last] = [Math.round(Math.min(a, b)), Math.round(Math.max(a, b))];
   return { first, last: Math.max(last, first + 1) };

@@ -1,6 +1,6 @@
 /**
- * The keys of the style track as diamonds over the timeline: pressed to be chosen, dragged or moved with the arrow keys
- * along the time, and removed with Delete or a double click.
+ * The keys of the style track as diamonds over the timeline: pressed to be selected, dragged or moved with the arrow
+ * keys in time, and removed with Delete or a double click.
  */
 
 import type { TrackKey } from "../../../../link/play";
@@ -9,9 +9,9 @@ import { type GestureListeners, listenToDrags } from "../../../../ui/drag";
 import { strings } from "../../../strings/strings";
 
 export interface TrackKeyListeners extends GestureListeners {
-  /** A key was chosen. */
+  /** Called when a key was selected. */
   onChoose: (key: number) => void;
-  /** A key was moved to a frame. */
+  /** Called when a key was moved to a frame. */
   onMove: (key: number, frame: number) => void;
   onRemove: (key: number) => void;
 }
@@ -22,10 +22,10 @@ export interface FramePlaces {
   frameAt(clientX: number): number;
 }
 
-/** Frames that an arrow key moves, and with Shift. */
+/** Frames moved by an arrow key, and with Shift. */
 const STEP = 1;
 const FAR_STEP = 10;
-/** A press that moves less than this, in pixels, chooses. */
+/** A press that moves less than this, in pixels, selects. */
 const DRAG_PX = 3;
 
 export class TrackKeys {
@@ -50,25 +50,25 @@ export class TrackKeys {
     this.layOut();
   }
 
-  /** The input that the track is about. */
+  /** The input of the track. */
   set input({ rateHz, frames }: { rateHz: number; frames: number }) {
     this.#rateHz = rateHz;
     this.#frames = frames;
     this.layOut();
   }
 
-  /** Shows a track; `describe` says the styles of a key in words. */
+  /** Shows a track; `describe` returns the styles of a key as text. */
   show(track: readonly TrackKey[], chosen: number, describe: (key: TrackKey) => string): void {
     this.#track = track;
     this.#chosen = chosen;
     this.#describe = describe;
-    // Elements stay, so that a key keeps the focus while it moves.
+    // Elements are reused, so that a key keeps the focus while it moves.
     while (this.#elements.length > track.length) this.#elements.pop()!.remove();
     while (this.#elements.length < track.length) this.#elements.push(this.#make(this.#elements.length));
     this.layOut();
   }
 
-  /** Puts the keys where their frames are. */
+  /** Moves the keys to the positions of their frames. */
   layOut(): void {
     const places = this.#places;
     if (!places) return;
