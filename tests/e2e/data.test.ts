@@ -432,7 +432,7 @@ describe("hostile input", () => {
     ]);
     await screenshot(page, "data-hostile");
     const concerns = () => page.locator(".concerns").textContent();
-    await eventually(concerns).toContain("has one clip");
+    await eventually(concerns).toContain("has only one clip");
     await eventually(concerns).toContain("has no “歩く”");
     expect(await build()).toMatch(/^Two styles ready/);
     expect(await page.title()).not.toBe("bad");

@@ -20,9 +20,10 @@ export interface StateChange {
 const SAY_MS = 1000;
 
 /**
- * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, a comma-separated list of `controls` and `table`;
- * `theme`; `poster`, the URL of a picture that is shown until the figure is ready. Events: `statechange` with a {@link
- * StateChange}; `figurechange` when the displayed values change; `termpoint` with the term of the hovered mark.
+ * Attributes: `kind`; `state`, the text of a link; `lang`; `hide`, a comma-separated list of `controls` and `table`; `theme`;
+ * `poster`, the URL of a picture that is shown until the figure is ready.
+ * Events: `statechange` with a {@link StateChange}; `figurechange` when the displayed values change; `termpoint` with the term
+ * of the hovered mark.
  */
 export class StrutFigure extends HTMLElement {
   static readonly observedAttributes = ["kind", "state", "lang", "poster"];
