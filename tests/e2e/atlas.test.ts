@@ -1,5 +1,5 @@
 /** The atlas: every distance between the input and the database, drawn by the GPU or the CPU. */
-import type { Page, Worker } from "playwright-core";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { walksIn } from "../clips";
@@ -194,20 +194,20 @@ describe("with a graphics processor", () => {
 
   it("gives way to the processor where it stops amid a drawing", async () => {
     const page = await open("?gpu=any");
-    const stop = (worker: Worker) =>
-      worker
-        .evaluate(() => {
-          if (typeof GPUDevice === "undefined") return;
-          const { createCommandEncoder } = GPUDevice.prototype;
-          GPUDevice.prototype.createCommandEncoder = function (...of) {
-            const encoder = createCommandEncoder.apply(this, of);
-            this.destroy();
-            return encoder;
-          };
-        })
-        // A worker may have ended.
-        .catch(() => {});
-    page.on("worker", (worker) => void stop(worker));
+    // In the worker's own script: a patch that is sent to a running worker may arrive after the drawing.
+    const stopAtFirstEncoder = () => {
+      if (typeof GPUDevice === "undefined") return;
+      const { createCommandEncoder } = GPUDevice.prototype;
+      GPUDevice.prototype.createCommandEncoder = function (...of) {
+        const encoder = createCommandEncoder.apply(this, of);
+        this.destroy();
+        return encoder;
+      };
+    };
+    await page.route(/worker[^/]*\.js$/, async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `(${stopAtFirstEncoder})();\n${await response.text()}` });
+    });
     await page.keyboard.press("a");
     await eventually(() => words(page, "by")).toBe("The GPU stopped responding. Drawing continues on the CPU.");
     expect(await drawn(page)).toBe("processor");
