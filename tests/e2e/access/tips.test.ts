@@ -51,7 +51,7 @@ it("by a finger that rests, which does nothing else; a tap acts", async () => {
   };
   const before = await timing.getAttribute("aria-checked");
   await press(800);
-  await eventually(() => tip().textContent()).toContain("Whether the style has its own timing");
+  await eventually(() => tip().textContent()).toContain("Lets the style change the timing");
   expect(await tip().isVisible()).toBe(true);
   const [said, about] = [(await tip().boundingBox())!, (await timing.boundingBox())!];
   expect(about.y - (said.y + said.height), "next to the control").toBeLessThan(30);
