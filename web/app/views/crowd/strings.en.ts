@@ -57,10 +57,10 @@ export const crowd = {
 
   refused: {
     kind: (text: string) =>
-      `The link asks for people who are “${text}”; walkers or performers were expected. The crowd stays as it was.`,
+      `The link’s kind of people “${text}” is invalid. Expected walkers or performers. The crowd was not changed.`,
     count: (text: string) =>
-      `The link asks for a crowd “${text}”; 1 to 1,000 people and a seed, as 300_1, were expected. The crowd stays as it was.`,
-    vertices: (_text: string) => "The link's field has more than 12 places. The field stays as it was.",
+      `The link’s crowd “${text}” is invalid. Expected 1 to 1,000 people and a seed, as in 300_1. The crowd was not changed.`,
+    vertices: (_text: string) => "The link’s style map has more than 12 places. The map was not changed.",
     vertex: (text: string) =>
       `The link’s style map “${text}” is invalid. Expected style, place, radius (0.5 to 10 m) and intensity (−1 to 2) of each vertex, as in proud_2.5_-1_3_1. The map was not changed.`,
     route: (text: string) =>
