@@ -11,7 +11,7 @@ import type { StrutPlayer } from "../../web/element";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";
 import { axeFaults } from "./axe";
-import { eventually, launchBrowser, screenshot } from "./browser";
+import { drawn, eventually, launchBrowser, screenshot } from "./browser";
 
 let browser: Browser;
 let folder: string;
@@ -33,6 +33,12 @@ afterAll(async () => {
   await server.close();
   rmSync(folder, { recursive: true });
 });
+
+/** Waits until fonts have arrived and what they change has been laid out. */
+async function laidOut(page: Page): Promise<void> {
+  await page.evaluate(() => document.fonts.ready.then(() => {}));
+  await drawn(page, 2);
+}
 
 const pages = () => readdirSync(OUT, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html"));
 
@@ -73,6 +79,7 @@ test("every page is readable by everybody and complains of nothing", async () =>
     faults.push(...(await axeFaults(page, options)).map((fault) => `${name}: ${fault}`));
   for (const name of pages()) {
     await page.goto(`${site}${name}`);
+    await laidOut(page);
     // This test checks every word; colours are tested below.
     await check(name, { rules: { "color-contrast": { enabled: false } }, resultTypes: ["violations"] });
     faults.push(...complaints.splice(0).map((complaint) => `${name}: ${complaint}`));

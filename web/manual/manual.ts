@@ -60,16 +60,20 @@ function bindSearch(field: HTMLInputElement): void {
 }
 
 /** Elements wider than the page can also be scrolled by keys. */
-function bindWide(elements: Iterable<Element>): void {
+function bindWide(elements: readonly Element[]): void {
+  const update = (element: Element) => {
+    if (element.scrollWidth > element.clientWidth) element.setAttribute("tabindex", "0");
+    else element.removeAttribute("tabindex");
+  };
   const observer = new ResizeObserver((entries) => {
-    for (const { target } of entries)
-      if (target.scrollWidth > target.clientWidth) target.setAttribute("tabindex", "0");
-      else target.removeAttribute("tabindex");
+    for (const { target } of entries) update(target);
   });
   for (const element of elements) observer.observe(element);
+  // A font that arrives later changes the width of the text, and not of the element.
+  void document.fonts.ready.then(() => elements.forEach(update));
 }
 
-bindWide(document.querySelectorAll(".wide"));
+bindWide([...document.querySelectorAll(".wide")]);
 bindTheme(document.querySelector<HTMLElement>(".theme")!);
 bindSearch(document.querySelector<HTMLInputElement>("#search")!);
 document.querySelector("#map [aria-current]")?.scrollIntoView({ block: "nearest" });
