@@ -78,7 +78,7 @@ FILES = {"help", "json", "output"}
         (strut.batch.Plan, strut.Options, "stylize-batch", {"out": "output", "parts": "part", "roles": "joints"}, {"inputs"}, {"style", "shard", "strict", "threads"}),
         (strut.Motion.open, None, "inspect", {"roles": "joints"}, {"source"}, set()),
         (strut.Database.build, None, "build-db", {"rate-hz": "rate", "roles": "joints"}, {"clips", "progress", "threads"}, {"report", "registration"}),
-        (strut.Database.add_style, None, "add-style", {"motion": "input", "name": "style"}, {"action", "threads"}, {"db"}),
+        (strut.Database.add_style, None, "add-style", {"motion": "input", "name": "style"}, {"threads"}, {"db"}),
         (strut.WalkModel.train, None, "train-walk", {}, {"clips", "threads", "progress"}, set()),
         (strut.WalkModel.walk, None, "walk", {"styles": "style", "transitions": "transition"}, {"progress"}, {"model"}),
         (strut.KeyStyleModel.train, None, "train-key-style", {}, {"source", "threads", "progress"}, set()),
