@@ -28,8 +28,8 @@ test("what a link says that cannot be is told, and what there was stays", () => 
   expect(settings.read(STYLES)).toEqual(before);
   expect(said.length).toBe(4);
   expect(said.slice(0, 2)).toEqual([
-    expect.stringMatching(/“dancers”; walkers or performers/),
-    expect.stringMatching(/“0_1”; 1 to 1,000 people/),
+    expect.stringMatching(/“dancers” is invalid. Expected walkers or performers/),
+    expect.stringMatching(/“0_1” is invalid. Expected 1 to 1,000 people/),
   ]);
   expect(store.state.field).toEqual(before.field);
   settings.read(STYLES);
