@@ -143,10 +143,11 @@ A clip that is found seldom does exactly what was asked. The difference is added
   square from 6.3 to 5.9 cm.
 - **Styling**: the stylizer is told that its input is neutral. Untold, it mixed a jump of several styles' jumps, and hands jerked. The
   99.9th percentile of the joints' acceleration in a minute fell by 15 to 48 %.
-- **Jumps from a run** begin at the run's next take-off, with the flight of the nearest jump; the root keeps its velocity up to the
-  landing, and the run goes on. Before, the character braked for up to a second. Built-in motions: take-off 0.06 and 0.13 s after
-  the key (was 1.0 s), flight 0.45 s, 27 cm up, speed in the flight 2.4 m/s, 2.0 m/s at least after the landing. From a walk, and
-  for kicks and punches, it still stops.
+- **Jumps from a run** start at the run's next take-off and use the flight of the nearest jump. The root keeps its velocity until
+  the landing; then the run continues. With the built-in motions the take-off comes 0.06 and 0.13 s after the key, where the
+  character used to brake for a second. The flight takes 0.45 s at 2.4 m/s and rises by 27 cm; after the landing the speed is at
+  least 2.0 m/s. From a walk, and for kicks and punches, the character stops first. A clip offers moves only between two rests:
+  the recorded jumps of `xia` and `cmu` end without one.
 - **Feet**: where two planted feet pull the root apart, it gives way no faster than it moves. Before, hips leapt by 4 m/s in a
   half-turn into a run (400 m/s²; the most now is in the table).
 - **The planted figure**, which the ghost shows, is drawn back to where it is driven by at most a tenth of its speed. Before, it

@@ -317,8 +317,8 @@ describe("links", () => {
       [`people=dancers&${FEW}&`, /“dancers” is invalid. Expected walkers or performers/],
       ["crowd=0_1&", /“0_1” is invalid. Expected 1 to 1,000 people/],
       ["crowd=1001_1&", /“1001_1” is invalid. Expected 1 to 1,000 people/],
-      [`${FEW}&field=${Array(13).fill("proud_1_1_2_1").join(";")}&`, /more than 12 places/],
-      [`${FEW}&field=proud_NaN_1_2_1&`, /style map “proud_NaN_1_2_1” is invalid/],
+      [`${FEW}&field=${Array(13).fill("proud_1_1_2_1").join(";")}&`, /more than 12 vertices/],
+      [`${FEW}&field=proud_NaN_1_2_1&`, /field “proud_NaN_1_2_1” is invalid/],
       [`${FEW}&field=mother_1_1_2_1&`, /no style “mother”; it has .*proud/],
       [`${FEW}&${FIELD}&route=1_1&`, /route “1_1” is invalid/],
     ] as const) {

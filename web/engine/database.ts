@@ -33,7 +33,7 @@ export class Database extends Handle<RawDatabase> {
   }
 
   /** The built-in database. @throws StrutError `bad-file` if the bytes are invalid */
-  static packed(glue: Glue, motions: RawPackedMotions): Database {
+  static fromPacked(glue: Glue, motions: RawPackedMotions): Database {
     return new Database(
       guarded(() => glue.Database.fromPacked(motions)),
       "built-in",

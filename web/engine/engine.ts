@@ -25,7 +25,7 @@ export class Engine {
 
   openDatabase(source: DatabaseSource): Database {
     return source.kind === "demo"
-      ? Database.packed(this.glue, this.packedOf(source.motions))
+      ? Database.fromPacked(this.glue, this.packedOf(source.motions))
       : Database.open(this.glue, source);
   }
 
@@ -43,7 +43,7 @@ export class Engine {
 
   openInput(database: Database, source: InputSource): Input {
     return source.kind === "built-in"
-      ? Input.packed(this.glue, database, source, this.packedOf(source.motions))
+      ? Input.fromPacked(this.glue, database, source, this.packedOf(source.motions))
       : Input.open(this.glue, database, source);
   }
 

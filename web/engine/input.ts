@@ -55,7 +55,7 @@ export class Input extends Handle<RawInput> {
    * Retargets a built-in motion to the database's humanoid.
    * @throws StrutError `bad-input` if there is no motion of this name
    */
-  static packed(glue: Glue, database: Database, source: BuiltInInput, motions: RawPackedMotions): Input {
+  static fromPacked(glue: Glue, database: Database, source: BuiltInInput, motions: RawPackedMotions): Input {
     const raw = guarded(() => glue.Input.fromPacked(database.raw, motions, source.name));
     return new Input(raw, database, source, undefined);
   }

@@ -9,7 +9,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
-use strut_tasks::digest::sha256_hex;
 
 const ALL: [&str; 5] = ["clips", "--db", "demo.strutdb", "-o", "out"];
 
@@ -245,20 +244,6 @@ fn a_batch_that_is_killed_goes_on_as_if_it_had_not_been() {
     let alone = fs::read(at.join("alone.bvh")).unwrap();
     assert_eq!(outputs.len(), jobs, "no temporary file: {:?}", outputs.keys());
     assert!(outputs.values().all(|bytes| *bytes == alone));
-}
-
-#[test]
-fn the_start_of_a_recorded_job_is_removed_by_the_next_run() {
-    let folder = folder(1);
-    let at = folder.path();
-    report(at, &["--style", "old"]);
-    // State after a process is killed between the record of a job and the removal of its start.
-    let record = &records(at)[0];
-    let name = &sha256_hex(record["job"].as_str().unwrap().as_bytes())[..32];
-    let start = at.join("out/.attempts").join(name);
-    fs::write(&start, format!("{}\n", record["key"].as_str().unwrap())).unwrap();
-    assert_eq!(counts(&report(at, &["--style", "old"])), [1, 1, 0, 0, 0]);
-    assert!(!start.exists());
 }
 
 #[cfg(unix)]

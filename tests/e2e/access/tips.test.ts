@@ -14,7 +14,7 @@ beforeAll(async () => {
 
 const tip = () => page.locator(".tip");
 const knob = () => page.getByRole("slider", { name: "Kept content" });
-const WHY = "ρ: how much of the input’s own motion, which no example explains, is kept";
+const WHY = "ρ: share of the input’s own motion, unlike the neighbours, that is kept";
 
 it("by keys, until Escape, and as the control's description", async () => {
   const keys = new Keys(page);

@@ -243,7 +243,7 @@ impl DrivingClips {
         let standing =
             if kind == ClipKind::Take { standing_rows(motions, self.rate_hz) } else { vec![false; motions.len()] };
         let moves = match Move::of_action(&clip.action).filter(|_| kind == ClipKind::Moves) {
-            Some(action) => moves_in(action, &self.proportions, (&clip.poses, &clip.contacts), self.rate_hz),
+            Some(action) => moves_in(action, &self.proportions, &clip.poses, &clip.contacts, self.rate_hz),
             None => vec![],
         };
         for mirrored in [false, true] {

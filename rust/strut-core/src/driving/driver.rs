@@ -5,7 +5,7 @@ use super::control::Control;
 use super::features::{HORIZONS_SECS, Trajectory, ahead_of, features_of, query_of};
 use super::inertia::{HALF_LIFE_SECS, Inertia, Moving};
 use super::matching::Matching;
-use super::moves::{Move, MoveRows};
+use super::moves::{Move, MovePart, MoveRows};
 use super::path::Path;
 use super::query::{OnPath, RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world, to_the_right};
 use crate::humanoid::Pose;
@@ -13,7 +13,6 @@ use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
 use std::f32::consts::LN_2;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Time between searches, seconds: 10 frames at 60 Hz.
@@ -37,14 +36,11 @@ const TAKE: f32 = 1.5;
 /// otherwise their feet skate.
 const STANDING_GAIT: f32 = 0.1;
 const SHARP_TURN: f32 = 60.0 * std::f32::consts::PI / 180.0;
-/// A move begins in one of its first rows, as soon as the root is slower than this, m/s, or after this time, seconds.
+/// A move from rest begins as soon as the root is slower than this, m/s, or after this time, seconds.
 const MOVE_SPEED: f32 = 0.5;
 const MOST_BRAKING_SECS: f32 = 1.0;
-const MOVE_BEGINS_SECS: f32 = 1.0 / 6.0;
-/// A jump from a run begins when the run takes off, or after this time, seconds. It starts at most this many rows
-/// before the jump's own take-off.
+/// A jump from a run begins when the run takes off, or after this time, seconds.
 const MOST_APPROACH_SECS: f32 = 0.5;
-const TAKE_OFF_ROWS: usize = 2;
 /// Share of the style that a standing pose takes if the database has walking only, and the half-life with which the
 /// share changes, seconds.
 const STANDING_STYLE: f32 = 0.3;
@@ -404,25 +400,21 @@ impl Driver {
 
     /// Begins a move at one of its first rows.
     fn begin(&mut self, action: Move) {
-        let first = (MOVE_BEGINS_SECS * self.clips.rate_hz).round() as usize;
-        self.play(action, None, |of| Some(of.rows.start..(of.rows.start + first).min(of.rows.end)));
+        self.play(action, None, |of, rate_hz| Some(of.from_rest(rate_hz)));
     }
 
     /// Begins a jump at its take-off; the root keeps its velocity up to the landing.
     fn leap(&mut self, action: Move, velocity: Vec2) {
-        self.play(action, Some(velocity), |of| {
-            let start = of.flight.as_ref()?.start;
-            Some(start.saturating_sub(TAKE_OFF_ROWS).max(of.rows.start)..start + 1)
-        });
+        self.play(action, Some(velocity), MoveRows::from_take_off);
     }
 
-    /// Plays a move from that row of its entries whose body is nearest to the present one.
-    fn play(&mut self, action: Move, momentum: Option<Vec2>, entries: impl Fn(&MoveRows) -> Option<Range<usize>>) {
+    /// Plays a part of a move from that of its entries at which the body is nearest to the present one.
+    fn play(&mut self, action: Move, momentum: Option<Vec2>, part: impl Fn(&MoveRows, f32) -> Option<MovePart>) {
         let row = self.state.row;
         let mut best: Option<(f32, usize, usize)> = None;
         for of in self.clips.move_rows().iter().filter(|of| of.action == action) {
-            let end = momentum.and(of.flight.as_ref()).map_or(of.rows.end, |flight| flight.end);
-            for to in entries(of).into_iter().flatten() {
+            let Some(MovePart { entries, end }) = part(of, self.clips.rate_hz) else { continue };
+            for to in entries {
                 let cost = self.matching.body_distance(row, to);
                 if best.is_none_or(|(least, ..)| cost < least) {
                     best = Some((cost, end, to));

@@ -19,6 +19,10 @@ const LEAST_PEAK: f32 = 1.0;
 
 /// Shortest time without a planted foot that counts as the flight of a jump, seconds.
 const LEAST_FLIGHT_SECS: f32 = 0.1;
+/// A move is entered at most this long after its beginning, and the flight of a jump at most this long before its take-off,
+/// seconds.
+const ENTRY_SECS: f32 = 1.0 / 6.0;
+const BEFORE_TAKE_OFF_SECS: f32 = 1.0 / 30.0;
 
 /// A move that can be requested besides locomotion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +60,14 @@ impl Move {
     }
 }
 
+/// The part of a move that is played.
+pub(super) struct MovePart {
+    /// Rows at which it may be entered.
+    pub(super) entries: Range<usize>,
+    /// The row after its last one.
+    pub(super) end: usize,
+}
+
 /// The rows of a move, from rest to rest.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MoveRows {
@@ -71,13 +83,27 @@ impl MoveRows {
         let shifted = |rows: &Range<usize>| first + rows.start..first + rows.end;
         Self { action: self.action, rows: shifted(&self.rows), flight: self.flight.as_ref().map(shifted) }
     }
+
+    /// Returns the whole move, which may be entered in its first rows.
+    pub(super) fn from_rest(&self, rate_hz: f32) -> MovePart {
+        let Range { start, end } = self.rows;
+        MovePart { entries: start..(start + rows_in(ENTRY_SECS, rate_hz)).min(end), end }
+    }
+
+    /// Returns the flight of a jump, which may be entered up to its take-off; `None` for a move without a flight.
+    pub(super) fn from_take_off(&self, rate_hz: f32) -> Option<MovePart> {
+        let Range { start, end } = self.flight.clone()?;
+        let first = start.saturating_sub(rows_in(BEFORE_TAKE_OFF_SECS, rate_hz)).max(self.rows.start);
+        Some(MovePart { entries: first..start + 1, end })
+    }
 }
 
 /// The moves of a clip, as frame ranges; `contacts` has one entry per pose.
 pub(super) fn moves_in(
     action: Move,
     proportions: &Proportions,
-    (poses, contacts): (&[Pose], &[[bool; 2]]),
+    poses: &[Pose],
+    contacts: &[[bool; 2]],
     rate_hz: f32,
 ) -> Vec<MoveRows> {
     let points: Vec<[Vec3; POINTS.len()]> = poses
@@ -103,6 +129,10 @@ pub(super) fn moves_in(
         before = rest;
     }
     found
+}
+
+fn rows_in(secs: f32, rate_hz: f32) -> usize {
+    (secs * rate_hz).round() as usize
 }
 
 /// The longest run of frames without a planted foot, if it is long enough for a jump.
@@ -175,7 +205,7 @@ mod tests {
             })
             .collect();
         let contacts = vec![[true; 2]; poses.len()];
-        let moves = moves_in(Move::Punch, &Proportions::default(), (&poses, &contacts), 60.0);
+        let moves = moves_in(Move::Punch, &Proportions::default(), &poses, &contacts, 60.0);
         assert_eq!(moves.len(), 2, "{moves:?}");
         for (number, of) in moves.iter().enumerate() {
             let begin = 60 + 120 * number;

@@ -40,17 +40,8 @@ impl Check<'_> {
         };
         let states: Vec<bool> = jobs.par_iter().map(|job| is_pending(&job)).collect::<Outcome<_>>()?;
         let attempts = Attempts::open(&self.request.output)?;
-        let (mut pending, mut suspects) = (Vec::new(), Vec::new());
-        for (job, is_pending) in jobs.iter().zip(states) {
-            if !is_pending {
-                // A process that was killed after it recorded a job leaves the job's start behind.
-                attempts.end(&job.output);
-            } else if attempts.is_suspect(&job.output) {
-                suspects.push(job);
-            } else {
-                pending.push(job);
-            }
-        }
+        let pending = jobs.iter().zip(states).filter_map(|(job, is_pending)| is_pending.then_some(job));
+        let (suspects, mut pending): (Vec<&Job>, Vec<&Job>) = pending.partition(|job| attempts.is_suspect(&job.output));
         pending.extend(suspects);
         Ok(pending)
     }

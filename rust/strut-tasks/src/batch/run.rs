@@ -143,8 +143,9 @@ impl Batch<'_> {
             let job = pending[number];
             let (input, variant) = (&self.sources[job.source].path, &self.stylings[job.variant].name);
             let record = record((&job.output, input, variant), known, ending);
-            manifest.lock().unwrap_or_else(PoisonError::into_inner).add(&record)?;
+            // Before the record: a process that is killed in between does the job again, and leaves no start behind.
             performer.attempts.end(&job.output);
+            manifest.lock().unwrap_or_else(PoisonError::into_inner).add(&record)?;
             counter.step()
         };
         work(pending.len(), threads, perform, conclude)

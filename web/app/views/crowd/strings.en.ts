@@ -60,9 +60,9 @@ export const crowd = {
       `The link’s kind of people “${text}” is invalid. Expected walkers or performers. The crowd was not changed.`,
     count: (text: string) =>
       `The link’s crowd “${text}” is invalid. Expected 1 to 1,000 people and a seed, as in 300_1. The crowd was not changed.`,
-    vertices: (_text: string) => "The link’s style map has more than 12 places. The map was not changed.",
+    vertices: (_text: string) => "The link’s field has more than 12 vertices. The field was not changed.",
     vertex: (text: string) =>
-      `The link’s style map “${text}” is invalid. Expected style, place, radius (0.5 to 10 m) and intensity (−1 to 2) of each vertex, as in proud_2.5_-1_3_1. The map was not changed.`,
+      `The link’s field “${text}” is invalid. Expected style, place, reach (0.5 to 10 m) and intensity (−1 to 2) of each vertex, as in proud_2.5_-1_3_1. The field was not changed.`,
     route: (text: string) =>
       `The link’s route “${text}” is invalid. Expected 2 to 64 places, as in -5_0;5_2. The route was not changed.`,
   },

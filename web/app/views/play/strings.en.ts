@@ -33,7 +33,7 @@ export const play = {
     all: "All",
     allOf: (count: string) => `All ${count}`,
     setting: "Setting",
-    settings: "Compare two setups, A and B. B starts as a copy of A (X)",
+    settings: "Compare two settings, A and B. B starts as a copy of A (X)",
     random: "Random styles",
     part: "Body part",
     reset: "Reset",
@@ -86,8 +86,7 @@ export const play = {
   model: {
     heading: "Model",
     method: "Method",
-    methodWhy:
-      "How the nearest examples are combined into a pose. Settings that the method does not use have no effect",
+    methodWhy: "How the neighbours are combined into a pose. Controls that the method does not use have no effect",
     methods: {
       mar: "mixture of regressions",
       lar: "one regression",
@@ -101,15 +100,15 @@ export const play = {
       lambda: {
         name: "Ridge",
         description:
-          "λ: regularisation of the regression, in units of K: higher is smoother, with less detail of the style",
+          "λ: regularisation of the regression, in units of K; higher is smoother, with less detail of the style",
       },
       rho: {
         name: "Kept content",
-        description: "ρ: how much of the input’s own motion, which no example explains, is kept",
+        description: "ρ: share of the input’s own motion, unlike the neighbours, that is kept",
       },
       kappa: {
         name: "Tolerance",
-        description: "κ: tolerance in standard deviations, beyond which a pose counts as outside the examples",
+        description: "κ: standard deviations of the neighbours beyond which motion counts as the input’s own",
       },
       delta: { name: "Mixture width", description: "δ: small picks one class, large mixes many" },
       tempo: {
@@ -133,7 +132,7 @@ export const play = {
     },
     labels: {
       name: "Input is",
-      why: "If you set the input’s action or style, only matching examples are searched",
+      why: "If you set the input’s action or style, only its clips are searched",
       action: { name: "Action of the input", unknown: "any action" },
       inputStyle: { name: "Style of the input", unknown: "any style" },
     },

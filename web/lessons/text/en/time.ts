@@ -60,7 +60,7 @@ export const time: LessonText = {
       ],
     },
     C: {
-      task: "Make the walk slower than any recorded style: it must take longer than its slowest recorded performance.",
+      task: "Make the walk take longer than its slowest recorded performance in any style.",
       pass: ({ ratio, longest, longestStyle }) =>
         `Yes: ${ratio} times, and the slowest recorded one, ${longestStyle}, took ${longest} times. Nobody ever performed that.`,
       near: {
