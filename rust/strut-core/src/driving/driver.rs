@@ -400,12 +400,12 @@ impl Driver {
 
     /// Begins a move at one of its first rows.
     fn begin(&mut self, action: Move) {
-        self.play(action, None, |of, rate_hz| Some(of.from_rest(rate_hz)));
+        self.play(action, None, |of, rate_hz| Some(of.part_from_rest(rate_hz)));
     }
 
     /// Begins a jump at its take-off; the root keeps its velocity up to the landing.
     fn leap(&mut self, action: Move, velocity: Vec2) {
-        self.play(action, Some(velocity), MoveRows::from_take_off);
+        self.play(action, Some(velocity), MoveRows::part_from_take_off);
     }
 
     /// Plays a part of a move from that of its entries at which the body is nearest to the present one.

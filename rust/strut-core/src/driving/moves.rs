@@ -85,13 +85,13 @@ impl MoveRows {
     }
 
     /// Returns the whole move, which may be entered in its first rows.
-    pub(super) fn from_rest(&self, rate_hz: f32) -> MovePart {
+    pub(super) fn part_from_rest(&self, rate_hz: f32) -> MovePart {
         let Range { start, end } = self.rows;
         MovePart { entries: start..(start + rows_in(ENTRY_SECS, rate_hz)).min(end), end }
     }
 
     /// Returns the flight of a jump, which may be entered up to its take-off; `None` for a move without a flight.
-    pub(super) fn from_take_off(&self, rate_hz: f32) -> Option<MovePart> {
+    pub(super) fn part_from_take_off(&self, rate_hz: f32) -> Option<MovePart> {
         let Range { start, end } = self.flight.clone()?;
         let first = start.saturating_sub(rows_in(BEFORE_TAKE_OFF_SECS, rate_hz)).max(self.rows.start);
         Some(MovePart { entries: first..start + 1, end })
