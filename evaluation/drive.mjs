@@ -147,7 +147,7 @@ A clip that is found seldom does exactly what was asked. The difference is added
   the landing; then the run continues. With the built-in motions the take-off comes 0.06 and 0.13 s after the key, where the
   character used to brake for a second. The flight takes 0.45 s at 2.4 m/s and rises by 27 cm; after the landing the speed is at
   least 2.0 m/s. From a walk, and for kicks and punches, the character stops first. A clip offers moves only between two rests:
-  the recorded jumps of `xia` and `cmu` end without one.
+  the recorded jumps of \`xia\` and \`cmu\` end without one.
 - **Feet**: where two planted feet pull the root apart, it gives way no faster than it moves. Before, hips leapt by 4 m/s in a
   half-turn into a run (400 m/s²; the most now is in the table).
 - **The planted figure**, which the ghost shows, is drawn back to where it is driven by at most a tenth of its speed. Before, it

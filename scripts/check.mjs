@@ -4,7 +4,7 @@ import { checkArchitecture } from "./architecture.mjs";
 import { takeCompiled } from "./compiled_rust.mjs";
 import { checkPackageSize } from "./package.mjs";
 import { versionFaults } from "./release/versions.mjs";
-import { setupCxx } from "./setup.mjs";
+import { checkNode, setupCxx, setupPackages, setupRust } from "./setup.mjs";
 import { buildSite } from "./site.mjs";
 import { checkSize } from "./size.mjs";
 import { findProgram, main, output, root, run, Sentence, step } from "./steps.mjs";
@@ -34,7 +34,11 @@ await main(async () => {
     if (faults.length > 0) throw new Sentence(faults.join("\n"));
   });
   await step("Workflows and citation", checkWorkflows);
-  const { rust: env } = await buildSite({ mode: "full", bench: "quick" });
+  // What takes seconds comes before the build, which takes minutes.
+  checkNode();
+  await setupPackages();
+  await step("TypeScript formatting and lints", () => run(bin("biome"), ["ci", "--error-on-warnings", "."]));
+  const env = await setupRust();
   await setupLints(env);
   await setupCxx();
   // Lints of the Python package do not need Python.
@@ -48,12 +52,12 @@ await main(async () => {
     // The crate as a page starts with it.
     await run("cargo", ["clippy", "--package", "strut-wasm", "--no-default-features", ...lints], rust);
   });
+  await buildSite({ mode: "full", bench: "quick" });
   await step("TypeScript types", async () => {
     await run(bin("tsc"), ["-p", "."]);
     // A service worker has other globals than a page.
     await run(bin("tsc"), ["-p", "web/app/offline"]);
   });
-  await step("TypeScript formatting and lints", () => run(bin("biome"), ["ci", "--error-on-warnings", "."]));
   await step("Size budget of the page", checkSize);
   await step("The package's size budget", async () => {
     return checkPackageSize();
