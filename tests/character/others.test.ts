@@ -3,6 +3,7 @@ import { validateBytes } from "gltf-validator";
 import {
   AnimationClip,
   AnimationMixer,
+  type Bone,
   Box3,
   Frustum,
   Matrix4,
@@ -170,6 +171,36 @@ test("three.js draws a character wherever it goes", async () => {
     });
   }
   character.dispose();
+});
+
+test("a root that was saved in the middle of a motion moves no pose", async () => {
+  const family = FAMILIES.find(({ name }) => name === "Biped")!;
+  const extentOf = async (isMoving: boolean) => {
+    const { scene } = await read(makeRig(family).glb.buffer);
+    scene.updateMatrixWorld(true);
+    const root = scene.getObjectByName(family.root!)!;
+    scene.traverse((node) => {
+      const mesh = node as SkinnedMesh;
+      if (!mesh.isSkinnedMesh) return;
+      const { bones, boneInverses } = mesh.skeleton;
+      mesh.skeleton = new Skeleton([...bones, root as Bone], [...boneInverses, root.matrixWorld.clone().invert()]);
+      if (!isMoving) return;
+      for (const [i, bone] of bones.entries()) bone.rotateZ(0.05 * ((i % 3) - 1.3));
+    });
+    if (isMoving) root.position.y -= 0.1;
+    const character = await bindCharacter(scene);
+    character.setBody(character.proportions);
+    const pose = restPose();
+    pose[1] = character.proportions[1]!;
+    character.apply(pose);
+    scene.updateMatrixWorld(true);
+    const { min, max } = new Box3().setFromObject(scene, true);
+    character.dispose();
+    return { min, max };
+  };
+  const [modelled, moving] = [await extentOf(false), await extentOf(true)];
+  expect(moving.min.distanceTo(modelled.min)).toBeLessThan(0.01);
+  expect(moving.max.distanceTo(modelled.max)).toBeLessThan(0.01);
 });
 
 test("a skin that was left over does not limit the joints", async () => {

@@ -108,14 +108,22 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
   const given = givenRoles(origin, options.roles ?? {});
   const choice = { chosen: new Set(given.values()), needsSkin };
   const { metresPerUnit = 1 } = options;
+  const takeWith = (more: JointChoice): { joints: Joints; rig: CharacterRig } => {
+    const joints = hungRight(glue, origin.object, { ...choice, ...more });
+    return { joints, rig: rigOf(glue, joints, knownRoles(joints, given), metresPerUnit) };
+  };
   const take = (all: boolean): { joints: Joints; rig: CharacterRig } => {
-    const joints = hungRight(glue, origin.object, { ...choice, all });
-    const rig = rigOf(glue, joints, knownRoles(joints, given), metresPerUnit);
-    const turn = joints.isSure ? undefined : upright(joints, rig);
-    if (!turn) return { joints, rig };
-    rig.dispose();
-    const turned = hungRight(glue, origin.object, { ...choice, all, turn });
-    return { joints: turned, rig: rigOf(glue, turned, knownRoles(turned, given), metresPerUnit) };
+    let found = takeWith({ all });
+    const turn = found.joints.isSure ? undefined : upright(found.joints, found.rig);
+    const turned = turn ? { all, turn } : { all };
+    if (turn) {
+      found.rig.dispose();
+      found = takeWith(turned);
+    }
+    const above = aboveHips(found.joints, found.rig.roles);
+    if (!above.some((joint) => found.joints.displaced.has(joint))) return found;
+    found.rig.dispose();
+    return takeWith({ ...turned, still: new Set(above.map((joint) => found.joints.nodes[joint]!)) });
   };
   let taken: ReturnType<typeof take>;
   try {
@@ -189,6 +197,13 @@ function upright({ places }: Joints, { roles, worldFromFile }: CharacterRig): Ma
   const level = new Vector3(across.x, 0, across.z).normalize();
   const turn = new Quaternion().setFromUnitVectors(across.normalize(), level);
   return new Matrix4().makeRotationFromQuaternion(toOurs.clone().invert().multiply(turn).multiply(toOurs));
+}
+
+/** The joints above the hips, which poses do not move: a file that was saved in the middle of a motion displaces them. */
+function aboveHips({ parents }: Joints, roles: Int32Array): number[] {
+  const above: number[] = [];
+  for (let joint = parents[roles[JOINT.hips]!]!; joint >= 0; joint = parents[joint]!) above.push(joint);
+  return above;
 }
 
 /** Joint of each known role; −1 for the others. */

@@ -57,6 +57,8 @@ export interface Joints extends Skeleton {
   readonly isSure: boolean;
   /** Joints whose node has another parent, or another position below its parent, than the joint: poses translate them, too. */
   readonly moved: readonly number[];
+  /** Joints whose node is not in the skin's bind pose. */
+  readonly displaced: ReadonlySet<number>;
   /** Number of joints that were left out, as the engine binds at most 512. */
   readonly dropped: number;
 }
@@ -76,11 +78,13 @@ export interface JointChoice {
   readonly turn?: Matrix4;
   /** Nodes that are attached to other nodes than their parents. */
   readonly hung?: ReadonlyMap<Object3D, Object3D>;
+  /** Nodes that poses do not move: they are bound where they are, not in the skin's bind pose. */
+  readonly still?: ReadonlySet<Object3D>;
 }
 
 /** The joints of a character. @throws StrutError `bad-file` if it has no skin and needs one */
 export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
-  const { needsSkin = true, all: takesAll = false, hung = new Map<Object3D, Object3D>() } = choice;
+  const { needsSkin = true, all: takesAll = false, hung = new Map<Object3D, Object3D>(), still = new Set() } = choice;
   const chosen = [...(choice.chosen ?? [])];
   const matrices = matricesIn(object);
   const { skins, bindMatrices, isSure } = skinsOf(object, matrices, choice.turn);
@@ -115,11 +119,14 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
   const rotations: Quaternion[] = [];
   const places: Vector3[] = [];
   const moved: number[] = [];
+  const displaced = new Set<number>();
   for (const [j, node] of nodes.entries()) {
     const above = parents[j]!;
     const own = sizeOf(matrices.get(node)!);
     scales[j] = own.mean;
-    const bound = bindMatrices.get(node) ?? (hung.has(node) ? matrices.get(node) : undefined);
+    const modelled = still.has(node) ? undefined : bindMatrices.get(node);
+    if (modelled && !near(modelled, matrices.get(node)!)) displaced.add(j);
+    const bound = modelled ?? (hung.has(node) ? matrices.get(node) : undefined);
     const size = bound ? sizeOf(bound) : own;
     even.push(own.even && size.even);
     const rotation = new Quaternion();
@@ -170,6 +177,7 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
     places,
     isSure,
     moved,
+    displaced,
     dropped: all - count,
   };
 }
