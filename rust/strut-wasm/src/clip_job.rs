@@ -29,12 +29,13 @@ impl ClipJob {
     /// Starts the job with a stylizer's styles and options.
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input) -> Self {
+        let (frames, per_frame) = (input.humanoid().poses.len(), stylizer.core().options().k);
         let job = transfer::ClipJob::of_input(stylizer.core().clone(), input.clip());
         let (poses, model) = (input.humanoid().poses.clone(), Arc::clone(stylizer.core().model()));
         Self {
-            class_weights: Vec::with_capacity(poses.len() * model.catalogue().classes().len()),
+            class_weights: Vec::with_capacity(frames * model.catalogue().classes().len()),
             poses,
-            examples: Examples::default(),
+            examples: Examples::with_capacity(frames, per_frame),
             model,
             job: Some(job),
             styled: None,

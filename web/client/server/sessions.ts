@@ -107,9 +107,11 @@ async function styledClip(host: Host, caller: Caller, id: number): Promise<ClipJ
 
 /** Styles the session's whole motion; the session keeps the job. */
 async function style(host: Host, caller: Caller, session: OpenSession, options: StylizeOptions): Promise<ClipJob> {
+  // Two clips at a time would take twice the memory, and nothing asks for the last one's options again.
+  session.styled?.job.dispose();
+  session.styled = undefined;
   try {
     const { job } = await styleClip(host, caller, session.carried, session.database, options, session);
-    session.styled?.job.dispose();
     session.styled = { options, job };
     return job;
   } finally {

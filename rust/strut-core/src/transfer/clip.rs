@@ -315,8 +315,10 @@ impl StyledMotion {
 
     /// The clip at ascending times on the output time axis.
     fn at_times(&self, rate_hz: f32, times: impl Iterator<Item = f64>) -> Resampled {
-        let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses: Vec::new() };
-        let mut input_frame = Vec::new();
+        let (count, _) = times.size_hint();
+        let poses = Vec::with_capacity(count);
+        let mut motion = HumanoidMotion { proportions: self.proportions, rate_hz, poses };
+        let mut input_frame = Vec::with_capacity(count);
         let mut i = 0;
         for time in times.filter(|_| !self.frames.is_empty()) {
             while i + 1 < self.frames.len() && self.frames[i + 1].time_out_secs <= time {

@@ -25,6 +25,15 @@ pub struct Examples {
 }
 
 impl Examples {
+    /// Reserves memory for a clip of `frames` frames with `per_frame` examples each.
+    pub fn with_capacity(frames: usize, per_frame: usize) -> Self {
+        Self {
+            entries: Vec::with_capacity(frames.saturating_mul(per_frame)),
+            counts: Vec::with_capacity(frames),
+            blends: Vec::new(),
+        }
+    }
+
     /// Adds the examples of a traced frame.
     pub fn record(&mut self, trace: &Trace<'_>) {
         if self.blends.last().is_none_or(|(_, last)| last != trace.blend) {
