@@ -104,7 +104,7 @@ export function document(
   const parts = [
     "# Performance",
     `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread; compare them within a table, not between machines.`,
-    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before. A *first search* has only one frame, which counts as standing still. Nothing in a database of moving people is near to that. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/bench/naive.rs`) search, regress, and find durations and contacts. The engine's frame includes features, blending and feet too, so that ratios of whole frames are a little understated.",
+    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot matter are left out of the regression. *All*: every class takes part. A *cold search* knows nothing of the frame before. A *first search* has only one frame, which counts as standing still. Nothing in a database of moving people is near to that. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/engine/bench/naive.rs`) search, regress, and find durations and contacts. The engine's frame includes features, blending and feet too, so that ratios of whole frames are a little understated.",
     ...wasmSection("In WebAssembly", procedural),
     ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
     ...largeSection(large),

@@ -2,7 +2,7 @@
  * Reference implementation in JavaScript: the transfer as written in the paper, loop by loop.
  *
  * Its numbers equal the engine's for the default options, except for rounding; `yardstick_bench.ts` compares them.
- * `rust/strut-wasm/src/bench/naive.rs` is the same in Rust.
+ * `rust/strut-wasm/src/engine/bench/naive.rs` is the same in Rust.
  */
 import type { Yardstick } from "./engines";
 import type { Tensors } from "./strutdb";

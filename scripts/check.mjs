@@ -11,8 +11,7 @@ import { findProgram, main, output, root, run, Sentence, step } from "./steps.mj
 import { checkWorkflows } from "./workflows.mjs";
 
 /** Features that tests, benchmarks and fuzzing need in addition to the page's. */
-const FEATURES =
-  "strut-wasm/atlas,strut-wasm/drive,strut-wasm/performers,strut-wasm/bench,strut-wasm/learn,strut-wasm/parity,strut-wasm-walk/crowd,strut-wasm-gpu/bench,strut-motion-cli/gpu,strut-fuzz/libfuzzer";
+const FEATURES = "strut-wasm/all,strut-motion-cli/gpu,strut-fuzz/libfuzzer";
 
 const bin = (name) => join(root, "node_modules", ".bin", name);
 
@@ -50,7 +49,7 @@ await main(async () => {
     const lints = ["--quiet", "--", "-D", "warnings"];
     await run("cargo", ["clippy", "--workspace", "--all-targets", "--features", FEATURES, ...lints], rust);
     // The crate as a page starts with it.
-    await run("cargo", ["clippy", "--package", "strut-wasm", "--no-default-features", ...lints], rust);
+    await run("cargo", ["clippy", "--package", "strut-wasm", "--features", "engine", ...lints], rust);
   });
   await buildSite({ mode: "full", bench: "quick" });
   await step("TypeScript types", async () => {

@@ -3,7 +3,7 @@
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { output, root, Sentence } from "./steps.mjs";
-import { TARGET, WASM_CRATES } from "./wasm.mjs";
+import { CRATE, TARGET } from "./wasm.mjs";
 
 const DIST = join(root, "dist");
 /** File in which Vite lists its packages; it is not part of the site. */
@@ -100,10 +100,9 @@ function npmPackages() {
 /** Returns the crates in the WASM packages. */
 async function crates(env) {
   const cargo = (args) => output(env.CARGO ?? "cargo", args, { env, cwd: join(root, "rust") });
-  const selected = WASM_CRATES.flatMap((crate) => ["--package", crate]);
   // Macro crates are not part of the built code.
   const edges = ["--edges", "normal,no-proc-macro", "--target", TARGET, "--all-features"];
-  const tree = await cargo(["tree", ...selected, ...edges, "--prefix", "none", "--format", "{p}"]);
+  const tree = await cargo(["tree", "--package", CRATE, ...edges, "--prefix", "none", "--format", "{p}"]);
   const metadata = await cargo(["metadata", "--format-version", "1", "--all-features", "--filter-platform", TARGET]);
   if (tree === undefined || metadata === undefined) throw new Sentence("cargo does not say what is built.");
   const used = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));

@@ -1,7 +1,8 @@
-// The WASM packages: cargo compiles a crate, xtask binds it to JavaScript, wasm-opt optimises it for size and speed.
+// The WASM packages: cargo compiles the crate with the features of the package, xtask binds it to JavaScript, wasm-opt
+// optimises it for size and speed.
 //
 // There are two modes. `full` is what visitors download: each package from a separate build with fat LTO, then
-// wasm-opt. `quick` is for developers and tests: one build with the features of all packages and no wasm-opt. It gives
+// wasm-opt. `quick` is for developers and tests: one module with the features of all packages and no wasm-opt. It gives
 // bit-identical results (tests/parity) in a fifth of the time. A package that is up to date in full mode is used in
 // quick mode, too. Packages that another clone built from the same sources on this machine are taken from the cache.
 import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -46,68 +47,68 @@ const SMALL_GRAPHICS = ["--config", 'profile.web.package."*".opt-level="z"', "--
 /** The reference implementations in `strut-wasm` are optimised like the core. */
 const FAST_YARDSTICKS = ["--config", "profile.web.package.strut-wasm.opt-level=3"];
 
+/** The crate of all packages. */
+export const CRATE = "strut-wasm";
+
 /**
- * Each package: its folder, its crate, the prefix of its files' names, features of the crate; and for full mode whether
- * it omits the crate's default features, additional compiler flags and settings of cargo.
+ * Each package: its folder, the prefix of its files' names, the features of the crate that it is built with; and for
+ * full mode additional compiler flags and settings of cargo.
  */
 const PACKAGES = {
   // The page's first seconds: the engine without what these do not need, as small as possible.
-  start: { folder: "web/engine/start/pkg", crate: "strut-wasm", name: "strut_start", reduced: true, ...SMALL },
+  start: { folder: "web/engine/start/pkg", name: "strut_start", features: ["engine"], ...SMALL },
   // The engine, which replaces it.
   engine: {
     folder: "web/engine/pkg",
-    crate: "strut-wasm",
     name: "strut_wasm",
-    features: ["atlas", "drive", "performers"],
+    features: ["files", "atlas", "neutral-clips", "recording"],
     flags: [INLINE_LESS],
   },
   // The engine for other pages, without what only the playground shows.
-  embed: { folder: "web/engine/embed/pkg", crate: "strut-wasm", name: "strut_wasm", flags: [INLINE_LESS] },
+  embed: { folder: "web/engine/embed/pkg", name: "strut_wasm", features: ["files"], flags: [INLINE_LESS] },
   // Database building from users' own clips.
-  build: { folder: "web/engine/build/pkg", crate: "strut-wasm-build", name: "strut_wasm_build", config: FAST_BUILDING },
+  build: { folder: "web/engine/build/pkg", name: "strut_wasm_build", features: ["build"], config: FAST_BUILDING },
   // The Walk view.
-  walk: { folder: "web/engine/walk/pkg", crate: "strut-wasm-walk", name: "strut_wasm_walk" },
+  walk: { folder: "web/engine/walk/pkg", name: "strut_wasm_walk", features: ["walk"] },
   // Crowds: the same with an additional handle, for a separate worker.
-  crowd: { folder: "web/engine/crowd/pkg", crate: "strut-wasm-walk", name: "strut_crowd", features: ["crowd"] },
+  crowd: { folder: "web/engine/crowd/pkg", name: "strut_crowd", features: ["crowd"] },
   // Crowds that perform a motion.
-  performers: { folder: "web/engine/performers/pkg", crate: "strut-wasm-performers", name: "strut_performers" },
+  performers: { folder: "web/engine/performers/pkg", name: "strut_performers", features: ["performers"] },
   // Driving.
-  drive: { folder: "web/engine/drive/pkg", crate: "strut-wasm-drive", name: "strut_drive", flags: DRIVE_FLAGS },
+  drive: { folder: "web/engine/drive/pkg", name: "strut_drive", features: ["drive"], flags: DRIVE_FLAGS },
   // Live streams.
-  live: { folder: "web/engine/live/pkg", crate: "strut-wasm-live", name: "strut_live", ...SMALL_STREAMS },
+  live: { folder: "web/engine/live/pkg", name: "strut_live", features: ["live"], ...SMALL_STREAMS },
   keyStyle: {
     folder: "web/engine/key_style/pkg",
-    crate: "strut-wasm-key-style",
     name: "strut_wasm_key_style",
+    features: ["key-style"],
     ...SMALL,
   },
   // Characters.
   character: {
     folder: "web/engine/character/pkg",
-    crate: "strut-wasm-character",
     name: "strut_wasm_character",
+    features: ["character"],
     config: SMALL_CORE,
   },
   // The atlas with a GPU.
   gpu: {
     folder: "web/engine/gpu/pkg",
-    crate: "strut-wasm-gpu",
     name: "strut_wasm_gpu",
+    features: ["gpu"],
     flags: ["-Cllvm-args=-inline-threshold=5"],
     config: SMALL_GRAPHICS,
   },
   // The Compare view: the engine with the methods that it is compared with.
   compare: {
     folder: "web/engine/compare/pkg",
-    crate: "strut-wasm",
     name: "strut_compare",
-    features: ["compare", "motions"],
+    features: ["motions"],
     flags: [INLINE_LESS],
   },
   // The lessons: the same with inspection.
   learn: {
     folder: "web/engine/learn/pkg",
-    crate: "strut-wasm",
     name: "strut_learn",
     features: ["learn"],
     ...SMALL,
@@ -115,7 +116,6 @@ const PACKAGES = {
   // The engine with the report that `tests/parity` compares and the reference implementations of `bench/`.
   bench: {
     folder: "bench/pkg/simd",
-    crate: "strut-wasm",
     name: "strut_bench",
     features: ["bench", "parity"],
     flags: [INLINE_LESS],
@@ -124,15 +124,13 @@ const PACKAGES = {
   // The paper's search on the GPU, with the engine's for comparison.
   benchGpu: {
     folder: "bench/pkg/gpu",
-    crate: "strut-wasm-gpu",
     name: "strut_bench_gpu",
-    features: ["bench"],
+    features: ["gpu-bench"],
     flags: [INLINE_LESS],
   },
   // The benchmark's engine without SIMD, whose bits must be the same.
   benchScalar: {
     folder: "bench/pkg/scalar",
-    crate: "strut-wasm",
     name: "strut_bench",
     features: ["bench", "parity"],
     flags: [INLINE_LESS],
@@ -150,9 +148,6 @@ const LINES = [
 /** The page's packages, and those that benchmarks and parity tests need in addition. */
 const BENCH = ["bench", "benchGpu", "benchScalar"];
 const PAGE = LINES.flat().filter((name) => !BENCH.includes(name));
-
-/** The crates of the page's packages. */
-export const WASM_CRATES = [...new Set(PAGE.map((name) => PACKAGES[name].crate))];
 
 /** The built-in motions: those that the page loads, and those that the package `strut-motion` starts with. */
 const MOTIONS = join(root, "web", "engine", "motions");
@@ -202,7 +197,7 @@ export async function buildPackages(env, { mode, bench }) {
     });
 }
 
-/** Builds all packages with SIMD in one compilation and, if requested, those without SIMD in another. */
+/** Builds all packages with SIMD as one module and, if requested, those without SIMD in another. */
 async function buildQuick(env, names, stamp) {
   const binding = buildXtask(env);
   // A failure is reported where the result is awaited.
@@ -210,9 +205,8 @@ async function buildQuick(env, names, stamp) {
   for (const simd of [true, false]) {
     const group = names.map((name) => PACKAGES[name]).filter((p) => (p.simd ?? true) === simd);
     if (group.length === 0) continue;
-    const features = group.flatMap((p) => (p.features ?? []).map((feature) => `${p.crate}/${feature}`));
-    const crates = [...new Set(group.map((p) => p.crate))];
-    await compile(env, { crates, features: [...new Set(features)], profile: "quick", simd });
+    const features = [...new Set(group.flatMap((p) => p.features))];
+    await compile(env, { features, profile: "quick", simd });
     const xtask = await binding;
     await Promise.all(group.map((p) => bind(xtask, p, join(targetDir(env), TARGET, "quick"))));
     for (const p of group) finish(p, "quick", stamp);
@@ -237,9 +231,9 @@ async function buildLine(env, names, { xtask, tool, stamp, folder }) {
   let optimising = Promise.resolve();
   for (const name of names) {
     const p = PACKAGES[name];
-    const { crate, features = [], reduced = false, flags = [], config = [], simd = true } = p;
-    const options = [...config, ...(reduced ? ["--no-default-features"] : []), "--target-dir", modules];
-    await compile(env, { crates: [crate], features, profile: "web", simd, flags, options });
+    const { features, flags = [], config = [], simd = true } = p;
+    const options = [...config, "--target-dir", modules];
+    await compile(env, { features, profile: "web", simd, flags, options });
     await bind(xtask, p, join(modules, TARGET, "web"));
     await optimising;
     optimising = optimise(tool, p).then(() => finish(p, "full", stamp));
@@ -251,11 +245,10 @@ async function buildLine(env, names, { xtask, tool, stamp, folder }) {
 const targetDir = (env) => env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target");
 
 /** Runs cargo for WebAssembly. */
-async function compile(env, { crates, features, profile, simd, flags = [], options = [] }) {
+async function compile(env, { features, profile, simd, flags = [], options = [] }) {
   const source = env.STRUT_BUILD_STD === "1" ? ["-Zbuild-std=std,panic_abort"] : [];
-  const selected = crates.flatMap((crate) => ["--package", crate]);
-  const chosen = features.length > 0 ? ["--features", features.join()] : [];
-  const all = ["--profile", profile, "--lib", "--target", TARGET, ...selected, ...chosen, ...options, ...source];
+  const selected = ["--package", CRATE, "--features", features.join()];
+  const all = ["--profile", profile, "--lib", "--target", TARGET, ...selected, ...options, ...source];
   await run(env.CARGO ?? "cargo", ["build", "--quiet", ...all], {
     cwd: RUST,
     env: {
@@ -273,8 +266,8 @@ async function buildXtask(env) {
 }
 
 /** Writes a package's JavaScript, its types and its module, which cargo wrote to the folder `modules`. */
-async function bind(xtask, { folder, crate, name }, modules) {
-  const module = join(modules, `${crate.replaceAll("-", "_")}.wasm`);
+async function bind(xtask, { folder, name }, modules) {
+  const module = join(modules, `${CRATE.replaceAll("-", "_")}.wasm`);
   rmSync(join(root, folder), { recursive: true, force: true });
   await run(xtask, ["bind", module, join(root, folder), name]);
 }

@@ -10,10 +10,10 @@ const rust = join(root, "rust");
 
 /** The `strut` command, once {@link buildPrograms} has returned. */
 export const COMMAND = join(rust, "target", "debug", "strut");
-/** The report of `rust/strut-wasm/src/parity.rs`, once {@link buildPrograms} has returned. */
+/** The report of `rust/strut-wasm/src/engine/parity.rs`, once {@link buildPrograms} has returned. */
 export const REPORT = join(rust, "target", "debug", "examples", "parity");
 
-/** A scripted drive, `rust/strut-wasm-drive/examples/scripted_drive.rs`, once {@link buildPrograms} has returned. */
+/** A scripted drive, `rust/strut-wasm/examples/scripted_drive.rs`, once {@link buildPrograms} has returned. */
 export const DRIVE = join(rust, "target", "debug", "examples", "scripted_drive");
 
 /** Updates the programs: after `cargo tests` there is nothing to do. */

@@ -1,5 +1,5 @@
 /**
- * The engine computes the same bits natively, and in WebAssembly with SIMD and without: `rust/strut-wasm/src/parity.rs`
+ * The engine computes the same bits natively, and in WebAssembly with SIMD and without: `rust/strut-wasm/src/engine/parity.rs`
  * compiled in three ways, over whole clips and every stage. The modules are built as the page's module is, plus the
  * report.
  */

@@ -1,4 +1,4 @@
-// Prints the report of a WASM build of rust/strut-wasm/src/parity.rs, as the native example `parity` does:
+// Prints the report of a WASM build of rust/strut-wasm/src/engine/parity.rs, as the native example `parity` does:
 // node report.mjs simd|scalar [--nudge FRAME] [FILE.bvh …]
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";

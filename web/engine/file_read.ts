@@ -18,7 +18,7 @@ interface RawRead {
   read(): RawFile | undefined;
 }
 
-/** The module's report on how a file was read (`rust/strut-wasm/src/input_file.rs`). */
+/** The module's report on how a file was read (`rust/strut-wasm/src/engine/input_file.rs`). */
 interface RawFile {
   numbers(): Float64Array;
   joints(): string[];

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::process::ExitCode;
-use strut_wasm::ParityReport;
+use strut_wasm::engine::ParityReport;
 
 fn main() -> ExitCode {
     let mut report = ParityReport::new();

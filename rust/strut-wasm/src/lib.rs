@@ -1,63 +1,25 @@
-//! JavaScript interface of the core: handles and typed arrays, no algorithms.
-//! For objects, arrays, errors and panics see [`strut_wasm_common`].
+//! JavaScript interface of the core: handles and typed arrays, no algorithms. For objects, arrays, errors and panics see
+//! [`common`].
+//!
+//! Each package of the page is a build of this crate with the features of its modules (`scripts/wasm.mjs`).
 
-#[cfg(feature = "atlas")]
-mod atlas;
-#[cfg(feature = "bench")]
-mod bench;
-#[cfg(feature = "files")]
-mod clip_job;
-#[cfg(feature = "compare")]
-mod counterpart;
-mod database;
-#[cfg(feature = "files")]
-mod database_file;
-mod input;
-#[cfg(feature = "files")]
-mod input_file;
-#[cfg(feature = "learn")]
-mod learn;
-#[cfg(feature = "files")]
-mod motion_facts;
-#[cfg(feature = "motions")]
-mod motions;
+pub mod common;
+
+#[cfg(feature = "build")]
+pub mod build;
+#[cfg(feature = "character")]
+pub mod character;
 #[cfg(feature = "drive")]
-mod neutral_clips;
-mod packed_motions;
-#[cfg(feature = "parity")]
-mod parity;
-mod poses;
+pub mod drive;
+#[cfg(feature = "engine")]
+pub mod engine;
+#[cfg(feature = "gpu")]
+pub mod gpu;
+#[cfg(feature = "key-style")]
+pub mod key_style;
+#[cfg(feature = "live")]
+pub mod live;
 #[cfg(feature = "performers")]
-mod recording;
-#[cfg(feature = "compare")]
-mod search_comparison;
-mod stylizer;
-
-#[cfg(feature = "atlas")]
-pub use atlas::Atlas;
-#[cfg(feature = "bench")]
-pub use bench::{Naive, Workload, input_of, joint_weights, leg_joints, positions_of, rows_of, stage_names};
-#[cfg(feature = "files")]
-pub use clip_job::ClipJob;
-#[cfg(feature = "compare")]
-pub use counterpart::Counterpart;
-pub use database::Database;
-pub use input::Input;
-#[cfg(feature = "files")]
-pub use input_file::FileRead;
-#[cfg(feature = "learn")]
-pub use learn::{ComparedCycles, Fit, FrameContacts, FrameTiming, Lens, NearestWindows, Warps};
-#[cfg(feature = "files")]
-pub use motion_facts::MotionFacts;
-#[cfg(feature = "motions")]
-pub use motions::{built_in_motions, driving_motions};
-pub use packed_motions::PackedMotions;
-#[cfg(feature = "parity")]
-pub use parity::ParityReport;
-pub use poses::interpolate_poses;
-#[cfg(feature = "performers")]
-pub use recording::Recording;
-#[cfg(feature = "compare")]
-pub use search_comparison::SearchComparison;
-pub use strut_wasm_common::EngineError;
-pub use stylizer::Stylizer;
+pub mod performers;
+#[cfg(feature = "walk")]
+pub mod walk;

@@ -30,7 +30,7 @@ export type MoveName = (typeof MOVES)[number];
 
 const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));
 
-// Offsets of the numbers in a frame: `rust/strut-wasm-drive/src/driver.rs`.
+// Offsets of the numbers in a frame: `rust/strut-wasm/src/drive/driver.rs`.
 const ROOT = 2 * POSE_FLOATS;
 const ASKED = ROOT + 3;
 const CLIP_AHEAD = ASKED + 3 * AHEAD;

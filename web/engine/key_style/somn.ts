@@ -2,7 +2,7 @@
 import { Handle } from "../handle";
 import { type KeyStyleGlue, keyStylePackage } from "./wasm";
 
-/** Floats before those of the components; `rust/strut-wasm-key-style` defines the layout. */
+/** Floats before those of the components; `rust/strut-wasm/src/key_style` defines the layout. */
 const HEAD = 5;
 /** The seed that training uses, `somn::SEED` of the core. */
 const SEED = 0;

@@ -9,7 +9,7 @@ import { type LiveGlue, livePackage } from "./wasm";
 
 type Raw = InstanceType<LiveGlue["Stream"]>;
 
-/** Kinds of displayed frames, in the order of `Stream.advance` of `rust/strut-wasm-live/src/stream.rs`. */
+/** Kinds of displayed frames, in the order of `Stream.advance` of `rust/strut-wasm/src/live/stream.rs`. */
 export const PLAYS = ["nothing", "sent", "continued", "held", "lost"] as const;
 /** Kind of a displayed frame. */
 export type Play = (typeof PLAYS)[number];

@@ -9,7 +9,7 @@ import { type WalkGlue, walkPackage } from "./wasm";
 
 /** Number of states of a step. */
 export const STATES = 5;
-/** Floats of a frame; `rust/strut-wasm-walk` defines the layout. */
+/** Floats of a frame; `rust/strut-wasm/src/walk` defines the layout. */
 const FRAME_FLOATS = POSE_FLOATS + 5 + STATES;
 /** Largest turn per step, radians. */
 export const MAX_TURN = 0.18;

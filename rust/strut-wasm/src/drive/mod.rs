@@ -1,0 +1,7 @@
+//! Driving. Its package is loaded when the user starts to steer.
+
+mod clips;
+mod driver;
+
+pub use clips::{Among, Clips};
+pub use driver::{Driver, FRAME};
