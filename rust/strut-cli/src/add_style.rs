@@ -15,8 +15,8 @@ use strut_tasks::threads::ThreadPool;
 
 /// Make a single clip a style of a database
 ///
-/// The clip is registered with those of the action that it shows; all others stay as they are. An action that is given is
-/// taken though the clip moves differently from those of it, with a note.
+/// The clip is registered with the clips of its action; all others stay as they are. A given action is used even if the
+/// clip moves differently; a note says so.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
@@ -28,7 +28,7 @@ pub(crate) struct Args {
     /// Name of the style
     #[arg(long, value_name = "NAME")]
     style: String,
-    /// Action of the database that the clip shows [default: the one that it fits best]
+    /// Action of the clip [default: the action of the database that it fits best]
     #[arg(long, value_name = "NAME")]
     action: Option<String>,
     /// The database to write

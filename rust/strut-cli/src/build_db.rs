@@ -43,21 +43,21 @@ The report of --json:
 
 /// Build a database from labelled clips
 ///
-/// A clip that cannot be used is refused with a warning, and the others are built without it.
+/// A clip that cannot be used is left out with a warning.
 #[derive(clap::Args)]
 #[command(after_long_help = JSON_HELP)]
 pub(crate) struct Args {
-    /// .bvh files, folders with all below them, .zip archives
+    /// .bvh files, folders (searched recursively) and .zip archives
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
     /// The database to write
     #[arg(short, long, value_name = "DB")]
     output: PathBuf,
-    /// How file names give the labels: {action}, {style}, {take} and any other {name}, which is ignored
-    /// [default: {action}_{style}_{take}.bvh]
+    /// Pattern of the labels in file names: {action}, {style}, {take}; any other {name} is ignored [default:
+    /// {action}_{style}_{take}.bvh]
     #[arg(long, value_name = "P")]
     pattern: Option<Pattern>,
-    /// A table with the columns file,action,style[,take]; goes before the pattern
+    /// A table with the columns file,action,style[,take]; takes precedence over the pattern
     #[arg(long, value_name = "CSV")]
     labels: Option<PathBuf>,
     /// The neutral style [default: neutral or normal, else the first]
@@ -89,7 +89,7 @@ enum Registration {
     Dtw,
     /// Iterative motion warping
     Imw,
-    /// Linear time between strikes: the baseline
+    /// Linear time between foot strikes: the baseline
     Linear,
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Args {
     /// Write measures of the motions as Markdown into this file
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// A folder with `xia/` and `bandai-namco-2/`, with whose clips the report compares the motions
+    /// A folder with `xia/` and `bandai-namco-2/`: the report compares the motions with their clips
     #[arg(long, value_name = "DIR", requires = "report")]
     recordings: Option<PathBuf>,
 }

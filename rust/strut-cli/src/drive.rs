@@ -25,7 +25,7 @@ const MAX_SECS: f32 = 600.0;
 
 /// Drive a character along a path or by a log of controls, in a style
 ///
-/// It plays neutral clips of the database by motion matching, and the styled character is the one that follows the path.
+/// Motion matching plays neutral clips of the database, which are then styled. The styled character follows the path.
 #[derive(clap::Args)]
 #[command(group = clap::ArgGroup::new("way").args(["path", "controls"]).required(true))]
 pub(crate) struct Args {
@@ -35,14 +35,14 @@ pub(crate) struct Args {
     /// A path to follow: a CSV file with the columns x,z[,gait], metres
     #[arg(long, value_name = "CSV")]
     path: Option<PathBuf>,
-    /// What is asked and when: a CSV file with the columns time,gait,heading[,face][,action], seconds and degrees;
-    /// actions are jump, punch and kick
+    /// Recorded controls: a CSV file with the columns time,gait,heading[,face][,action], seconds and degrees; actions
+    /// are jump, punch and kick
     #[arg(long, value_name = "CSV")]
     controls: Option<PathBuf>,
-    /// Styles with their weights, as in stylize; neutral if left out
+    /// Styles with their weights, as in stylize; neutral by default
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<StyleWeights>,
-    /// How fast along a path: 0 stands, 1 walks, 2 runs
+    /// Gait along a path: 0 stands, 1 walks, 2 runs
     #[arg(long, value_name = "G", default_value_t = 1.0)]
     gait: f32,
     /// Seconds to drive [default: to the end of the path, or of the controls]
@@ -54,7 +54,7 @@ pub(crate) struct Args {
     /// Write the neutral motion as well
     #[arg(long, value_name = "IN.bvh")]
     input_out: Option<PathBuf>,
-    /// Write figures of the drive
+    /// Write measures of the drive as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -11,18 +11,19 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use strut_tasks::files::Outputs;
 
-/// Measure key-styling on clips that were not learnt from
+/// Measure key-styling on clips that the model was not trained on
 ///
-/// DATA holds the folders bandai-namco-1 and bandai-namco-2, or is these: the clips that the prototype was measured on.
+/// DATA contains the folders bandai-namco-1 and bandai-namco-2, or is these folders: the clips that the prototype was
+/// measured on.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Folders of clips
     #[arg(required = true, value_name = "DATA")]
     data: Vec<PathBuf>,
-    /// Data sets that are measured
+    /// Data sets to measure
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "punch,walk,hands,dance,walk-all")]
     sets: Vec<String>,
-    /// Seeds that figures are means of
+    /// Number of seeds over which results are averaged
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     seeds: u64,
     /// Write the tables as Markdown

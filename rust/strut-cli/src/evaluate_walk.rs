@@ -35,16 +35,16 @@ const FRAMES: u32 = 3000;
 /// Measure a model of walk styles on takes that it was not trained on
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// .bvh files, folders with all below them, .zip archives
+    /// .bvh files, folders (searched recursively) and .zip archives
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
-    /// How file names give the labels [default: {action}_{style}_{take}.bvh]
+    /// Pattern of the labels in file names [default: {action}_{style}_{take}.bvh]
     #[arg(long, value_name = "P")]
     pattern: Option<Pattern>,
-    /// Takes of every style that are tested on
+    /// Takes of every style to test on
     #[arg(long, value_name = "TAKES", value_delimiter = ',', default_value = "1,2")]
     held_out: Vec<u32>,
-    /// Walks of which the first half of every take predicts the second; files, folders or archives
+    /// Walks whose first half of every take predicts the second half; files, folders or archives
     #[arg(long, value_name = "INPUT")]
     halves: Vec<PathBuf>,
     /// Write the tables as Markdown

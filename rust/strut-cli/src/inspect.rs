@@ -41,7 +41,7 @@ The report of --json on a database:
   classes        [{action, style, clips, frames, duration_secs, planted_share}]
   clips          [{name, action, style, take, frames, first_frame, source, licence}]";
 
-/// Show what a .bvh file or a database holds: skeleton, rate, length, labels, contacts
+/// Print the contents of a .bvh file or a database: skeleton, rate, length, labels, contacts
 #[derive(clap::Args)]
 #[command(after_long_help = JSON_HELP)]
 pub(crate) struct Args {

@@ -13,7 +13,7 @@ use strut_tasks::files::{self, Outputs};
 /// Greatest size of a table of keys, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;
 
-/// Make a motion from a few style values over time
+/// Synthesise a motion from style values over time
 ///
 /// Styles farther than half a standard deviation from all recorded ones are brought back to that distance.
 #[derive(clap::Args)]

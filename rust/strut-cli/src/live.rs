@@ -39,7 +39,7 @@ const MOST_AT_ONCE: usize = 1024;
 /// Delay beyond which frames are skipped, seconds.
 const MOST_BEHIND_SECS: f64 = 0.25;
 
-/// Style somebody's motion while it goes on
+/// Style a performer's motion live
 ///
 /// It takes motion from a motion capture program by the VMC protocol (Open Sound Control over UDP), and sends it in a style
 /// to programs that show it. Ctrl-C ends it.
@@ -48,22 +48,22 @@ pub(crate) struct Args {
     /// The database
     #[arg(long, value_name = "DB", required_unless_present = "send")]
     db: Option<PathBuf>,
-    /// Styles with their weights, as in stylize; neutral if left out. Messages /strut/style NAME W change them
+    /// Styles with their weights, as in stylize; neutral by default. Messages /strut/style NAME W change them
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<StyleWeights>,
-    /// Where to listen for the performer [default: 127.0.0.1:39539]
+    /// Address to listen on for the performer [default: 127.0.0.1:39539]
     #[arg(long = "in", value_name = "ADDR", conflicts_with = "send")]
     input: Option<Address>,
-    /// Where to send to, several times if need be [default: 127.0.0.1:39540; with --send 127.0.0.1:39539]
+    /// Address to send to; may be repeated [default: 127.0.0.1:39540; with --send 127.0.0.1:39539]
     #[arg(long = "out", value_name = "ADDR")]
     outputs: Vec<Address>,
-    /// How long frames wait for later ones: auto, or milliseconds from 0 to 200
+    /// Delay of the jitter buffer: auto, or milliseconds from 0 to 200
     #[arg(long, value_name = "auto|MS", default_value = "auto", value_parser = parse_delay)]
     buffer: Delay,
-    /// Whether the styled figure keeps to the performer's place
+    /// Whether the styled character follows the performer's position
     #[arg(long, value_enum, default_value = "follow")]
     place: PlaceName,
-    /// Hold a T-pose for so long at first: for senders whose bones are turned in it
+    /// Seconds of T-pose at the start, for senders whose bones are rotated in the T-pose
     #[arg(long, value_name = "SECS")]
     calibrate: Option<f64>,
     /// Write the styled motion into a .bvh file at the end, at most an hour
@@ -72,13 +72,13 @@ pub(crate) struct Args {
     /// Write the performer's motion as well
     #[arg(long, value_name = "IN.bvh")]
     record_input: Option<PathBuf>,
-    /// End after so many seconds
+    /// End after this number of seconds
     #[arg(long, value_name = "N")]
     secs: Option<f64>,
-    /// Talk to other computers, not to this one alone
+    /// Allow connections with other computers
     #[arg(long)]
     allow_network: bool,
-    /// Write figures of the stream
+    /// Write measures of the stream as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Send a .bvh file as a performer instead, once or for --secs seconds
@@ -101,7 +101,7 @@ impl Args {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum PlaceName {
-    /// It is drawn to it while it walks
+    /// It is drawn towards it while it walks
     Follow,
     /// It goes where its steps lead
     Free,

@@ -9,16 +9,16 @@ use strut_tasks::{Outcome, TaskError, files};
 /// How files are read where the guess is wrong.
 #[derive(Args)]
 pub(crate) struct ReadArgs {
-    /// Which joint plays which role, as JSON: {"joints": {"hips": "Bip01", …}}
+    /// The joint of each role, as JSON: {"joints": {"hips": "Bip01", …}}
     #[arg(long, value_name = "FILE")]
     joints: Option<PathBuf>,
-    /// The files' up axis; read from the body unless given
+    /// Up axis of the files [default: detected from the body]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, value_parser = up_axis)]
     up: Option<UpAxis>,
-    /// Height of the ground along the up axis, metres; measured at the feet unless given
+    /// Height of the ground along the up axis, metres [default: measured at the feet]
     #[arg(long, value_name = "METRES", allow_hyphen_values = true, value_parser = metres)]
     floor: Option<f32>,
-    /// Exchange left and right against how the files are read
+    /// Swap the sides left and right that were detected
     #[arg(long)]
     swap_sides: bool,
 }

@@ -25,10 +25,10 @@ pub(crate) struct StyleArgs {
     /// Share of the bias that is kept in the output: 0 to 1
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.rho)]
     rho: f32,
-    /// How much of the tempo of a walk or a run becomes the style's own: 0 keeps yours, 1 forgets it
+    /// Share of the tempo of a walk or a run that the style determines: 0 keeps the input's tempo, 1 takes the style's
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.tempo)]
     tempo: f32,
-    /// Standard deviations from the neighbours beyond which input is bias
+    /// Distance from the neighbours beyond which input counts as bias, standard deviations
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.kappa)]
     kappa: f32,
     /// How slowly the weight of a class falls with its distance
@@ -43,12 +43,12 @@ pub(crate) struct StyleArgs {
     /// Whether planted feet are held in place
     #[arg(long, default_value = "on")]
     footplant: Switch,
-    /// mar: mixture of autoregressive models; lar: one local autoregression; nn: nearest neighbour; knn: mean
-    /// of the K nearest; gar: one autoregression for all; lti: linear time-invariant system for the whole
-    /// body; lti-dof: one a degree of freedom; gp: Gaussian process
+    /// mar: mixture of autoregressive models; lar: one local autoregression; nn: nearest neighbour; knn: mean of the K
+    /// nearest; gar: one autoregression for all; lti: linear time-invariant system for the whole body; lti-dof: one per
+    /// degree of freedom; gp: Gaussian process
     #[arg(long, default_value = "mar", value_parser = METHODS)]
     method: String,
-    /// Other weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
+    /// Different weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
     #[arg(long, value_name = "PART:NAME=W[,…]")]
     part: Vec<PartWeights>,
     /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class

@@ -24,7 +24,7 @@ use strut_tasks::progress::unwatched;
 use strut_tasks::stylize::{Spread, StyleSettings, Styled, Styling, TraceLog};
 use strut_tasks::weights::StyleWeights;
 
-/// Give BVH files another style
+/// Style BVH files
 ///
 /// An output keeps its input's skeleton, names, units, channel order and frame rate. Without --action and
 /// --input-style the input may be of any action and style: the engine finds the most similar classes.
@@ -33,7 +33,7 @@ pub(crate) struct Args {
     /// The database
     #[arg(long, value_name = "DB")]
     db: PathBuf,
-    /// The .bvh file to style; or several, or folders and .zip archives of them
+    /// The .bvh files to style, or folders or .zip archives of them
     #[arg(long, value_name = "IN.bvh", required = true, num_args = 1..)]
     input: Vec<PathBuf>,
     /// Styles with their weights; a name alone has weight 1, the remainder to 1 is neutral, weights below 0 or above 1
@@ -47,13 +47,13 @@ pub(crate) struct Args {
     options: StyleArgs,
     #[command(flatten)]
     reading: ReadArgs,
-    /// Write how every frame of a single input was computed, as JSON lines
+    /// Write a trace of every frame of a single input, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Write what was made of every input, and notes on what may be wrong, as JSON
+    /// Write a report on every input as JSON, with notes on what may be wrong
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Threads that work; one a processor unless given. The outputs do not depend on it
+    /// Number of threads [default: one per processor]. The outputs do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<NonZero<usize>>,
 }

@@ -37,14 +37,14 @@ a panic, or three starts without an end. None stops the others. --retry does tho
 The report of --json: jobs, done, styled (by this run), skipped, failed, frames, seconds, problems [{job, input, status,
 code, message}]. Exit codes: 0 also with skipped jobs, unless --strict; 1 with failed ones; 130 after Ctrl-C.";
 
-/// Give many BVH files one or several styles, each exactly once
+/// Style many BVH files in one or several styles, each exactly once
 ///
-/// The same command again goes on where the last one was stopped.
+/// The same command, run again, continues where the last one stopped.
 #[derive(clap::Args)]
 #[command(after_long_help = LONG_HELP)]
 #[command(group = ArgGroup::new("what").args(["style", "variants"]).required(true))]
 pub(crate) struct Args {
-    /// .bvh files, folders with all below them, .zip archives
+    /// .bvh files, folders (searched recursively) and .zip archives
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
     /// The database
@@ -53,7 +53,7 @@ pub(crate) struct Args {
     /// Styles with their weights, as in stylize
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<String>,
-    /// A table of several variants, of which every input is given each
+    /// A table of variants; every input is styled in each of them
     #[arg(long, value_name = "CSV")]
     variants: Option<PathBuf>,
     /// The folder to write into
@@ -63,16 +63,16 @@ pub(crate) struct Args {
     options: StyleArgs,
     #[command(flatten)]
     reading: ReadArgs,
-    /// Do one of several shares of the jobs
+    /// Run one of several shares of the jobs
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
-    /// Threads that work; one a processor unless given. The outputs do not depend on it
+    /// Number of threads [default: one per processor]. The outputs do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<NonZero<usize>>,
-    /// Do jobs again that failed or were skipped
+    /// Repeat jobs that failed or were skipped
     #[arg(long)]
     retry: Option<Retry>,
-    /// Compare outputs that are there with what was written, by their content
+    /// Check the contents of existing outputs against what was written
     #[arg(long)]
     verify: bool,
     /// Exit with 1 if a job was skipped

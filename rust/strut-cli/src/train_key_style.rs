@@ -14,7 +14,7 @@ use strut_tasks::files::Outputs;
 use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
 
-/// Learn poses from a few style variables that are measured on them
+/// Train a model that maps a few style variables, measured on poses, to poses
 ///
 /// Axes in cm: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation
 /// foot_height_difference hands_apart. Others: torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s). An axis
@@ -23,7 +23,7 @@ use strut_tasks::recordings::read_recordings;
 #[derive(clap::Args)]
 #[allow(clippy::doc_markdown)] // The comments are the help.
 pub(crate) struct Args {
-    /// .bvh files, folders with all below them, .zip archives
+    /// .bvh files, folders (searched recursively) and .zip archives
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
     /// One to three style variables
@@ -35,10 +35,10 @@ pub(crate) struct Args {
     /// Random seed: the same seed gives the same model
     #[arg(long, value_name = "N", default_value_t = SEED)]
     seed: u64,
-    /// Number of linear maps [default: one for 40 frames, but 4 to 16]
+    /// Number of linear maps [default: one per 40 frames, 4 to 16]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=MAX_COMPONENTS as u64))]
     components: Option<u64>,
-    /// A self-organising mixture network, or expectation and maximisation to compare it with
+    /// A self-organising mixture network, or expectation maximisation for comparison
     #[arg(long, value_name = "METHOD", default_value = "som", value_parser = ["som", "em"])]
     method: String,
     /// Write a report as JSON: {model, seconds, components, `unexplained_share`, axes: [{axis, unit, mean, deviation}],

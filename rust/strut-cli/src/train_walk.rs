@@ -15,21 +15,21 @@ use strut_tasks::walks::train_walks;
 
 /// Train a model of walk styles on labelled clips
 ///
-/// Of clips with an action 'walk' only those are used. A clip that cannot be used is left out with a warning. Where takes of a
-/// style differ by more than 6 degrees a joint they become styles of their own: 'proud A', 'proud B'.
+/// If any clips have the action 'walk', only those are used. A clip that cannot be used is left out with a warning.
+/// Takes of a style that differ by more than 6 degrees per joint become separate styles: 'proud A', 'proud B'.
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// .bvh files, folders with all below them, .zip archives
+    /// .bvh files, folders (searched recursively) and .zip archives
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
     /// The model to write
     #[arg(short, long, value_name = "M")]
     output: PathBuf,
-    /// How file names give the labels: {action}, {style}, {take} and any other {name}, which is ignored
-    /// [default: {action}_{style}_{take}.bvh]
+    /// Pattern of the labels in file names: {action}, {style}, {take}; any other {name} is ignored [default:
+    /// {action}_{style}_{take}.bvh]
     #[arg(long, value_name = "P")]
     pattern: Option<Pattern>,
-    /// A table with the columns file,action,style[,take]; goes before the pattern
+    /// A table with the columns file,action,style[,take]; takes precedence over the pattern
     #[arg(long, value_name = "CSV")]
     labels: Option<PathBuf>,
     /// Write a report as JSON: {model, seconds, styles: [{style, clips, steps, `step_secs`}], refused: [{file, reason}]}

@@ -13,9 +13,9 @@ use strut_tasks::progress::unwatched;
 use strut_tasks::walk::{Gait, MAX_STEPS, Transition, WalkOrder};
 use strut_tasks::weights::StyleWeights;
 
-/// Walk in a style or a mixture of styles
+/// Synthesise a walk in a style or a mixture of styles
 ///
-/// What weights lack to a sum of 1 is the average of all styles: old=0.5 is half as old, old=1.5 exaggerates, old=-1 is the
+/// Weights are relative to the average of all styles: old=0.5 is half as old, old=1.5 exaggerates, old=-1 is the
 /// opposite. Where the model has 'proud A' and 'proud B', proud is both in equal parts.
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -28,22 +28,22 @@ pub(crate) struct Args {
     /// Number of steps
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(1..=MAX_STEPS))]
     steps: u64,
-    /// Change to a style at a step (the first is 0), over so many steps in between; may be repeated
+    /// Change to a style at STEP (the first step is 0), gradually over LENGTH steps; may be repeated
     #[arg(long, value_name = "NAME@STEP:LENGTH")]
     transition: Vec<Transition>,
-    /// Steps a minute [default: the style's own]
+    /// Steps per minute [default: the style's own]
     #[arg(long, value_name = "N")]
     cadence: Option<f32>,
-    /// Length of steps as a share of the style's, 0.6 to 1.3
+    /// Step length relative to the style's, 0.6 to 1.3
     #[arg(long, value_name = "SHARE", default_value_t = 1.0)]
     stride: f32,
     /// Stop at the end, within two more steps, and stand
     #[arg(long)]
     stop: bool,
-    /// Turn of every step, degrees to the left; at most 10 either way
+    /// Turn per step, degrees to the left, -10 to 10
     #[arg(long, value_name = "DEGREES", default_value_t = 0.0, allow_hyphen_values = true)]
     turn: f32,
-    /// Whether joints keep within the range of the recorded walks
+    /// Whether joints are limited to the range of the recorded walks
     #[arg(long, default_value = "on", value_parser = ["on", "off"])]
     limits: String,
     /// The BVH file to write

@@ -26,17 +26,17 @@ use yardstick::{Comparison, Yardstick};
 
 /// Measure how long a frame takes
 ///
-/// Styles motion that the database does not hold, on one thread. Prints the median and the 95th percentile of every
-/// stage beside the figures of the paper's Table 2, and what kd-trees find of the nearest windows.
+/// Styles motion that is not in the database, on one thread. Prints the median and the 95th percentile of every stage
+/// beside the figures of the paper's Table 2, and the share of the nearest windows that kd-trees find.
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// A database to measure on; some of its clips are taken out of it and styled
+    /// A database to measure on; some of its clips are removed from it and styled
     #[arg(long, value_name = "DB", conflicts_with = "frames")]
     db: Option<PathBuf>,
-    /// Frames of the procedural databases to measure on instead, one after the other
+    /// Frames of the procedural databases to measure on otherwise, one after the other
     #[arg(long, value_name = "N[,N…]", value_delimiter = ',', default_values_t = [PAPER_FRAMES])]
     frames: Vec<usize>,
-    /// Compare with the paper's search, every window on a graphics processor, too
+    /// Also compare with the paper's search: every window, on a GPU
     #[arg(long)]
     gpu: bool,
     /// Write the figures to this file

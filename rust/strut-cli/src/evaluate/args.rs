@@ -29,7 +29,7 @@ A run that is stopped goes on where it was, if --json names the same file.";
 
 /// Measure the error of styled motion against real motion
 ///
-/// With loo, each take of the source style is styled with a database that knows no clip of that take. The result is
+/// With loo, each take of the source style is styled with a database without the clips of that take. The result is
 /// compared with the same take of the target style. With off-database, other clips are styled with a database of all
 /// takes, and compared with themselves.
 #[derive(clap::Args)]
@@ -38,7 +38,7 @@ pub(crate) struct Args {
     /// The clips: a folder of .bvh files
     #[arg(long, value_name = "DIR")]
     pub(super) data: PathBuf,
-    /// How file names give the labels [default: the usual ones are tried]
+    /// Pattern of the labels in file names [default: the usual ones are tried]
     #[arg(long, value_name = "P")]
     pub(super) pattern: Option<Pattern>,
     /// The style of the inputs, neutral in the databases
@@ -47,7 +47,7 @@ pub(crate) struct Args {
     /// Actions of the inputs and of the databases [default: all]
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub(super) actions: Vec<String>,
-    /// Actions of the databases, if others than the inputs'
+    /// Actions of the databases [default: those of the inputs]
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub(super) database_actions: Vec<String>,
     /// Styles to predict [default: all but the source]
@@ -65,13 +65,13 @@ pub(crate) struct Args {
     /// off-database: .bvh files and folders to style
     #[arg(long, value_name = "INPUT", value_delimiter = ',')]
     pub(super) inputs: Vec<PathBuf>,
-    /// Whether clips pass as a whole or frame by frame
+    /// Whether clips are styled as a whole or frame by frame
     #[arg(long, value_delimiter = ',', default_value = "offline")]
     pub(super) mode: Vec<PassMode>,
     /// How the databases are registered
     #[arg(long, value_delimiter = ',', default_value = "dtw")]
     pub(super) registration: Vec<Registration>,
-    /// Greatest number of takes of each target class in a database, the mean over three draws by chance; 0 for all
+    /// Largest number of takes of each target class in a database, averaged over three random draws; 0 for all
     #[arg(long, value_name = "N", value_delimiter = ',', default_value = "0")]
     pub(super) takes: Vec<usize>,
     /// Frames of a search window
@@ -89,10 +89,10 @@ pub(crate) struct Args {
     /// Share of the bias that is kept in the output: 0 to 1
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.rho])]
     pub(super) rho: Vec<f32>,
-    /// How much of the tempo becomes the style's own: 0 keeps the input's, 1 forgets it
+    /// Share of the tempo that the style determines: 0 keeps the input's tempo, 1 takes the style's
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.tempo])]
     pub(super) tempo: Vec<f32>,
-    /// Standard deviations from the neighbours beyond which input is bias; inf for no bias
+    /// Distance from the neighbours beyond which input counts as bias, standard deviations; inf for no bias
     #[arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.kappa])]
     pub(super) kappa: Vec<f32>,
     /// How slowly the weight of a class falls with its distance
@@ -110,7 +110,7 @@ pub(crate) struct Args {
     /// loo: number of folds, the first ones; 0 for all
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(super) folds: usize,
-    /// loo: print a line for every action and style, by how much of the way to the style is covered, instead of the means
+    /// loo: print for every action and style which share of the distance to the target is covered, instead of the means
     #[arg(long)]
     pub(super) progress: bool,
     /// Write the results as JSON

@@ -76,7 +76,7 @@ pub struct Request {
     pub rho: Vec<f32>,
     /// How much of the style's tempo is used: 0 to 1.
     pub tempo: Vec<f32>,
-    /// Standard deviations from the neighbours beyond which input is bias.
+    /// Distance from the neighbours beyond which input counts as bias, standard deviations.
     pub kappa: Vec<f32>,
     /// How slowly the weight of a class falls with its distance.
     pub delta: Vec<f32>,
