@@ -23,6 +23,8 @@ export class SharedViewer {
   /** Whether nothing is drawn, not even the finer picture of a still scene, which takes longer. */
   #frozen = false;
   #drawUntil = 0;
+  /** Settles with the last task of {@link film}. */
+  #lastFilm: Promise<unknown> = Promise.resolve();
   /** Whether drawing is off because something else is drawn over it. */
   rests = false;
 
@@ -132,10 +134,18 @@ export class SharedViewer {
 
   /**
    * Runs a task that controls all drawing: each picture shows its own time, seconds from the start, however long it
-   * takes to draw, without marks of editing. Pictures are drawn at `size`, or at the displayed size.
+   * takes to draw, without marks of editing. Pictures are drawn at `size`, or at the displayed size. A task waits for the
+   * one before it, which may still be ending after it was cancelled.
    * @throws the reason with which `signal` was aborted
    */
-  readonly film: Film = async (task, { signal, size } = {}) => {
+  readonly film: Film = (task, options) => {
+    const film = this.#lastFilm.then(() => this.#film(task, options));
+    this.#lastFilm = film.catch(() => undefined);
+    return film;
+  };
+
+  readonly #film: Film = async (task, { signal, size } = {}) => {
+    signal?.throwIfAborted();
     const viewer = this.#viewer;
     const start = performance.now() / 1000;
     const frozen = this.#frozen;

@@ -23,9 +23,9 @@ export class ProgressLine {
     prepareAnnouncements();
   }
 
-  /** Whether a task is running. */
+  /** Whether a task is running that was not cancelled. */
   get busy(): boolean {
-    return this.#controller !== undefined;
+    return this.#controller?.signal.aborted === false;
   }
 
   /** Cancels the running task. */
