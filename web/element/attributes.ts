@@ -66,7 +66,7 @@ const styles: Attribute<Selection> = {
   isFlag: false,
   parse: parseStyles,
   write: encodeSelection,
-  doc: "The styles and their weights, such as proud:0.5,old:0.5. What the weights leave of 1 is neutral; a name alone has 1.",
+  doc: "The styles and their weights, such as proud:0.5,old:0.5. The remainder to 1 is neutral; a name without a weight has weight 1.",
 };
 
 const controls: Attribute<readonly Control[]> = {
@@ -78,30 +78,30 @@ const controls: Attribute<readonly Control[]> = {
     return words.length === 0 ? CONTROLS : CONTROLS.filter((control) => words.includes(control));
   },
   write: (value) => (value.length === 0 ? null : value.length === CONTROLS.length ? "" : value.join(" ")),
-  doc: `What visitors can use: all where it has no value, or some of ${CONTROLS.join(" ")}.`,
+  doc: `Controls that visitors can use: all of them if it has no value, or some of ${CONTROLS.join(" ")}.`,
 };
 
 /** The table. */
 export const ATTRIBUTES = {
   src: text("strut:neutral-walk", "The motion: URL of a BVH file, or a built-in one."),
   db: text("strut:walk", "The database: URL of a .strutdb file, strut:walk or strut:built-in."),
-  character: text("", "URL of a character that performs in the mannequin's place: .glb, .vrm or .fbx."),
-  poster: text("", "URL of a picture that is shown until the figure can be."),
+  character: text("", "URL of a character to show instead of the mannequin: .glb, .vrm or .fbx."),
+  poster: text("", "URL of a picture to show until the character is loaded."),
   styles,
   state: text("", "Playground state: the part of a playground link after #. Other attributes override it."),
   controls,
-  autoplay: flag("Plays as soon as it is seen, unless the visitor asked for less motion."),
-  once: flag("Stops at the end instead of starting again."),
-  frame: number(0, 0, 1e7, "The input frame to begin at."),
-  speed: number(1, 0.1, 4, "Speed of playing, 0.1 to 4."),
-  camera: choice(CAMERA_PRESETS, "Where it is seen from."),
-  ghost: choice(GHOST_MODES, "Where the input is drawn."),
+  autoplay: flag("Starts playback when it becomes visible, unless the visitor prefers reduced motion."),
+  once: flag("Stops at the end instead of looping."),
+  frame: number(0, 0, 1e7, "The first input frame to play."),
+  speed: number(1, 0.1, 4, "Playback speed, 0.1 to 4."),
+  camera: choice(CAMERA_PRESETS, "Camera position."),
+  ghost: choice(GHOST_MODES, "Whether the input is drawn beside the styled character, over it, or not at all."),
   "disable-zoom": flag(
     "Disables zooming. Without it the wheel zooms while the picture has the focus, or with Ctrl or Cmd held.",
   ),
   theme: choice(PLAYER_THEMES, "Colour theme; auto follows the page."),
-  loading: choice(LOADING, "Whether it loads when it comes near the screen, or at once."),
-  alt: text("", "What a screen reader calls the picture; by default it says what is performed."),
+  loading: choice(LOADING, "Whether it loads when it comes near the visible area, or at once."),
+  alt: text("", "Text for screen readers; by default it describes the motion and the styles."),
 } as const;
 
 /** Names of the attributes. */

@@ -7,12 +7,12 @@ export interface Described {
 }
 
 export const EVENTS: readonly (Described & { detail: string })[] = [
-  { name: "ready", detail: "", doc: "The figure is on the screen." },
-  { name: "progress", detail: "{ label: string; fraction: number }", doc: "Loading has come so far, 0 to 1." },
+  { name: "ready", detail: "", doc: "The character is on the screen." },
+  { name: "progress", detail: "{ label: string; fraction: number }", doc: "Progress of loading, 0 to 1." },
   {
     name: "stylechange",
     detail: "{ styles: Record<string, number> }",
-    doc: "A visitor chose styles; bubbles.",
+    doc: "A visitor changed the styles. The event bubbles.",
   },
   {
     name: "frame",
@@ -20,14 +20,14 @@ export const EVENTS: readonly (Described & { detail: string })[] = [
       "{ inputFrame: number; timeOut: number; planted: [boolean, boolean]; reads: { action: string; style: string; weight: number }[] }",
     doc: "A new frame of the motion.",
   },
-  { name: "play", detail: "", doc: "It begins to play." },
+  { name: "play", detail: "", doc: "Playback started." },
   { name: "pause", detail: "", doc: "Playback was paused." },
   { name: "error", detail: "{ error: unknown }", doc: "Something failed; what was on the stage stays." },
 ];
 
 export const PARTS: readonly Described[] = [
-  { name: "stage", doc: "The picture and what lies over it." },
-  { name: "poster", doc: "The button that stands there until the figure is drawn." },
+  { name: "stage", doc: "The picture and everything drawn over it." },
+  { name: "poster", doc: "The button that is shown until the character is drawn." },
   { name: "styles", doc: "The polygon of styles." },
   { name: "bar", doc: "The bar under the stage." },
   { name: "play", doc: "The button that plays and pauses." },
@@ -60,10 +60,10 @@ export const SLOTS: readonly Described[] = [
 ];
 
 export const METHODS: readonly Described[] = [
-  { name: "play", doc: "Plays; loads if need be." },
-  { name: "pause", doc: "Stands." },
-  { name: "seek", doc: "Goes to a time of the input, seconds." },
-  { name: "load", doc: "Loads now; resolves when the figure is on the screen." },
-  { name: "toBlob", doc: "The picture as a file." },
-  { name: "exportFile", doc: "The whole motion in the present styles: bvh, glb or vrma." },
+  { name: "play", doc: "Starts playback; loads first if necessary." },
+  { name: "pause", doc: "Pauses playback." },
+  { name: "seek", doc: "Seeks to a time of the input, seconds." },
+  { name: "load", doc: "Loads at once; resolves when the character is on the screen." },
+  { name: "toBlob", doc: "Returns the picture as a file." },
+  { name: "exportFile", doc: "Returns the whole motion in the current styles as a file: bvh, glb or vrma." },
 ];

@@ -15,7 +15,7 @@ export function elementPage(tables) {
   );
   return `# \`<strut-player>\`
 
-A figure that moves in a style, as an HTML element. [Embedding](../embedding.md#strut-player) says how it is loaded.
+A character that moves in a style, as an HTML element. For loading it, see [Embedding](../embedding.md#strut-player).
 
 ## Attributes
 
