@@ -205,9 +205,9 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
         );
     }
     text.push_str(
-        "\nSide is worth its model many hundred times over, place hardly, as the clips are cut out of longer walks: ",
+        "\nThe split by side gains far more than it costs. The split by place gains less than it costs, because the clips \
+         are cut out of longer walks: models are those of left and right steps.\n\n",
     );
-    text.push_str("models are those of left and right steps.\n\n");
 }
 
 /// Writes the joint velocities during changes of style.
