@@ -33,7 +33,7 @@ await main(async () => {
     if (faults.length > 0) throw new Sentence(faults.join("\n"));
   });
   await step("Workflows and citation", checkWorkflows);
-  // What takes seconds comes before the build, which takes minutes.
+  // Checks that take seconds run before the build, which takes minutes.
   checkNode();
   await setupPackages();
   await step("TypeScript formatting and lints", () => run(bin("biome"), ["ci", "--error-on-warnings", "."]));

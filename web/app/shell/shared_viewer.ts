@@ -140,7 +140,9 @@ export class SharedViewer {
    */
   readonly film: Film = (task, options) => {
     const film = this.#lastFilm.then(() => this.#film(task, options));
-    this.#lastFilm = film.catch(() => undefined);
+    // Its result, a picture or a video, is not kept.
+    const done = () => undefined;
+    this.#lastFilm = film.then(done, done);
     return film;
   };
 
