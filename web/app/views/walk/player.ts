@@ -63,10 +63,16 @@ export class Player {
     this.changePlan();
   }
 
-  /** To be called when the plan of the state, or its drawing, has changed. */
+  /** To be called when the plan of the state has changed. */
   changePlan(): void {
     this.#planChanged = true;
     this.#moved = true;
+  }
+
+  /** To be called when the plan must be drawn anew. */
+  redraw(): void {
+    this.#moved = true;
+    if (this.#walk && !this.#planChanged) this.#listeners.onPlan(this.#walk);
   }
 
   /** Advances to a display frame; times in milliseconds. */

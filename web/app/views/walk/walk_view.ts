@@ -172,7 +172,7 @@ class WalkView implements View {
     // Plots depend on their width, and the step's number is shown only if it fits.
     const onWidth = () => {
       this.#labelled = -1;
-      this.#player.changePlan();
+      this.#player.redraw();
     };
     onResize(this.element, onWidth, signal);
     this.#planner.attach(signal);
