@@ -6,7 +6,7 @@ import { main, step } from "./steps.mjs";
 await main(async () => {
   await buildWasm({ mode: "full" });
   await step("Writing the package", async () => {
-    await writePackage();
+    await writePackage({ mode: "full" });
     return checkPackageSize();
   });
 });

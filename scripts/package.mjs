@@ -1,7 +1,7 @@
 // The package `strut-motion` in dist/package/, ready for `npm pack`: entries, worker, modules, data, types.
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
-import { gzipSync } from "node:zlib";
+import { deflateRawSync, gzipSync } from "node:zlib";
 import { root, run, Sentence } from "./steps.mjs";
 
 const OUT = join(root, "dist", "package");
@@ -102,8 +102,11 @@ const readsWith = (module) => ({
   },
 });
 
-/** Writes assets into an entry: modules as deflated bytes, which `web/package/inflate.ts` inflates; scripts as text. */
-const INLINED = {
+/**
+ * Writes assets into an entry: modules as deflated bytes, which `web/package/inflate.ts` inflates; scripts as text.
+ * @param deflate compresses a module
+ */
+const inlined = (deflate) => ({
   name: "inlined assets",
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^strut-inline:/ }, ({ path }) => ({
@@ -115,13 +118,13 @@ const INLINED = {
       // Base-64 text is hardly compressible; compression before the encoding saves a quarter.
       return path.endsWith(".js")
         ? { contents, loader: "text" }
-        : { contents: await deflated(contents), loader: "binary" };
+        : { contents: await deflate(contents), loader: "binary" };
     });
   },
-};
+});
 
 /** Deflates with the best compression, a twentieth better than zlib; equal bytes are deflated once. */
-async function deflated(bytes) {
+async function deflateBest(bytes) {
   // A clean checkout installs it only after this file is read.
   const { default: zopfli } = await import("@gfx/zopfli");
   const last = deflatedBytes.find(({ from }) => from.equals(bytes));
@@ -172,23 +175,26 @@ const COMMON = {
   absWorkingDir: root,
 };
 
-const IN_BROWSERS = {
-  platform: "browser",
-  plugins: [readsWith(undefined), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, INLINED, ELEMENT],
-};
-const IN_NODE = {
-  platform: "node",
-  plugins: [readsWith("node:fs/promises"), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, INLINED],
-};
-
-/** Writes dist/package/ from the built WASM packages. */
-export async function writePackage() {
+/**
+ * Writes dist/package/ from the built WASM packages.
+ * @param mode `full`: modules inside scripts are compressed as well as possible, which takes ten seconds; `quick`: by zlib
+ */
+export async function writePackage({ mode }) {
   // A clean checkout installs it only after this file is read.
   const { build } = await import("esbuild");
   const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const inlines = inlined(mode === "full" ? deflateBest : deflateRawSync);
+  const inBrowsers = {
+    platform: "browser",
+    plugins: [readsWith(undefined), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, inlines, ELEMENT],
+  };
+  const inNode = {
+    platform: "node",
+    plugins: [readsWith("node:fs/promises"), EMBEDDED_ENGINE, OWN_ADDRESSES_ONLY, inlines],
+  };
   const common = {
     ...COMMON,
-    ...IN_BROWSERS,
+    ...inBrowsers,
     define: {
       STRUT_VERSION: JSON.stringify(manifest.version),
       STRUT_SITE: JSON.stringify(process.env.STRUT_SITE_URL ?? ""),
@@ -224,7 +230,7 @@ export async function writePackage() {
   for (const [entry, source] of Object.entries({ node: "node", inline: "inline", three_node: "three" }))
     await build({
       ...common,
-      ...(entry === "inline" ? {} : IN_NODE),
+      ...(entry === "inline" ? {} : inNode),
       ...(source === "three" ? { external: Object.keys(PEERS) } : {}),
       entryPoints: [join(SOURCE, `${source}.ts`)],
       outfile: join(OUT, `${entry}.js`),
@@ -232,7 +238,7 @@ export async function writePackage() {
     });
   await build({
     ...common,
-    plugins: [...IN_BROWSERS.plugins, NO_MODELS],
+    plugins: [...inBrowsers.plugins, NO_MODELS],
     entryPoints: [join(SOURCE, "strut_player.ts")],
     outfile: join(OUT, "strut-player.js"),
     format: "iife",

@@ -11,21 +11,17 @@ import { buildPackages } from "./wasm.mjs";
 export const vite = join(root, "node_modules", "vite", "bin", "vite.js");
 
 /**
- * Sets up the requirements of the build.
+ * Sets up the requirements and builds the WASM packages; see {@link buildPackages}. The npm packages are installed in the
+ * meantime: the compiler does not need them.
  * @returns the environments in which cargo builds natively (`rust`) and for WebAssembly (`wasm`).
  */
-async function setup() {
-  checkNode();
-  await setupPackages();
-  const rust = await setupRust();
-  return { rust, wasm: await setupWasm(rust) };
-}
-
-/** Builds the WASM packages; see {@link buildPackages}. Returns the result of {@link setup}. */
 export async function buildWasm(options) {
-  const environments = await setup();
-  await buildPackages(environments.wasm, options);
-  return environments;
+  checkNode();
+  const rust = await setupRust();
+  const wasm = await setupWasm(rust);
+  const installed = setupPackages();
+  await Promise.all([installed, buildPackages(wasm, { ...options, installed })]);
+  return { rust, wasm };
 }
 
 /** Builds the static site. Has the parameter and the result of {@link buildWasm}. */
@@ -33,7 +29,7 @@ export async function buildSite(options) {
   const environments = await buildWasm(options);
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
   await step("Writing the package and the page for frames", async () => {
-    await writePackage();
+    await writePackage(options);
     await writeEmbedPage();
   });
   await step("Listing what is of others", () => writeNotices(environments.rust));

@@ -1,4 +1,4 @@
-// Runs the steps of a command one after another, and prints the label and the duration of each.
+// Runs the steps of a command, and prints the label and the duration of each.
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -12,12 +12,25 @@ export class Sentence extends Error {}
 
 const seconds = (since) => `${((performance.now() - since) / 1000).toFixed(1)} s`;
 
-/** Prints a step's label, runs it and prints its duration, with a string that it may return. */
+/** Labels of the steps that run now. */
+const running = new Set();
+
+/**
+ * Prints a step's label, runs it and prints its duration, with a string that it may return, and with its label if
+ * another step runs at the same time.
+ */
 export async function step(label, work) {
   const started = performance.now();
   console.log(`▸ ${label}`);
-  const remark = await work();
-  console.log(`  done in ${seconds(started)}${remark ? `: ${remark}` : ""}`);
+  running.add(label);
+  let remark;
+  try {
+    remark = await work();
+  } finally {
+    running.delete(label);
+  }
+  const which = running.size > 0 ? `${label}: ` : "";
+  console.log(`  ${which}done in ${seconds(started)}${remark ? `: ${remark}` : ""}`);
 }
 
 /** Runs a program with its output shown. Rejects with a {@link Sentence} if it fails. */

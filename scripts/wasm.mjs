@@ -5,7 +5,7 @@
 // wasm-opt. `quick` is for developers and tests: one module with the features of all packages and no wasm-opt. It gives
 // bit-identical results (tests/parity) in a fifth of the time. A package that is up to date in full mode is used in
 // quick mode, too. Packages that another clone built from the same sources on this machine are taken from the cache.
-import { existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -178,15 +178,18 @@ const MIN_WASM_OPT = 120;
  * @param env environment in which cargo builds for WebAssembly
  * @param mode `full` or `quick`, for the page's packages
  * @param bench the mode for benchmarks and parity tests; without it their packages are not built
+ * @param installed resolves when the npm packages are installed, one of which is wasm-opt
  */
-export async function buildPackages(env, { mode, bench }) {
+export async function buildPackages(env, { mode, bench, installed }) {
   const stamp = await packagesHash(env);
   const outdated = (names, mode) =>
     names.filter((name) => !isCurrent(PACKAGES[name], mode, stamp) && !takePackage(name, mode, stamp));
   const wanted = (built) => [...(mode === built ? PAGE : []), ...(bench === built ? BENCH : [])];
   const full = outdated(wanted("full"), "full");
   if (full.length > 0)
-    await step("Building the engine for WebAssembly, fully optimised", () => buildFull(env, full, stamp));
+    await step("Building the engine for WebAssembly, fully optimised", () =>
+      buildFull(env, full, { stamp, installed }),
+    );
   const quick = outdated(wanted("quick"), "quick");
   if (quick.length > 0) await step("Building the engine for WebAssembly", () => buildQuick(env, quick, stamp));
   if (read(MOTIONS_STAMP) !== stamp)
@@ -207,8 +210,9 @@ async function buildQuick(env, names, stamp) {
     if (group.length === 0) continue;
     const features = [...new Set(group.flatMap((p) => p.features))];
     await compile(env, { features, profile: "quick", simd });
-    const xtask = await binding;
-    await Promise.all(group.map((p) => bind(xtask, p, join(targetDir(env), TARGET, "quick"))));
+    const [first, ...others] = group;
+    await bind(await binding, first, join(targetDir(env), TARGET, "quick"));
+    for (const p of others) copyBound(first, p);
     for (const p of group) finish(p, "quick", stamp);
   }
 }
@@ -218,8 +222,9 @@ async function buildQuick(env, names, stamp) {
  * parallel, each in its own folder, since cargo locks its folder. Packages with the same flags are in the same line and
  * share their dependencies.
  */
-async function buildFull(env, names, stamp) {
+async function buildFull(env, names, { stamp, installed }) {
   const xtask = await buildXtask(env);
+  await installed;
   const tool = await findWasmOpt();
   const lines = LINES.map((line) => line.filter((name) => names.includes(name)));
   await Promise.all(lines.map((line, i) => buildLine(env, line, { xtask, tool, stamp, folder: `full-${i}` })));
@@ -270,6 +275,17 @@ async function bind(xtask, { folder, name }, modules) {
   const module = join(modules, `${CRATE.replaceAll("-", "_")}.wasm`);
   rmSync(join(root, folder), { recursive: true, force: true });
   await run(xtask, ["bind", module, join(root, folder), name]);
+}
+
+/** Copies a bound package to another with the same module: binding takes seconds. */
+function copyBound(from, to) {
+  rmSync(join(root, to.folder), { recursive: true, force: true });
+  mkdirSync(join(root, to.folder), { recursive: true });
+  const fileOf = ({ folder, name }, ending) => join(root, folder, `${name}${ending}`);
+  for (const ending of [".d.ts", "_bg.wasm", "_bg.wasm.d.ts"]) cpSync(fileOf(from, ending), fileOf(to, ending));
+  // The module keeps the name of the imports that its own JavaScript gives it.
+  const script = readFileSync(fileOf(from, ".js"), "utf8").replace(`./${from.name}.d.ts`, `./${to.name}.d.ts`);
+  writeFileSync(fileOf(to, ".js"), script);
 }
 
 /** Runs wasm-opt on a package's module in place. */

@@ -88,7 +88,7 @@ async function sdist(out) {
 /** Writes the npm package, fully optimised. */
 async function npm(out) {
   await buildWasm({ mode: "full" });
-  await writePackage();
+  await writePackage({ mode: "full" });
   await run("npm", ["pack", "--silent", join(root, "dist", "package"), "--pack-destination", out]);
 }
 
