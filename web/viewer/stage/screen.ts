@@ -11,6 +11,7 @@ import {
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
+import { IdleTurn } from "./idle_turn";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
 
 /** Initial quality of a renderer without a GPU. */
@@ -107,8 +108,7 @@ export class Screen {
   /** Programs whose uniforms and attributes three.js has queried. */
   readonly #queried = new WeakSet<object>();
   #environment: WebGLRenderTarget | undefined;
-  /** Whether synchronous calls are allowed now, the queue is being awaited, or neither. */
-  #synchronous: "allowed" | "waiting" | "none" = "none";
+  readonly #turn = new IdleTurn();
   #counting = false;
 
   private constructor(
@@ -206,7 +206,7 @@ export class Screen {
 
   /** Whether nothing can be drawn now: enough frames are queued, the queue is being awaited, or it is the page's turn. */
   get busy(): boolean {
-    if (this.#synchronous === "waiting") return true;
+    if (this.#turn.isWaiting) return true;
     const { frames } = this.#queue;
     const { at, tookMs } = this.#queue.last;
     const leavesRoom = this.#isShared && tookMs > SLOW_MS;
@@ -235,19 +235,12 @@ export class Screen {
 
   /** Whether the canvas may get new memory in this task. */
   get mayResize(): boolean {
-    return this.#synchronous === "allowed";
+    return this.#turn.isAllowed;
   }
 
   /** Waits until the GPU is idle; `then` draws in the same task, in which new memory may be allocated. */
-  async whenIdle(then: () => void): Promise<void> {
-    this.#synchronous = "waiting";
-    await this.#queue.idle(IDLE_TIMEOUT_MS);
-    this.#synchronous = "allowed";
-    try {
-      then();
-    } finally {
-      this.#synchronous = "none";
-    }
+  whenIdle(then: () => void): Promise<void> {
+    return this.#turn.take(() => this.#queue.idle(IDLE_TIMEOUT_MS), then);
   }
 
   /** Allocates the canvas's memory for a picture, in pixels. */
