@@ -8,6 +8,7 @@ import { graphics } from "../../viewer";
 import type { Motions } from "../batch/take_motions";
 import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
+import { ExportTurn } from "../outputs/export_turn";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
 import type { Projects } from "../project/projects";
@@ -52,6 +53,7 @@ export class App {
   readonly #workspace: Workspace;
   readonly #viewer: SharedViewer;
   readonly #topBar: TopBar;
+  readonly #exports: ExportTurn;
   readonly #drop: DropZone;
   readonly #characters: Characters;
   readonly #views: Views;
@@ -63,7 +65,6 @@ export class App {
   #motions: Promise<Motions> | undefined;
 
   readonly #firstSteps: Promise<FirstSteps> | undefined;
-  #isExporting = false;
   /** Settles the promise for which dropped files wait. */
   #started = () => {};
   /** Removes the message shown while the WebGL context is lost. */
@@ -100,7 +101,9 @@ export class App {
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
       onHelp: () => this.#help.open(),
     });
-    this.#topBar.canExport = false;
+    this.#exports = new ExportTurn((can) => {
+      this.#topBar.canExport = can;
+    });
     this.#files.onChange = () => {
       this.#topBar.kept = this.#files.size;
       this.#guardWork();
@@ -144,7 +147,7 @@ export class App {
         if (this.#viewer.draw(now) || graphics() === "none") session.drawn();
       },
       onInput: () => {
-        this.#topBar.canExport = !this.#isExporting;
+        this.#exports.inputOpened();
         this.#toasts.clearErrors();
         this.#views.shown?.refresh?.();
       },
@@ -482,18 +485,16 @@ export class App {
     const { session, playhead } = this.#workspace;
     const keep = this.#views.shown?.keep?.bind(this.#views.shown);
     if (format !== "png" && keep && !(await keep())) return;
-    this.#isExporting = true;
-    this.#topBar.canExport = false;
-    await launchOutput(format, size, {
-      session,
-      playhead,
-      store: this.#store,
-      pictures: this.#viewer,
-      characterGlb: (motion) => this.#characters.glb(motion),
-      toasts: this.#toasts,
-      progress: this.#progress.database,
-    });
-    this.#isExporting = false;
-    this.#topBar.canExport = true;
+    await this.#exports.take(() =>
+      launchOutput(format, size, {
+        session,
+        playhead,
+        store: this.#store,
+        pictures: this.#viewer,
+        characterGlb: (motion) => this.#characters.glb(motion),
+        toasts: this.#toasts,
+        progress: this.#progress.database,
+      }),
+    );
   }
 }
