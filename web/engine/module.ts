@@ -33,6 +33,6 @@ function requireSimd(): void {
   throw new StrutError({
     code: "unsupported",
     message: "This browser cannot run Strut's engine: it lacks WebAssembly with SIMD.",
-    hint: "Use a current Chrome, Edge, Firefox or Safari (16.4 or newer).",
+    hint: "Use a current Chrome, Edge, Firefox or Safari.",
   });
 }
