@@ -1,5 +1,5 @@
-import { describe, expect, it } from "vitest";
-import { actionOf, type PageKeys } from "./keys";
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { actionOf, listenToKeys, type PageKeys } from "./keys";
 
 const said: string[] = [];
 const say = (what: string) => () => void said.push(what);
@@ -97,5 +97,35 @@ describe("a key", () => {
       "undo",
     ]);
     expect(press("?")).toBe("help");
+  });
+});
+
+describe("a click", () => {
+  afterEach(() => vi.unstubAllGlobals());
+
+  /** Clicks an element, with the `detail` of a mouse, which screen readers and switch devices send too. */
+  function click(focused: Element): boolean {
+    let isFocused = true;
+    const window = new EventTarget();
+    const element = class {
+      blur(): void {
+        isFocused = false;
+      }
+    };
+    vi.stubGlobal("addEventListener", window.addEventListener.bind(window));
+    vi.stubGlobal("HTMLElement", element);
+    vi.stubGlobal("SVGElement", element);
+    vi.stubGlobal("document", { activeElement: Object.assign(new element(), focused) });
+    const life = new AbortController();
+    listenToKeys(page(), life.signal);
+    window.dispatchEvent(Object.assign(new Event("click"), { detail: 1 }));
+    life.abort();
+    return isFocused;
+  }
+
+  it("leaves the control the focus, so that its place is not lost", () => {
+    for (const control of [focus("button"), focus("a"), focus("summary"), focus("input", { type: "checkbox" })])
+      expect(click(control), control.localName).toBe(true);
+    expect(click(focus("canvas")), "the picture takes keys itself").toBe(false);
   });
 });
