@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { WorkerPort } from "../client/connection";
 import { EngineClient } from "../client/engine_client";
-import type { Boot } from "./boot";
+import { type Boot, STARTED } from "./boot";
 import { loadEngine } from "./load";
 import { type Entry, type Started, startEngine } from "./start";
 
@@ -45,4 +45,27 @@ test("a call that was given up before the engine is waited for is rejected, and 
   await expect(loadEngine(BOOT, started, AbortSignal.abort())).rejects.toMatchObject({ code: "cancelled" });
   expect(disposing).toHaveBeenCalledTimes(1);
   disposing.mockRestore();
+});
+
+test("workers from a blob share one script, however often an engine is loaded", async () => {
+  /** A worker whose script runs at once. */
+  class Prompt extends Silent {
+    constructor() {
+      super();
+      queueMicrotask(() => this.onmessage?.({ data: STARTED } as never));
+    }
+  }
+  const create = vi.spyOn(URL, "createObjectURL").mockReturnValue("blob:script");
+  vi.stubGlobal("Worker", Prompt);
+  const entry: Entry = {
+    workerUrl: undefined,
+    workerText: async () => "the script of the engine",
+    buildWorkerUrl: "https://example.org/build.js",
+    servers: () => Promise.reject(new Error("never")),
+    boot: BOOT,
+  };
+  for (let load = 0; load < 3; load++) expect(await startEngine(entry, true)).toMatchObject({ thread: "blob" });
+  // The script of the engine, and that of builds.
+  expect(create).toHaveBeenCalledTimes(2);
+  create.mockRestore();
 });
