@@ -9,6 +9,7 @@ import { LESSONS } from "../../web/lessons/lessons";
 import { serveFolder } from "../package/server";
 import { axeFaults } from "./axe";
 import { eventually, openSite, screenshot, visit } from "./browser";
+import { failNextCall } from "./faults/inject";
 
 const STATE = "i=200&K=12&ridge=0.02";
 
@@ -131,6 +132,26 @@ describe("a figure elsewhere", () => {
     await eventually(() => page.locator("strut-figure").evaluate((figure) => (figure as StrutFigure).heading)).not.toBe(
       "",
     );
+    await page.context().close();
+  });
+
+  test("that fails while it is changed says so, and shows the next change", async () => {
+    const page = await openElsewhere(
+      `<script type="module" src="${site.site.url}strut-figure.js"></script>
+       <strut-figure kind="scatter" state="${STATE}"></strut-figure>`,
+    );
+    const errors: string[] = [];
+    page.on("pageerror", ({ message }) => errors.push(message));
+    const figure = page.locator("strut-figure");
+    await figure.evaluate(measured);
+    await failNextCall(page, "fit", "fails");
+    await figure.getByRole("slider", { name: "Neighbours K" }).press("End");
+    const message = figure.locator(".message");
+    await eventually(() => message.textContent()).toContain("ended for the test");
+    await figure.getByRole("slider", { name: "Neighbours K" }).press("Home");
+    await eventually(() => message.isVisible()).toBe(false);
+    expect(await figure.evaluate(measured)).toMatchObject({ k: 1 });
+    expect(errors).toEqual([]);
     await page.context().close();
   });
 
