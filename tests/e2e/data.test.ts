@@ -370,6 +370,13 @@ describe("labels", () => {
     await eventually(() => page.getByRole("radio", { name: "calm is neutral" }).isChecked()).toBe(true);
     await screenshot(page, "data-rename");
 
+    await page.getByRole("button", { name: "Clear", exact: true }).click();
+    await eventually(() => page.locator(".clip-file").count()).toBe(0);
+    await page.keyboard.press("Control+z");
+    await eventually(() => page.locator(".clip-file").count(), "what was cleared comes back").toBe(3);
+    await eventually(() => page.getByRole("radio", { name: "calm is neutral" }).isChecked()).toBe(true);
+    expect(await page.getByLabel("style of takes/odd.bvh").inputValue()).toBe("proud");
+
     await choose(written("labels.csv", "file,action,style\na-walk (old).bvh,stroll,ancient\n"));
     await eventually(() => page.getByRole("radio", { name: "ancient is neutral" }).count()).toBe(1);
     await choose(written("labels.csv", "file,action\na,b\n"));
