@@ -218,6 +218,10 @@ describe("a graphics context that is lost for good", () => {
     const { name, bytes } = await saved(page, "BVH");
     expect(name).toMatch(/proud\.bvh$/);
     expect(bytes.toString()).toMatch(/^HIERARCHY/);
+    await page.getByRole("button", { name: "Export" }).click();
+    await page.locator(".export-menu").getByRole("button", { name: /^PNG/ }).click();
+    await eventually(alert, "no empty picture is saved").toMatch(/Try again later, or reload the page/);
+    expect(await page.locator(".toast.note").allTextContents()).not.toContainEqual(expect.stringContaining("png"));
     await page.getByRole("alert").getByRole("button", { name: "Reload" }).click();
     await page.waitForFunction(() => document.querySelector("[role=alert]")?.textContent === "");
     await shown(page);
