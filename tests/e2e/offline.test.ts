@@ -220,6 +220,27 @@ describe("the installed page", () => {
     expect((await manifest()).errors).toEqual(["in-incognito"]);
   });
 
+  it("asks before it opens a file in a tab: a page of another site may have sent it", async () => {
+    const { old } = await walksIn(["old"], 200);
+    const { action } = (await manifest()).share_target;
+    const other = await page.context().newPage();
+    await other.setContent(`<form method="post" enctype="multipart/form-data" action="${site.url}${action}"></form>`);
+    await other.locator("form").evaluate((form, bvh) => {
+      const sent = new DataTransfer();
+      sent.items.add(new File([bvh], "planted walk.bvh"));
+      const { files } = sent;
+      form.append(Object.assign(document.createElement("input"), { type: "file", name: "files", files }));
+      (form as HTMLFormElement).submit();
+    }, old);
+    const question = other.locator(".toast.note").filter({ hasText: "“planted walk.bvh”: sent to this page" });
+    await eventually(() => question.count()).toBe(1);
+    await shown(other);
+    expect(await inputName(other)).not.toBe("planted walk");
+    await question.getByRole("button", { name: "Open" }).click();
+    await eventually(() => inputName(other)).toBe("planted walk");
+    await other.close();
+  });
+
   it("opens files that another app shares, and those that the system launches it with", async () => {
     const { old } = await walksIn(["old"], 200);
     const { action, method, params } = (await manifest()).share_target;
@@ -231,6 +252,14 @@ describe("the installed page", () => {
       },
       [old, params.files[0].name, action, method],
     );
+    // The window of an installed page.
+    await page.addInitScript(() => {
+      const { matchMedia } = globalThis;
+      const isInstalled = (query: string) => query.includes("display-mode: standalone");
+      Object.assign(globalThis, {
+        matchMedia: (query: string) => matchMedia(isInstalled(query) ? "all" : query),
+      });
+    });
     await page.goto(`${site.url}?shared#play=0`);
     await eventually(() => inputName(page)).toBe("shared walk");
     expect(new URL(page.url()).search).toBe("");

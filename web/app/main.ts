@@ -16,6 +16,7 @@ import "./views/play/transport.css";
 import "./views/play/timeline/timeline.css";
 import { startStrutClient } from "../client/client";
 import { FirstSteps } from "../client/first_steps";
+import { isInstalled } from "../ui/media";
 import { keepSite } from "./offline/keep_site";
 import { onLaunchedFiles } from "./offline/launched_files";
 import { SHARED_QUERY, takeShared } from "./offline/shared_files";
@@ -58,7 +59,10 @@ async function openGivenFiles(app: App): Promise<void> {
   if (location.search !== SHARED_QUERY) return;
   // They are opened once, however often the page is reloaded.
   history.replaceState(history.state, "", location.pathname + location.hash);
-  app.open(await takeShared(new URL("./", location.href).href));
+  const files = await takeShared(new URL("./", location.href).href);
+  // Other apps share files with the installed page only. In a tab they may come from any page of the web.
+  if (isInstalled()) app.open(files);
+  else app.offerFiles(files);
 }
 
 /** Calls back when the page has been drawn and is idle, or after a while: Safari does not report it. */

@@ -7,7 +7,7 @@
  */
 import { PrecacheController } from "workbox-precaching/PrecacheController.js";
 import type { Order } from "./orders";
-import { isOfThisSite, receiveShared, SHARE_PATH } from "./shared_files";
+import { receiveShared, SHARE_PATH } from "./shared_files";
 
 declare const self: ServiceWorkerGlobalScope;
 
@@ -64,8 +64,7 @@ function answerTo(event: FetchEvent): Promise<Response> | undefined {
   const { request } = event;
   const { origin, pathname } = new URL(request.url);
   const url = origin + pathname;
-  if (request.method === "POST")
-    return url === at(SHARE_PATH) && isOfThisSite(request) ? receiveShared(request, scope) : undefined;
+  if (request.method === "POST") return url === at(SHARE_PATH) ? receiveShared(request, scope) : undefined;
   if (request.method !== "GET") return undefined;
   if (request.mode === "navigate") return url === scope || url === at("index.html") ? page(event) : undefined;
   // The network may work: it has a newer version if this one cannot be repaired.

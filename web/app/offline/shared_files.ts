@@ -8,17 +8,12 @@ export const SHARED_QUERY = "?shared";
 const cacheOf = (folder: string): string => `strut-shared-${folder}`;
 
 /**
- * Whether a request comes from the browser itself, as when another app shares files, or from this site, but not from
- * another site's page.
+ * Stores the files of a form, in place of those of an earlier form, and responds with the page that opens them. Any
+ * page of the web can send such a form, and a service worker cannot tell: it does not see `Sec-Fetch-Site`.
  */
-export function isOfThisSite(request: Request): boolean {
-  const site = request.headers.get("Sec-Fetch-Site");
-  return site === null || site === "none" || site === "same-origin";
-}
-
-/** Stores the files of a form, and responds with the page that opens them. */
 export async function receiveShared(request: Request, folder: string): Promise<Response> {
   const files = (await request.formData()).getAll("files").filter((value) => value instanceof File);
+  await caches.delete(cacheOf(folder));
   const cache = await caches.open(cacheOf(folder));
   const store = (file: File, i: number) =>
     cache.put(`${folder}${SHARE_PATH}/${i}/${encodeURIComponent(file.name)}`, new Response(file));

@@ -198,6 +198,13 @@ export class App {
     this.#toasts.offer(ready, action, update);
   }
 
+  /** Asks whether files that were sent to the page are opened. */
+  offerFiles(files: readonly File[]): void {
+    if (files.length === 0) return;
+    const { sent, open } = strings.page.sentFiles;
+    this.#toasts.offer(sent(files.map(({ name }) => name)), open, () => this.open(files));
+  }
+
   /** Loads and shows tooltips for keyboard and touch. */
   async showTips(): Promise<void> {
     const { showTips } = await import("../ui/tips");

@@ -134,6 +134,11 @@ export const page = {
       "This character’s licence does not allow redistribution with a new motion. Export the motion only: VRMA or BVH.",
   },
 
+  sentFiles: {
+    sent: (names: readonly string[]) =>
+      `${names.map((name) => `“${name}”`).join(", ")}: sent to this page. Open only files that you have shared yourself.`,
+    open: "Open",
+  },
   update: { ready: "A newer version of Strut is ready.", action: "Update" },
   progress: { cancel: "Cancel", done: "Done.", stopped: "Stopped." },
   engine: {
