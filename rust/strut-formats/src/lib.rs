@@ -14,7 +14,7 @@ pub mod style_keys;
 pub mod vmc;
 pub mod walk_model;
 
-pub use quotation::quotation;
+pub use quotation::{quotation, shown_number};
 
 /// Program and version, as recorded in files that Strut writes.
 pub const GENERATOR: &str = concat!("strut ", env!("CARGO_PKG_VERSION"));

@@ -1,7 +1,7 @@
 //! Styles over time from a table: CSV with the columns `time` (seconds) and one for every axis of a key-style model, in
 //! the axes' own units and in any order.
 
-use crate::quotation::quotation;
+use crate::quotation::{quotation, shown_number};
 use strut_core::somn::{Key, MAX_AXES, Measure};
 use thiserror::Error;
 
@@ -39,7 +39,7 @@ pub enum StyleKeysError {
         found: String,
     },
     /// The times are not ascending.
-    #[error("line {line}: the time {secs} s does not come after the one before; ascending times were expected")]
+    #[error("line {line}: the time {} s does not come after the one before; ascending times were expected", shown_number(*.secs))]
     Order {
         /// Line in the file, from 1.
         line: u64,
@@ -125,6 +125,7 @@ mod tests {
             ("\"a\nb\",hips\n0,1\n", "line 1 is 'a\u{FFFD}b,hips'; 'time"),
             ("time,hips_height,time\n0,1,2\n", "line 1 is"),
             ("time,hips_height\n", "there is no key below the header"),
+            ("time,hips_height\n1e300,90\n1e299,90\n", "line 3: the time 1e299 s does not come after"),
             ("time,hips_height\n0,90\n1\n", "line 3 has 1 columns; 2 were expected"),
             ("time,hips_height\n0,90\n1,NaN\n", "line 3: hips_height is 'NaN'; a number was expected"),
             ("time,hips_height\n0,ninety\n", "line 2: hips_height is 'ninety'"),

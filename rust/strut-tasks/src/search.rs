@@ -5,6 +5,7 @@ use std::fmt;
 use std::num::NonZero;
 use std::str::FromStr;
 use strut_core::search::Index;
+use strut_formats::quotation;
 
 /// Default number of candidates of a kd-tree.
 const CANDIDATES: NonZero<usize> = NonZero::new(160).unwrap();
@@ -41,7 +42,8 @@ impl FromStr for Search {
             Some(("kdtree", number)) => number.parse().ok(),
             _ => None,
         };
-        let expected = || format!("the search is '{text}'; exact, kdtree or kdtree:CANDIDATES was expected");
+        let expected =
+            || format!("the search is '{}'; exact, kdtree or kdtree:CANDIDATES was expected", quotation(text, 40));
         candidates.map(|candidates| Self::KdTree { candidates }).ok_or_else(expected)
     }
 }
@@ -74,5 +76,6 @@ mod tests {
         for text in ["", "kdtree:", "kdtree:0", "kdtree:-1", "exact:40", "tree"] {
             assert!(text.parse::<Search>().unwrap_err().contains(&format!("'{text}'")));
         }
+        assert!("x".repeat(5000).parse::<Search>().unwrap_err().len() < 200);
     }
 }

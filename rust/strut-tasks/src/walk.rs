@@ -8,6 +8,7 @@ use std::sync::Arc;
 use strut_core::hsmm::{MAX_TURN, RATE_HZ, RuntimeWalkModel, SIDES, STRIDE, WalkModel, Walker};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::Vec3;
+use strut_formats::quotation;
 
 /// Greatest number of steps of a walk, over three hours.
 pub const MAX_STEPS: u64 = 20_000;
@@ -30,7 +31,8 @@ impl FromStr for Transition {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let expected = || format!("'{text}' is no transition; NAME@STEP:LENGTH was expected, as in old@6:4");
+        let expected =
+            || format!("'{}' is no transition; NAME@STEP:LENGTH was expected, as in old@6:4", quotation(text, 40));
         let (styles, at) = text.rsplit_once('@').ok_or_else(expected)?;
         let (step, between) = at.split_once(':').ok_or_else(expected)?;
         let (step, between) = (step.trim().parse(), between.trim().parse());
@@ -167,5 +169,19 @@ impl WalkOrder {
             walk(&mut walker, last)?;
         }
         Ok(Walked { motion: HumanoidMotion { proportions: model.proportions, rate_hz: RATE_HZ, poses }, planted })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        for text in ["x".repeat(5000), format!("old@{}:4", "9".repeat(5000)), format!("{0},{0}@6:4", "x".repeat(5000))]
+        {
+            let refused = text.parse::<Transition>().unwrap_err();
+            assert!(refused.chars().count() < 200, "{} characters", refused.chars().count());
+        }
     }
 }

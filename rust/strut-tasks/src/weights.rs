@@ -47,7 +47,7 @@ impl StyleWeights {
                 return Err("a style has no name; NAME or NAME=WEIGHT was expected".into());
             }
             if weights[..i].iter().any(|(other, _)| other == name) {
-                return Err(format!("style '{name}' has two weights; one was expected"));
+                return Err(format!("style '{}' has two weights; one was expected", quotation(name, 40)));
             }
             if weight.is_nan() || weight.abs() > MAX_WEIGHT {
                 return Err(unlike_a_weight(weight));

@@ -5,6 +5,7 @@ use std::path::Path;
 use strut_core::driving::{Control, Driver, Move};
 use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
+use strut_formats::quotation;
 use strut_tasks::files;
 
 /// Greatest size of a file, bytes.
@@ -92,7 +93,8 @@ fn read_log(file: &Path) -> Outcome<Orders> {
             None
         } else {
             let names = Move::ALL.map(Move::name).join(", ");
-            let unknown = || format!("line {}: the action is '{action}'; one of {names} was expected", i + 2);
+            let unknown =
+                || format!("line {}: the action is '{}'; one of {names} was expected", i + 2, quotation(action, 40));
             Some(Move::named(action).ok_or_else(|| Failure::in_file(file, unknown()))?)
         };
         let [time, gait, heading] = [row[0], row[1], row[2]].map(Option::unwrap_or_default);
@@ -125,7 +127,7 @@ impl Table {
         let expected = || format!("the columns {}[,{}] were expected", needed.join(","), may_be.join("][,"));
         let column = |name: &str| headers.iter().position(|header| header == name);
         if let Some(unknown) = headers.iter().find(|header| !needed.contains(header) && !may_be.contains(header)) {
-            return Err(fail(1, format!("there is a column '{unknown}'; {}", expected())));
+            return Err(fail(1, format!("there is a column '{}'; {}", quotation(unknown, 40), expected())));
         }
         let columns: Vec<Option<usize>> = needed.iter().chain(optional).map(|name| column(name)).collect();
         if columns[..needed.len()].contains(&None) {
@@ -144,12 +146,33 @@ impl Table {
                 let number = text.parse().ok().filter(|number: &f32| number.is_finite());
                 if number.is_none() && (i < needed.len() || !text.is_empty()) {
                     let name = needed.iter().chain(optional).nth(i).unwrap_or(&"");
-                    return Err(fail(line, format!("the {name} is '{text}'; a number was expected")));
+                    return Err(fail(line, format!("the {name} is '{}'; a number was expected", quotation(text, 40))));
                 }
                 row.push(number);
             }
             rows.push((row, field(text.and_then(column)).to_owned()));
         }
         Ok(Self { rows })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        let long = "x".repeat(5000);
+        for (is_path, text) in [
+            (true, format!("x,z,{long}\n0,0,0\n")),
+            (true, format!("x,z\n0,{long}\n")),
+            (false, format!("time,gait,heading,action\n0,1,0,{long}\n")),
+        ] {
+            let file = tempfile::NamedTempFile::new().unwrap();
+            std::fs::write(file.path(), &text).unwrap();
+            let [path, controls] = [is_path, !is_path].map(|is_given| is_given.then(|| file.path()));
+            let refused = Orders::read(path, controls, 1.0).err().unwrap().to_string();
+            assert!(refused.contains("xxx") && refused.chars().count() < 500, "{} characters", refused.chars().count());
+        }
     }
 }

@@ -5,6 +5,7 @@ use crate::files;
 use crate::stylize::StyleSettings;
 use crate::weights::StyleWeights;
 use std::path::{Component, Path};
+use strut_formats::quotation;
 
 /// Greatest size of a table of variants, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;
@@ -29,7 +30,7 @@ impl Variant {
         let is_strange = |c: char| c.is_control() || matches!(c, '\\' | ':' | '/');
         if !is_plain || name.starts_with('.') || name.contains(is_strange) || name.len() > 200 {
             let expected = "the name of a folder was expected, without a path and a dot before it";
-            return Err(TaskError::usage(format_args!("the variant is '{name}'; {expected}")));
+            return Err(TaskError::usage(format_args!("the variant is '{}'; {expected}", quotation(name, 40))));
         }
         Ok(Self { name: name.to_owned(), settings })
     }
@@ -111,6 +112,15 @@ mod tests {
         ] {
             let error = read(table).unwrap_err().to_string();
             assert!(error.contains(expected), "{table:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        let long = "x".repeat(5000);
+        for table in [format!("variant,style\n{long},old\n"), format!("variant,style,k\na,old,{long}\n")] {
+            let reason = read(&table).unwrap_err().to_string();
+            assert!(reason.chars().count() < 500, "{} characters", reason.chars().count());
         }
     }
 

@@ -14,6 +14,7 @@ use std::str::FromStr;
 use strut_core::search::WINDOW;
 use strut_core::transfer::Options;
 use strut_formats::corpus::Pattern;
+use strut_formats::quotation;
 
 /// What is compared with what.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -212,7 +213,9 @@ fn all<T>(name: &str, values: &[String], read: Read<T>) -> Outcome<Vec<T>> {
     if values.is_empty() {
         return Err(TaskError::usage(format_args!("{name} has no value; one or several were expected")));
     }
-    let fail = |value: &String, e: String| TaskError::usage(format_args!("{name} is '{value}': {e}"));
+    let fail = |value: &String, e: String| {
+        TaskError::usage(format_args!("{name} is '{}': {}", quotation(value, 40), quotation(&e, 200)))
+    };
     values.iter().map(|value| read(value).map_err(|e| fail(value, e))).collect()
 }
 
@@ -246,6 +249,19 @@ mod tests {
             (request.protocol, request.labels.len(), request.kappa[1]),
             (Protocol::OffDatabase, 2, f32::INFINITY)
         );
+    }
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        let mut request = Request::new("clips".into(), "normal".into());
+        let mut refused = 0;
+        for name in Request::NAMES {
+            if let Err(error) = request.set(name, &["x".repeat(5000)]) {
+                assert!(error.message.chars().count() < 500, "{name}: {} characters", error.message.chars().count());
+                refused += 1;
+            }
+        }
+        assert!(refused > 10, "{refused}");
     }
 
     #[test]

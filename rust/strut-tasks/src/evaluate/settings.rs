@@ -16,6 +16,7 @@ use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
 use strut_core::search::{Index, MAX_WINDOW};
 use strut_core::transfer::{MAX_WEIGHT, Method, Model, Options, Stylizer};
+use strut_formats::quotation;
 
 /// Settings of a database build.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -135,7 +136,7 @@ impl Setting {
         let method = Method::from_name(&self.method).ok_or_else(|| {
             TaskError::usage(format_args!(
                 "there is no method '{}'; nn, knn, lar, mar, gar, lti, lti-dof or gp was expected",
-                self.method
+                quotation(&self.method, 40)
             ))
         })?;
         let options = Options { k, delta, lambda, kappa, rho, tempo, coherence, method, ..Options::DEFAULT };

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use strut_core::retarget::{ReadAs, UpAxis};
 use strut_core::transfer::{Method, Model, Options, Stylizer};
 use strut_formats::joints::{JointAssignment, Reading};
+use strut_formats::quotation;
 
 /// Names that [`Method::from_name`] accepts.
 pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
@@ -174,7 +175,7 @@ impl StyleSettings {
     /// A message about the name or the value.
     pub fn set(&mut self, name: &str, value: &str) -> Outcome {
         fn parse<T: FromStr<Err: Display>>(name: &str, value: &str) -> Outcome<T> {
-            value.parse().map_err(|e| TaskError::usage(format_args!("{name} is '{value}': {e}")))
+            value.parse().map_err(|e| TaskError::usage(format_args!("{name} is '{}': {e}", quotation(value, 40))))
         }
         let options = &mut self.options;
         match name {
@@ -282,6 +283,18 @@ mod tests {
             let error = settings.set(name, value).unwrap_err().to_string();
             assert!(error.contains(expected), "{error}");
         }
+    }
+
+    #[test]
+    fn messages_show_the_beginning_of_what_is_long() {
+        let mut refused = 0;
+        for name in StyleSettings::NAMES {
+            if let Err(error) = settings().set(name, &"x".repeat(5000)) {
+                assert!(error.message.chars().count() < 500, "{name}: {} characters", error.message.chars().count());
+                refused += 1;
+            }
+        }
+        assert!(refused > 5, "{refused}");
     }
 
     #[test]

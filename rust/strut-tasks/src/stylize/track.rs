@@ -3,6 +3,7 @@
 use crate::error::{Outcome, TaskError};
 use crate::weights::StyleWeights;
 use strut_core::catalogue::Catalogue;
+use strut_formats::shown_number;
 
 /// Styles that are reached at a time.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +33,8 @@ impl StyleTrack {
             let frame = secs * f64::from(db.rate_hz);
             if !frame.is_finite() || track.keys.last().is_some_and(|(before, _)| frame <= *before) {
                 return Err(TaskError::usage(format_args!(
-                    "a key is at {secs} s; finite, ascending times were expected"
+                    "a key is at {} s; finite, ascending times were expected",
+                    shown_number(*secs)
                 )));
             }
             track.keys.push((frame, styles.of(db).map_err(TaskError::new)?));
