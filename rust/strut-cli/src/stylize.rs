@@ -6,7 +6,6 @@ use crate::print::{print, print_notes};
 use crate::progress::Bar;
 use crate::read_args::ReadArgs;
 use crate::style_args::StyleArgs;
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,6 +21,7 @@ use strut_tasks::gather::{self, Source, gather};
 use strut_tasks::note_report::NoteReport;
 use strut_tasks::progress::unwatched;
 use strut_tasks::stylize::{Spread, StyleSettings, Styled, Styling, TraceLog};
+use strut_tasks::threads::{check_threads, map_until_failure};
 use strut_tasks::weights::StyleWeights;
 
 /// Style BVH files
@@ -70,6 +70,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 /// Sets the number of threads for the rest of the process.
 fn use_threads(threads: Option<NonZero<usize>>) -> Outcome {
     let Some(threads) = threads else { return Ok(()) };
+    check_threads(threads.get())?;
     rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(Failure::new)
 }
 
@@ -199,9 +200,7 @@ fn style_into(
     };
     // One clip at a time per thread, since clips differ in length.
     let pairs: Vec<(&Source, &PathBuf)> = sources.iter().zip(&targets).collect();
-    let styled: Vec<Outcome<_>> = pairs.par_iter().with_max_len(1).map(style).collect();
-    // The first failure in the order of the inputs, not of time.
-    let styled = styled.into_iter().collect::<Outcome<Vec<_>>>()?;
+    let styled = map_until_failure(&pairs, style)?;
     let commit = |(outputs, said): (Outputs, _)| outputs.commit().map(|()| said).map_err(Failure::from);
     styled.into_iter().map(commit).collect()
 }

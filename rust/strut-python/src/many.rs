@@ -14,7 +14,7 @@ use std::path::Path;
 use std::sync::Arc;
 use strut_tasks::Outcome;
 use strut_tasks::stylize::{Spread, Styled, Styling};
-use strut_tasks::threads::with_threads;
+use strut_tasks::threads::{check_threads, with_threads};
 
 /// Number of motions per thread that are styled together: few enough for the memory, and enough to keep threads busy.
 const MOTIONS_A_THREAD: usize = 8;
@@ -49,6 +49,7 @@ impl StyledMotions {
             let model = db.model(settings.search)?;
             Ok(Styling::new(settings.stylizer(&model, Path::new(&name))?))
         })?;
+        check_threads(threads).map_err(|error| exception(py, &error))?;
         let threads = match threads {
             0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
             threads => threads,

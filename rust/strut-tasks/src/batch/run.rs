@@ -15,6 +15,7 @@ use crate::error::{Code, Outcome, TaskError};
 use crate::files;
 use crate::gather::{Source, gather};
 use crate::progress::{Counter, OnProgress};
+use crate::threads::check_threads;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fs;
@@ -126,6 +127,7 @@ impl Batch<'_> {
         let performer = Performer { folder, manifest: self.request.shard.manifest(), attempts };
         let available = || std::thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN);
         let threads = self.request.threads.unwrap_or_else(available);
+        check_threads(threads.get())?;
         let counter = Counter::new("styling", pending.len(), on_progress);
         counter.check()?;
         let manifest = Mutex::new(manifest);
