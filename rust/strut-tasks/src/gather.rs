@@ -12,6 +12,8 @@ use strut_formats::{bvh, corpus};
 const MAX_DEPTH: usize = 16;
 /// Greatest size of an archive, and of its unpacked files, bytes: the same limit as for a database.
 const MAX_ARCHIVE_BYTES: usize = 1 << 30;
+/// Greatest size of the unpacked files of all archives, bytes: they are in memory together.
+const MAX_UNPACKED_BYTES: u64 = 4 << 30;
 /// Greatest size of a licence file, bytes.
 const MAX_LICENCE_BYTES: usize = 1 << 20;
 
@@ -90,12 +92,17 @@ pub fn archive_of(path: &Path) -> Option<&Path> {
 /// # Errors
 /// If an input cannot be read or contains no BVH file.
 pub fn gather(inputs: &[PathBuf]) -> Outcome<Vec<Source>> {
+    gather_within(inputs, MAX_UNPACKED_BYTES)
+}
+
+/// [`gather`], with at most `left` bytes unpacked from all archives.
+fn gather_within(inputs: &[PathBuf], mut left: u64) -> Outcome<Vec<Source>> {
     let mut found = Found::new();
     for input in inputs {
         if input.is_dir() {
             walk(input, input, 0, &mut found)?;
         } else if has_extension(input, "zip") {
-            unpack(input, &mut found)?;
+            unpack(input, &mut left, &mut found)?;
         } else if has_extension(input, "bvh") {
             std::fs::metadata(input).map_err(|e| TaskError::io(input, &e))?;
             let below = input.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
@@ -132,12 +139,13 @@ fn walk(input: &Path, folder: &Path, depth: usize, found: &mut Found) -> Outcome
     Ok(())
 }
 
-fn unpack(archive: &Path, found: &mut Found) -> Outcome {
+/// Unpacks an archive. Subtracts its unpacked bytes from `left`.
+fn unpack(archive: &Path, left: &mut u64, found: &mut Found) -> Outcome {
     let bytes = files::read(archive, MAX_ARCHIVE_BYTES)?;
     let fail = |e: &dyn std::fmt::Display| TaskError::in_file(archive, format_args!("the archive cannot be read: {e}"));
     let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| fail(&e))?;
     let licences = licences_in(&mut zip);
-    let mut left = MAX_ARCHIVE_BYTES;
+    let mut left_here = MAX_ARCHIVE_BYTES;
     for index in 0..zip.len() {
         let file = zip.by_index(index).map_err(|e| fail(&e))?;
         let name = file.name().map_err(|e| fail(&e))?.replace('\\', "/");
@@ -147,13 +155,18 @@ fn unpack(archive: &Path, found: &mut Found) -> Outcome {
             continue;
         }
         // The size in the archive's directory may be wrong, so the unpacked bytes are counted.
-        let most = left.min(bvh::MAX_BYTES);
+        let most = bvh::MAX_BYTES.min(left_here).min(usize::try_from(*left).unwrap_or(usize::MAX));
         let mut content = Vec::new();
         file.take(most as u64 + 1).read_to_end(&mut content).map_err(|e| fail(&e))?;
+        if content.len() as u64 > *left {
+            let limit = format_args!("the archives together unpack to more than {} MiB", MAX_UNPACKED_BYTES >> 20);
+            return Err(TaskError::in_file(archive, limit));
+        }
         if content.len() > most {
             return Err(fail(&format_args!("'{name}' unpacks to more than {} MiB", most >> 20)));
         }
-        left -= content.len();
+        left_here -= content.len();
+        *left -= content.len() as u64;
         let licence = licences.get(folder_of(&name)).cloned().unwrap_or_default();
         let path = format!("{}/{name}", shown(archive));
         found.entry(path).or_insert((name, Content::Unpacked { bytes: content, licence }));
@@ -226,6 +239,27 @@ mod tests {
         assert_eq!(archive_of(Path::new(&sources[1].path)), Some(at("c.zip").as_path()));
         assert_eq!(archive_of(Path::new(&sources[0].path)), None);
         assert_eq!((sources[0].licence().as_str(), sources[1].licence().as_str()), ("CC BY 4.0", "zipped"));
+    }
+
+    #[test]
+    fn archives_have_a_limit_together() {
+        let folder = tempfile::tempdir().unwrap();
+        let archive = |name: &str| {
+            let path = folder.path().join(name);
+            let mut zip = zip::ZipWriter::new(std::fs::File::create(&path).unwrap());
+            zip.start_file("a.bvh", zip::write::SimpleFileOptions::default()).unwrap();
+            zip.write_all(&[b' '; 600]).unwrap();
+            zip.finish().unwrap();
+            path
+        };
+        let both = ["a.zip", "b.zip"].map(archive);
+        assert_eq!(gather_within(&both, 1200).unwrap().len(), 2);
+        assert_eq!(gather_within(&both[..1], 1000).unwrap().len(), 1);
+        let refused = gather_within(&both, 1000).err().unwrap().to_string();
+        assert!(
+            refused.contains("b.zip") && refused.contains("the archives together unpack to more than"),
+            "{refused}"
+        );
     }
 
     #[test]
