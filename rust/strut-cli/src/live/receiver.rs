@@ -2,7 +2,7 @@
 
 use super::address::Address;
 use crate::failure::{Failure, Outcome};
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, UdpSocket};
 use std::sync::mpsc::{self, RecvTimeoutError, TrySendError};
 use std::thread;
@@ -18,6 +18,18 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Returns whether an error does not affect the next packet.
 fn is_of_the_moment(error: ErrorKind) -> bool {
     matches!(error, ErrorKind::ConnectionRefused | ErrorKind::ConnectionReset | ErrorKind::Interrupted)
+}
+
+/// Repeats `receive` until there is a packet. After an error that may persist it calls `pause` first.
+fn received<T>(mut receive: impl FnMut() -> io::Result<T>, mut pause: impl FnMut()) -> T {
+    loop {
+        match receive() {
+            Ok(packet) => return packet,
+            // A reset means that no program listens on the target port: receiving continues.
+            Err(error) if is_of_the_moment(error.kind()) => {}
+            Err(_) => pause(),
+        }
+    }
 }
 
 /// A packet with its arrival time on the receiver's clock.
@@ -37,7 +49,7 @@ pub(super) struct Receiver {
 impl Receiver {
     /// Starts to listen; port 0 is any free port.
     pub(super) fn listen(address: &Address) -> Outcome<Self> {
-        let fail = |error: std::io::Error| match error.kind() {
+        let fail = |error: io::Error| match error.kind() {
             ErrorKind::AddrInUse => {
                 Failure::new(format_args!("another program listens on {address}; --in names another port"))
             }
@@ -52,17 +64,7 @@ impl Receiver {
         thread::spawn(move || {
             let mut bytes = vec![0; MAX_PACKET_BYTES + 1];
             loop {
-                let (length, from) = match socket.recv_from(&mut bytes) {
-                    Ok(packet) => packet,
-                    Err(error) => {
-                        // A reset means that no program listens on the target port: receiving continues. Other errors
-                        // may persist.
-                        if !is_of_the_moment(error.kind()) {
-                            thread::sleep(PAUSE);
-                        }
-                        continue;
-                    }
-                };
+                let (length, from) = received(|| socket.recv_from(&mut bytes), || thread::sleep(PAUSE));
                 let arrived_secs = start.elapsed().as_secs_f64();
                 let packet = Packet { bytes: bytes[..length].to_vec(), from, arrived_secs };
                 if let Err(TrySendError::Disconnected(_)) = sender.try_send(packet) {
@@ -89,6 +91,30 @@ impl Receiver {
             Ok(packet) => Ok(Some(packet)),
             Err(RecvTimeoutError::Timeout) => Ok(None),
             Err(RecvTimeoutError::Disconnected) => Err(Failure::new("the thread that listens has ended")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_persistent_error_is_not_retried_without_a_pause() {
+        for (error, expected) in [
+            (ErrorKind::ConnectionRefused, 0),
+            (ErrorKind::ConnectionReset, 0),
+            (ErrorKind::Interrupted, 0),
+            (ErrorKind::NetworkDown, 3),
+            (ErrorKind::NotConnected, 3),
+        ] {
+            let (mut attempts, mut pauses) = (0, 0);
+            let receive = || {
+                attempts += 1;
+                if attempts > 3 { Ok(attempts) } else { Err(error.into()) }
+            };
+            assert_eq!(received(receive, || pauses += 1), 4);
+            assert_eq!(pauses, expected, "{error}");
         }
     }
 }

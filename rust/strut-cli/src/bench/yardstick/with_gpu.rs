@@ -64,7 +64,7 @@ impl Yardstick {
                 Ok(Some(Self { context }))
             }
             Err(reason) => {
-                print(&format!("{}; the processor is measured alone\n", sentence(&reason)));
+                print(&format!("{}; the processor is measured alone\n", capitalised(&reason.to_string())));
                 Ok(None)
             }
         }
@@ -74,7 +74,11 @@ impl Yardstick {
     /// the GPU fails.
     pub(in crate::bench) fn measure(&self, index: &Index, windows: &[QueryWindow]) -> Option<(Vec<Row>, Comparison)> {
         let measured = self.try_to_measure(index, windows);
-        measured.map_err(|reason| print(&format!("\n{}; the processor is measured alone\n", sentence(&reason)))).ok()
+        measured
+            .map_err(|reason| {
+                print(&format!("\n{}; the processor is measured alone\n", capitalised(&reason.to_string())))
+            })
+            .ok()
     }
 
     fn try_to_measure(&self, index: &Index, windows: &[QueryWindow]) -> Result<(Vec<Row>, Comparison), GpuError> {
@@ -133,8 +137,8 @@ fn times(searcher: &mut Searcher<&Index>, windows: &[QueryWindow], at_a_time: us
     Ok(all[WARM_UP.min(all.len() / 2)..].to_vec())
 }
 
-fn sentence(reason: &GpuError) -> String {
-    let reason = reason.to_string();
+/// Returns a text with its first letter as a capital.
+fn capitalised(reason: &str) -> String {
     let mut letters = reason.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -160,4 +164,15 @@ fn text(adapter: &Adapter, comparison: &Comparison, rows: &[Row]) -> String {
         out += "a graphics processor in software has no times worth telling\n";
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_reason_is_capitalised() {
+        let of = ["no adapter was found", "", "écran", "ßx"].map(capitalised);
+        assert_eq!(of, ["No adapter was found", "", "Écran", "SSx"]);
+    }
 }
