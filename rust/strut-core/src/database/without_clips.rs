@@ -60,3 +60,41 @@ impl Database {
         HumanoidMotion { proportions: self.proportions, rate_hz: self.rate_hz, poses }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::fixtures::database;
+
+    /// Counterparts lie in the same frames of the same clips as before; those in removed clips are lost.
+    #[test]
+    fn counterparts_move_with_their_clips() {
+        let db = database();
+        let removed = db.clips.len() / 2;
+        let less = db.without_clips(&[removed]).unwrap();
+        let place_in = |clips: &[super::Clip], at: f32| {
+            let clip = clips.iter().position(|c| c.rows().contains(&(at as usize))).unwrap();
+            (clips[clip].name.clone(), at - clips[clip].first_frame as f32)
+        };
+        let mut lost = 0;
+        let kept = db.clips.iter().enumerate().filter(|(i, _)| *i != removed).map(|(_, clip)| clip);
+        for (before, after) in kept.zip(&less.clips) {
+            assert_eq!(before.name, after.name);
+            for (row, new_row) in before.rows().zip(after.rows()) {
+                for style in 0..db.styles.len() as u16 {
+                    let places = db.counterparts(row, style).map(|at| place_in(&db.clips, at));
+                    let all: Vec<_> = places.collect();
+                    let expected: Vec<_> = all.iter().filter(|(name, _)| *name != db.clips[removed].name).collect();
+                    let found: Vec<_> = less.counterparts(new_row, style).map(|at| place_in(&less.clips, at)).collect();
+                    lost += all.len() - expected.len();
+                    assert_eq!(found.len(), expected.len());
+                    for ((name, frame), (expected_name, expected_frame)) in found.iter().zip(expected) {
+                        // Frames are rounded to single precision where the clip lies.
+                        assert_eq!(name, expected_name);
+                        assert!((frame - expected_frame).abs() < 1e-3, "{frame} {expected_frame}");
+                    }
+                }
+            }
+        }
+        assert!(lost > 0);
+    }
+}
