@@ -139,3 +139,25 @@ fn two_manners(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<T
     found.iter_mut().flat_map(|f| f.clips.iter_mut().flatten()).for_each(|name| *name = path(name, sources));
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_different_lengths_are_refused() {
+        let texts = |count: usize| vec!["a".to_owned(); count];
+        let of = |[paths, actions, styles, takes, licences]: [usize; 5]| {
+            let takes = vec![-1; takes];
+            Builder::new(texts(paths), texts(actions), texts(styles), takes, texts(licences), None).is_ok()
+        };
+        assert!(of([3; 5]));
+        for list in 0..5 {
+            for length in [2, 4] {
+                let mut lengths = [3; 5];
+                lengths[list] = length;
+                assert!(!of(lengths), "{lengths:?}");
+            }
+        }
+    }
+}

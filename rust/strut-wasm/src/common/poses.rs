@@ -71,3 +71,21 @@ pub fn write_floats(floats: &[f32], into: &Float32Array) -> Result<(), EngineErr
     into.copy_from(floats);
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn offsets_that_are_no_body_are_refused() {
+        let body = offsets_of(&Proportions::default());
+        assert_eq!(proportions_of(&body), Ok(Proportions::default()));
+        let refuses = |change: &dyn Fn(&mut Vec<f32>)| {
+            let mut floats = body.clone();
+            change(&mut floats);
+            proportions_of(&floats).is_err()
+        };
+        assert!(refuses(&|floats| floats.truncate(60)) && refuses(&|floats| floats.push(0.0)));
+        assert!(refuses(&|floats| floats[4] = f32::NAN) && refuses(&|floats| floats[3..].fill(0.0)));
+    }
+}

@@ -90,3 +90,18 @@ fn clip_of(name: String, action: String, poses: &[f32], contacts: &[u8]) -> Resu
     let contacts = contacts.as_chunks::<2>().0.iter().map(|feet| feet.map(|planted| planted != 0)).collect();
     Ok(NeutralClip { name, action, poses, contacts })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_two_contacts_a_pose() {
+        let poses = crate::common::floats_of([Pose::default(); 3].iter());
+        let of = |contacts: usize| clip_of("a".into(), "walk".into(), &poses, &vec![1; contacts]);
+        assert_eq!(of(6).unwrap().contacts, [[true; 2]; 3]);
+        for contacts in [0, 4, 5, 7, 8] {
+            assert!(of(contacts).is_err(), "{contacts}");
+        }
+    }
+}
