@@ -76,7 +76,7 @@ impl Yardstick {
         let measured = self.try_to_measure(index, windows);
         measured
             .map_err(|reason| {
-                print(&format!("\n{}; the processor is measured alone\n", capitalised(&reason.to_string())))
+                print(&format!("\n{}; the processor is measured alone\n", capitalised(&reason.to_string())));
             })
             .ok()
     }
