@@ -109,20 +109,6 @@ describe("a lesson", () => {
     expect(await faults()).toEqual([]);
   });
 
-  it("keeps what is being written, also where the page is loaded anew before the field is left", async () => {
-    await visit(page, "view=learn&lesson=near&beat=3");
-    await soon(part).toBe("why");
-    await page.locator(".learn-part:not([hidden]) .lock").getByRole("button", { name: "Skip the bet" }).click();
-    const words = page.locator(".learn-part:not([hidden]) textarea");
-    const text = "Styles differ most in the arms.";
-    await words.pressSequentially(text);
-    expect(await words.evaluate((field) => field === document.activeElement)).toBe(true);
-    const kept = await page.evaluate(() => localStorage.getItem("strut.learn.1"));
-    expect(JSON.parse(kept!).lessons.near.words).toBe(text);
-    await page.reload();
-    await soon(() => words.inputValue()).toBe(text);
-  });
-
   it("undoes what was set in a figure", async () => {
     const before = (await state()).figures;
     await page.locator('strut-figure[data-name="stage"] select').selectOption("angry");
@@ -145,6 +131,20 @@ describe("a lesson", () => {
     await card.getByRole("button", { name: "Show a solution" }).click();
     await soon(() => verdict("A")).toMatch(/^✓ Yes: sexy, with 4\.80 cm/);
     await soon(() => page.url()).toMatch(/task=A.*style=sexy/);
+  });
+
+  it("keeps a text while it is written, even if the page is reloaded before the field loses the focus", async () => {
+    await visit(page, "view=learn&lesson=near&beat=3");
+    await soon(part).toBe("why");
+    await page.locator(".learn-part:not([hidden]) .lock").getByRole("button", { name: "Skip the bet" }).click();
+    const words = page.locator(".learn-part:not([hidden]) textarea");
+    const text = "Styles differ most in the arms.";
+    await words.pressSequentially(text);
+    expect(await words.evaluate((field) => field === document.activeElement)).toBe(true);
+    const kept = await page.evaluate(() => localStorage.getItem("strut.learn.1"));
+    expect(JSON.parse(kept!).lessons.near.words).toBe(text);
+    await page.reload();
+    await soon(() => words.inputValue()).toBe(text);
   });
 });
 

@@ -220,7 +220,7 @@ describe("the installed page", () => {
     expect((await manifest()).errors).toEqual(["in-incognito"]);
   });
 
-  it("asks before it opens a file in a tab: a page of another site may have sent it", async () => {
+  it("asks before it opens a file in a tab, as a page of another site may have sent it", async () => {
     const { old } = await walksIn(["old"], 200);
     const { action } = (await manifest()).share_target;
     const other = await page.context().newPage();
@@ -232,7 +232,7 @@ describe("the installed page", () => {
       form.append(Object.assign(document.createElement("input"), { type: "file", name: "files", files }));
       (form as HTMLFormElement).submit();
     }, old);
-    const question = other.locator(".toast.note").filter({ hasText: "“planted walk.bvh”: sent to this page" });
+    const question = other.locator(".toast.note").filter({ hasText: "sent “planted walk.bvh”" });
     await eventually(() => question.count()).toBe(1);
     await shown(other);
     expect(await inputName(other)).not.toBe("planted walk");

@@ -268,6 +268,26 @@ describe("the block", () => {
   });
 });
 
+describe("a paused walk", () => {
+  it("keeps the time to which it was moved when the window changes its size", async () => {
+    await visit(page, "view=walk&play=0&loop=0&walk=1_1_1~old:1");
+    await eventually(title).toBe("One step, one style");
+    await page.locator(".walk .editor-head").focus();
+    await page.keyboard.press("Home");
+    await eventually(secs).toBe(0);
+    const width = () => page.locator(".planner").evaluate((plan) => plan.clientWidth);
+    for (let i = 1; i <= 6; i++) {
+      await page.keyboard.press("ArrowRight");
+      await eventually(secs).toBeCloseTo(i / 10, 2);
+      const before = await width();
+      await page.setViewportSize({ width: i % 2 ? 1300 : 1440, height: 900 });
+      await eventually(width).not.toBe(before);
+      await drawn(page, 2);
+      expect(await secs()).toBeCloseTo(i / 10, 2);
+    }
+  });
+});
+
 describe("what leaves the view", () => {
   it("is a BVH file or a GLB file", async () => {
     await visit(page, `view=walk&play=0&${THREE}`);

@@ -25,7 +25,7 @@ describe("the source of a character", () => {
     expect(await read(new Blob([Uint8Array.from(BYTES)]))).toEqual(BYTES);
   });
 
-  it("may come from a frame, whose classes are others", async () => {
+  it("may come from another frame, which has classes of its own", async () => {
     const foreign = runInNewContext("Uint8Array.from([1, 2, 3]).buffer") as ArrayBuffer;
     expect(foreign instanceof ArrayBuffer).toBe(false);
     expect(await read(foreign)).toEqual(BYTES);
@@ -33,7 +33,7 @@ describe("the source of a character", () => {
     expect(await read({ size, arrayBuffer } as Blob)).toEqual(BYTES);
   });
 
-  it("that breaks off on the way is a sentence", async () => {
+  it("is reported in a sentence if the download breaks off", async () => {
     vi.stubGlobal("fetch", async () => broken());
     await expect(read("https://example.org/figure.glb")).rejects.toMatchObject({
       code: "load",
@@ -41,7 +41,7 @@ describe("the source of a character", () => {
     });
   });
 
-  it("that somebody has given up while it arrives is cancelled", async () => {
+  it("is reported as cancelled if it is aborted during the download", async () => {
     const abort = new AbortController();
     vi.stubGlobal("fetch", async () => {
       abort.abort("enough");

@@ -42,7 +42,7 @@ it("files that are shared are taken once", async () => {
   expect(await taken()).toEqual([]);
 });
 
-it("files that were sent before, and not taken, do not come with those of a person", async () => {
+it("files of a later form replace those that were not taken", async () => {
   await share("planted.bvh", "planted too.bvh");
   await share("mine.bvh");
   expect(await taken()).toEqual([["mine.bvh", "motion of mine.bvh"]]);

@@ -9,7 +9,7 @@ const cacheOf = (folder: string): string => `strut-shared-${folder}`;
 
 /**
  * Stores the files of a form, in place of those of an earlier form, and responds with the page that opens them. Any
- * page of the web can send such a form, and a service worker cannot tell: it does not see `Sec-Fetch-Site`.
+ * page of the web can send such a form. A service worker does not see `Sec-Fetch-Site`, so it cannot tell the sender.
  */
 export async function receiveShared(request: Request, folder: string): Promise<Response> {
   const files = (await request.formData()).getAll("files").filter((value) => value instanceof File);

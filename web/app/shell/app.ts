@@ -8,7 +8,7 @@ import { graphics } from "../../viewer";
 import type { Motions } from "../batch/take_motions";
 import { Characters } from "../character/characters";
 import { embed } from "../embed/embed";
-import { ExportTurn } from "../outputs/export_turn";
+import { ExportLock } from "../outputs/export_lock";
 import type { OutputFormat, VideoSize } from "../outputs/formats";
 import { launchOutput } from "../outputs/launch";
 import type { Projects } from "../project/projects";
@@ -53,7 +53,7 @@ export class App {
   readonly #workspace: Workspace;
   readonly #viewer: SharedViewer;
   readonly #topBar: TopBar;
-  readonly #exports: ExportTurn;
+  readonly #exports: ExportLock;
   readonly #drop: DropZone;
   readonly #characters: Characters;
   readonly #views: Views;
@@ -101,7 +101,7 @@ export class App {
       onTheme: () => store.edit({ theme: opposite(store.state.theme) }),
       onHelp: () => this.#help.open(),
     });
-    this.#exports = new ExportTurn((can) => {
+    this.#exports = new ExportLock((can) => {
       this.#topBar.canExport = can;
     });
     this.#files.onChange = () => {
@@ -492,7 +492,7 @@ export class App {
     const { session, playhead } = this.#workspace;
     const keep = this.#views.shown?.keep?.bind(this.#views.shown);
     if (format !== "png" && keep && !(await keep())) return;
-    await this.#exports.take(() =>
+    await this.#exports.run(() =>
       launchOutput(format, size, {
         session,
         playhead,

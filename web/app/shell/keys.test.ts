@@ -123,9 +123,9 @@ describe("a click", () => {
     return isFocused;
   }
 
-  it("leaves the control the focus, so that its place is not lost", () => {
+  it("does not blur a control, so that the keyboard continues from it", () => {
     for (const control of [focus("button"), focus("a"), focus("summary"), focus("input", { type: "checkbox" })])
       expect(click(control), control.localName).toBe(true);
-    expect(click(focus("canvas")), "the picture takes keys itself").toBe(false);
+    expect(click(focus("canvas")), "the canvas handles keys itself").toBe(false);
   });
 });

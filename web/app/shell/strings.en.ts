@@ -135,8 +135,10 @@ export const page = {
   },
 
   sentFiles: {
-    sent: (names: readonly string[]) =>
-      `${names.map((name) => `“${name}”`).join(", ")}: sent to this page. Open only files that you have shared yourself.`,
+    sent: (names: readonly string[]) => {
+      const what = names.length === 1 ? `“${names[0]}”` : counted("file")(names.length);
+      return `Another page or app sent ${what}. Open only what you shared yourself.`;
+    },
     open: "Open",
   },
   update: { ready: "A newer version of Strut is ready.", action: "Update" },

@@ -59,7 +59,7 @@ const driver = {
 
 const old = (weight: number): StylizeOptions => ({ ...DEFAULT_OPTIONS, styles: { old: weight } });
 
-test("options that the engine refuses change nothing of what is driven, their styles neither", () => {
+test("refused options change neither the settings nor the styles of a driven character", () => {
   const stylizer = new FakeStylizer();
   const online = stylizer as OnlineStylizer & FakeStylizer;
   const session = new DriveSession(online, driver, ["neutral", "old"], RATE_HZ, "", old(0), (a) => a, [0, 0, 0]);

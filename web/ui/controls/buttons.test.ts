@@ -28,7 +28,7 @@ function groups(node: FakeElement | string): string[] {
   return [...(node.localName === "input" ? [node.attributes.name!] : []), ...node.children.flatMap(groups)];
 }
 
-it("a choice is a group of its own, also beside another of the same label, in any script", () => {
+it("each segment is a radio group of its own, whatever its label", () => {
   vi.stubGlobal("document", { createElement: (name: string) => new FakeElement(name) });
   const options = [
     { value: "a", label: "A" },

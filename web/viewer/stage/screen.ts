@@ -11,7 +11,7 @@ import {
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
-import { IdleTurn } from "./idle_turn";
+import { IdleTask } from "./idle_task";
 import { pixelRatio, QUALITY_LEVELS, QualityGovernor } from "./quality";
 
 /** Initial quality of a renderer without a GPU. */
@@ -108,7 +108,7 @@ export class Screen {
   /** Programs whose uniforms and attributes three.js has queried. */
   readonly #queried = new WeakSet<object>();
   #environment: WebGLRenderTarget | undefined;
-  readonly #turn = new IdleTurn();
+  readonly #idleTask = new IdleTask();
   #counting = false;
 
   private constructor(
@@ -206,7 +206,7 @@ export class Screen {
 
   /** Whether nothing can be drawn now: enough frames are queued, the queue is being awaited, or it is the page's turn. */
   get busy(): boolean {
-    if (this.#turn.isWaiting) return true;
+    if (this.#idleTask.isWaiting) return true;
     const { frames } = this.#queue;
     const { at, tookMs } = this.#queue.last;
     const leavesRoom = this.#isShared && tookMs > SLOW_MS;
@@ -235,12 +235,12 @@ export class Screen {
 
   /** Whether the canvas may get new memory in this task. */
   get mayResize(): boolean {
-    return this.#turn.isAllowed;
+    return this.#idleTask.isAllowed;
   }
 
   /** Waits until the GPU is idle; `then` draws in the same task, in which new memory may be allocated. */
   whenIdle(then: () => void): Promise<void> {
-    return this.#turn.take(() => this.#queue.idle(IDLE_TIMEOUT_MS), then);
+    return this.#idleTask.run(() => this.#queue.idle(IDLE_TIMEOUT_MS), then);
   }
 
   /** Allocates the canvas's memory for a picture, in pixels. */

@@ -37,13 +37,13 @@ it("a direction lasts as long as its key is held", () => {
   expect(keyboard.wish).toBeUndefined();
 });
 
-it("a key that is held when Command is pressed is released, as macOS does not tell its release", () => {
+it("Command releases held keys, as macOS sends no keyup for them while it is held", () => {
   key("keydown", "KeyW");
   key("keydown", "MetaLeft", { metaKey: true });
   expect(keyboard.wish).toBeUndefined();
 });
 
-it("keys are released where the window loses the focus, or is hidden", () => {
+it("keys are released when the window loses the focus or is hidden", () => {
   key("keydown", "KeyW");
   window.dispatchEvent(new Event("blur"));
   expect(keyboard.wish).toBeUndefined();

@@ -1,5 +1,5 @@
-/** The task in which synchronous WebGL calls are allowed, as the GPU has nothing to do. */
-export class IdleTurn {
+/** Runs a task once the GPU is idle. Only this task may make synchronous WebGL calls, which then return at once. */
+export class IdleTask {
   #state: "allowed" | "waiting" | "none" = "none";
 
   /** Whether the GPU is being awaited. */
@@ -12,8 +12,8 @@ export class IdleTurn {
     return this.#state === "allowed";
   }
 
-  /** Calls `then` when the GPU is idle. Afterwards, or if one of the two fails, nothing is awaited or allowed any more. */
-  async take(idle: () => Promise<void>, then: () => void): Promise<void> {
+  /** Calls `then` when the GPU is idle. Afterwards, or if either fails, no synchronous call is allowed. */
+  async run(idle: () => Promise<void>, then: () => void): Promise<void> {
     this.#state = "waiting";
     try {
       await idle();

@@ -1,5 +1,5 @@
 /** Whether something can be exported: an input must be open, and one export is made at a time. */
-export class ExportTurn {
+export class ExportLock {
   #hasInput = false;
   #isExporting = false;
   readonly #onChange: (can: boolean) => void;
@@ -17,7 +17,7 @@ export class ExportTurn {
   }
 
   /** Makes an export, during which no other one can begin. */
-  async take(make: () => Promise<void>): Promise<void> {
+  async run(make: () => Promise<void>): Promise<void> {
     this.#isExporting = true;
     this.#tell();
     try {
