@@ -16,7 +16,7 @@ use strut_core::transfer::Model;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
 use strut_tasks::TaskError;
-use strut_tasks::files::Outputs;
+use strut_tasks::files::{self, Outputs};
 use strut_tasks::gather::{self, Source, gather};
 use strut_tasks::note_report::NoteReport;
 use strut_tasks::progress::unwatched;
@@ -81,13 +81,14 @@ fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
     let model = Arc::new(read_model(&args.db, settings.search)?);
     let styling = styling_of(args, settings, &model)?;
     let clip = styling.read(&source.path, &source.bytes()?)?;
-    let mut log = args.trace.as_ref().map(|_| TraceLog::new(model.catalogue(), styling.classes()));
+    let spool = args.trace.as_deref().map(files::unnamed_beside).transpose()?;
+    let mut log = spool.map(|spool| TraceLog::new(model.catalogue(), styling.classes(), spool));
     let styled =
         Bar::watching(|on_progress| styling.style(&source.path, &clip, log.as_mut(), Spread::Frames, on_progress))?;
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bvh::write(&styled.file))?;
     if let (Some(log), Some(target)) = (log, &args.trace) {
-        outputs.stage(target, &log.into_json_lines(&styled.motion.frames).map_err(Failure::new)?)?;
+        outputs.stage_with(target, |file| log.write_json_lines(&styled.motion.frames, file))?;
     }
     let report = StyledReport::new(&source, &args.output, &styled, &styling);
     outputs.stage_json(args.json.as_deref(), &report)?;

@@ -10,6 +10,7 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList};
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::note::Note;
@@ -219,12 +220,18 @@ pub(crate) fn stylize(
             styling = styling.with_track(track);
         }
         let Named { name, clip, .. } = &*motion.named;
-        let mut log = trace.then(|| TraceLog::new(styling.catalogue(), styling.classes()));
+        let mut log = trace.then(|| TraceLog::new(styling.catalogue(), styling.classes(), Cursor::new(Vec::new())));
         let style = || styling.style(name, clip, log.as_mut(), Spread::Frames, on_progress);
         let styled = with_threads(threads, style)??;
-        let lines = log.map(|log| log.into_json_lines(&styled.motion.frames)).transpose().map_err(TaskError::new)?;
+        let lines = log.map(|log| json_lines(log, &styled)).transpose().map_err(TaskError::new)?;
         Ok(StyledMotion::new(styled, &styling, lines))
     })
+}
+
+fn json_lines(log: TraceLog<'_>, styled: &Styled) -> io::Result<Vec<u8>> {
+    let mut lines = Vec::new();
+    log.write_json_lines(&styled.motion.frames, &mut lines)?;
+    Ok(lines)
 }
 
 /// Returns the keys of a track that starts with styles.

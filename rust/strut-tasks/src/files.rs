@@ -3,7 +3,7 @@
 use crate::error::{Outcome, TaskError};
 use serde::Serialize;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Reads a whole file of at most `most` bytes.
@@ -70,16 +70,25 @@ impl Outputs {
     /// # Errors
     /// On an I/O error.
     pub fn stage(&mut self, target: &Path, bytes: &[u8]) -> Outcome {
+        self.stage_with(target, |file| file.write_all(bytes))
+    }
+
+    /// Has a function write the file under a temporary name, in portions.
+    ///
+    /// # Errors
+    /// On an I/O error.
+    pub fn stage_with(&mut self, target: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Outcome {
         let fail = |e: io::Error| TaskError::io(target, &e);
         if is_special(target) {
             // A pipe or device, for example /dev/stdout: it is not renamed.
-            return OpenOptions::new().write(true).open(target).and_then(|mut f| f.write_all(bytes)).map_err(fail);
+            let file = OpenOptions::new().write(true).open(target).map_err(fail)?;
+            return write_buffered(file, write).map(|_| ()).map_err(fail);
         }
         let name = target.file_name().unwrap_or_default().to_string_lossy();
         let temporary = folder_of(target).join(format!(".{name}.{}.tmp", std::process::id()));
         let file = OpenOptions::new().write(true).create_new(true).open(&temporary).map_err(fail)?;
         self.staged.push(Staged { temporary, target: target.to_owned() });
-        write_through(file, bytes).map_err(fail)
+        write_buffered(file, write).and_then(|file| file.sync_all()).map_err(fail)
     }
 
     /// Writes a report as JSON to a temporary file, if there is a target.
@@ -163,9 +172,20 @@ impl Drop for Outputs {
     }
 }
 
-fn write_through(mut file: File, bytes: &[u8]) -> io::Result<()> {
-    file.write_all(bytes)?;
-    file.sync_all()
+fn write_buffered(file: File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<File> {
+    let mut buffered = BufWriter::new(file);
+    write(&mut buffered)?;
+    buffered.into_inner().map_err(io::IntoInnerError::into_error)
+}
+
+/// Creates an unnamed file that vanishes when it is closed: in the folder of a target, which has room for it, or in the
+/// system's folder of temporary files if the target is a pipe or device.
+///
+/// # Errors
+/// On an I/O error.
+pub fn unnamed_beside(target: &Path) -> Outcome<File> {
+    let file = if is_special(target) { tempfile::tempfile() } else { tempfile::tempfile_in(folder_of(target)) };
+    file.map_err(|e| TaskError::io(target, &e))
 }
 
 fn folder_of(target: &Path) -> &Path {

@@ -10,5 +10,5 @@ mod track;
 pub use settings::{METHODS, StyleSettings, Switch};
 pub use styling::{Spread, Styled, Styling, input_of};
 pub use summary::Summary;
-pub use trace::{StageTimer, TraceLog, class_names};
+pub use trace::{Spool, StageTimer, TraceLog, class_names};
 pub use track::{StyleKey, StyleTrack};

@@ -114,7 +114,7 @@ impl Styling {
                 follow(&mut job, frame)?;
                 let trace = job.push(pose, &mut timer);
                 on_frame(&trace)?;
-                log.push(&trace, timer.take());
+                log.push(&trace, &timer.take()).map_err(TaskError::new)?;
             }
         } else if spread == Spread::Frames && rayon::current_num_threads() > 1 && self.track.is_none() {
             style_frames(&mut job, &ClipSearch::of_input(&self.stylizer, &input), on_frame)?;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, Write};
 use std::time::Instant;
 use strut_core::catalogue::Catalogue;
 use strut_core::database::Class;
@@ -10,7 +11,8 @@ use strut_core::transfer::{Stage, StageClock, StyledFrame, Trace};
 /// Class weights below this are omitted as negligible.
 const MIN_WEIGHT: f32 = 1e-4;
 
-/// One line of the trace.
+/// The fields of a line that are known when its frame is styled. The contacts, which foot planting changes at the end of
+/// the clip, and the cost follow them.
 #[derive(Serialize)]
 struct Line<'a> {
     /// Number of the input frame at the database's rate.
@@ -28,10 +30,6 @@ struct Line<'a> {
     neighbours: Vec<(&'a str, usize, f32)>,
     /// Largest bias of a degree of freedom in standard deviations.
     bias: f32,
-    /// Probability of contact of the left and the right foot.
-    contact: [f32; 2],
-    /// Microseconds by stage.
-    cost_us: BTreeMap<&'static str, f64>,
 }
 
 /// Returns "action/style" of every class of a database.
@@ -40,49 +38,65 @@ pub fn class_names(db: &Catalogue) -> Vec<String> {
     db.classes().iter().map(name).collect()
 }
 
-/// Collects the lines of a clip.
+/// A temporary file, or bytes in memory.
+pub trait Spool: Read + Write + Seek + Send {}
+
+impl<T: Read + Write + Seek + Send> Spool for T {}
+
+/// Collects the lines of a clip in a temporary file, since the trace of a long clip is larger than the clip.
 pub struct TraceLog<'a> {
     db: &'a Catalogue,
     /// See [`class_names`].
     classes: &'a [String],
-    lines: Vec<Line<'a>>,
+    /// Two lines per frame: the [`Line`], and the microseconds by stage.
+    spool: BufWriter<Box<dyn Spool + 'a>>,
+    frames: usize,
 }
 
 impl<'a> TraceLog<'a> {
-    /// Creates an empty log for a database with these classes.
-    pub fn new(db: &'a Catalogue, classes: &'a [String]) -> Self {
-        Self { db, classes, lines: Vec::new() }
+    /// Creates an empty log for a database with these classes. The spool is empty.
+    pub fn new(db: &'a Catalogue, classes: &'a [String], spool: impl Spool + 'a) -> Self {
+        Self { db, classes, spool: BufWriter::new(Box::new(spool)), frames: 0 }
     }
 
     /// Adds a frame.
-    pub fn push(&mut self, trace: &Trace<'_>, cost_us: BTreeMap<&'static str, f64>) {
+    ///
+    /// # Errors
+    /// If the spool cannot be written.
+    pub fn push(&mut self, trace: &Trace<'_>, cost_us: &BTreeMap<&'static str, f64>) -> io::Result<()> {
         let weights = self.classes.iter().map(String::as_str).zip(trace.class_weights.iter().copied());
         let neighbours = trace.neighbours().map(|n| (self.db.clips[n.clip].name.as_str(), n.frame, n.distance));
-        self.lines.push(Line {
-            frame: self.lines.len(),
+        let line = Line {
+            frame: self.frames,
             time_in: trace.frame.time_in_secs,
             time_out: trace.frame.time_out_secs,
             dt: trace.frame.dt_secs,
             class_weights: weights.filter(|(_, w)| *w >= MIN_WEIGHT).collect(),
             neighbours: neighbours.collect(),
             bias: trace.bias,
-            contact: trace.frame.contact,
-            cost_us,
-        });
+        };
+        self.frames += 1;
+        serde_json::to_writer(&mut self.spool, &line)?;
+        self.spool.write_all(b"\n")?;
+        serde_json::to_writer(&mut self.spool, cost_us)?;
+        self.spool.write_all(b"\n")
     }
 
-    /// Returns the lines as text, with the contacts of the finished frames.
+    /// Writes the lines, with the contacts of the finished frames.
     ///
     /// # Errors
-    /// If a value cannot be written as JSON.
-    pub fn into_json_lines(self, finished: &[StyledFrame]) -> serde_json::Result<Vec<u8>> {
-        let mut out = Vec::new();
-        for (mut line, frame) in self.lines.into_iter().zip(finished) {
-            line.contact = frame.contact;
-            serde_json::to_writer(&mut out, &line)?;
-            out.push(b'\n');
+    /// If the spool cannot be read or the target cannot be written.
+    pub fn write_json_lines(self, finished: &[StyledFrame], out: &mut dyn Write) -> io::Result<()> {
+        let mut spool = self.spool.into_inner().map_err(io::IntoInnerError::into_error)?;
+        spool.rewind()?;
+        let mut parts = BufReader::new(spool).lines();
+        for frame in finished {
+            let (Some(line), Some(cost_us)) = (parts.next(), parts.next()) else { break };
+            let (line, cost_us) = (line?, cost_us?);
+            let fields = line.strip_suffix('}').unwrap_or(&line);
+            writeln!(out, r#"{fields},"contact":{},"cost_us":{cost_us}}}"#, serde_json::to_string(&frame.contact)?)?;
         }
-        Ok(out)
+        Ok(())
     }
 }
 
