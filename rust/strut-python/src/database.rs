@@ -153,7 +153,7 @@ impl Database {
         let found = &database.shared.sha256;
         if let Some(expected) = sha256.filter(|expected| expected != found) {
             let name = database.origin.name();
-            let reason = format_args!("{name}: its SHA-256 is {found}; {expected} was expected");
+            let reason = format_args!("{name}: its SHA-256 is {found}; {expected:.64} was expected");
             return Err(exception(py, &TaskError::of(Code::BadFile, reason)));
         }
         Ok(database)

@@ -27,7 +27,7 @@ pub(crate) fn evaluate<'py>(
         let name: String = name.extract()?;
         let option = name.trim_end_matches('_').replace('_', "-");
         if !Request::NAMES.contains(&option.as_str()) {
-            return Err(PyTypeError::new_err(format!("there is no option '{name}'")));
+            return Err(PyTypeError::new_err(format!("there is no option '{name:.40}'")));
         }
         if value.is_none() {
             continue;

@@ -11,14 +11,14 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use strut_core::contact;
 use strut_core::humanoid::POSE_FLOATS;
 use strut_core::somn::{
     self, EM_RIDGE, Interpolation, Key, KeyStyling, Learning, MAX_AXES, MAX_COMPONENTS, Method, Mode, Options, Style,
     Synthesis,
 };
-use strut_formats::{GENERATOR, key_style_model};
+use strut_formats::{GENERATOR, key_style_model, shown_number};
 use strut_tasks::corpus::RefusedFile;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::key_styles::{parse_axes, train_key_styles};
@@ -30,6 +30,8 @@ use strut_tasks::{Outcome, TaskError};
 #[pyclass(frozen, module = "strut")]
 pub(crate) struct KeyStyleModel {
     model: Arc<somn::KeyStyleModel>,
+    /// Prepared once, since it has a search tree over the recorded styles.
+    synthesis: Mutex<Synthesis>,
     bytes: Vec<u8>,
     refused: Vec<RefusedFile>,
 }
@@ -37,15 +39,27 @@ pub(crate) struct KeyStyleModel {
 impl KeyStyleModel {
     fn read(name: &str, bytes: Vec<u8>) -> Outcome<Self> {
         let model = key_style_model::read(&bytes).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
-        Ok(Self { model: Arc::new(model), bytes, refused: Vec::new() })
+        Ok(Self::new(model, bytes, Vec::new()))
+    }
+
+    fn new(model: somn::KeyStyleModel, bytes: Vec<u8>, refused: Vec<RefusedFile>) -> Self {
+        let model = Arc::new(model);
+        Self { synthesis: Mutex::new(Synthesis::new(Arc::clone(&model))), model, bytes, refused }
+    }
+
+    /// Waits for the synthesis. It is whole after a panic, too: every call sets what it reads.
+    fn synthesis(&self) -> MutexGuard<'_, Synthesis> {
+        self.synthesis.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Reads a style from numbers, one per axis.
     fn style(&self, py: Python<'_>, numbers: &[f64]) -> PyResult<Style> {
         let axes = self.model.axis_count();
         if numbers.len() != axes || numbers.iter().any(|number| !number.is_finite()) {
-            let expected = format_args!("{axes} finite numbers were expected, one an axis");
-            return Err(bad_input(py, format_args!("the style is {numbers:?}; {expected}")));
+            let shown: Vec<String> = numbers.iter().take(MAX_AXES + 1).map(|number| shown_number(*number)).collect();
+            let more = if numbers.len() > shown.len() { ", …" } else { "" };
+            let expected = format_args!("{axes} finite numbers were expected, one per axis");
+            return Err(bad_input(py, format_args!("the style is [{}{more}]; {expected}", shown.join(", "))));
         }
         let mut style = [0.0; MAX_AXES];
         style.iter_mut().zip(numbers).for_each(|(value, number)| *value = *number);
@@ -91,7 +105,7 @@ impl KeyStyleModel {
         let learning = match method {
             "som" => Learning::Som,
             "em" => Learning::Em { ridge: EM_RIDGE },
-            _ => return Err(bad_input(py, format_args!("the method is '{method}'; som or em was expected"))),
+            _ => return Err(bad_input(py, format_args!("the method is '{method:.40}'; som or em was expected"))),
         };
         watched(py, progress.as_ref(), |on_progress| {
             with_threads(threads, || {
@@ -101,7 +115,7 @@ impl KeyStyleModel {
                 let options = Options { components, seed, learning };
                 let model = train_key_styles(&recordings, &axes, options, on_progress)?;
                 let bytes = key_style_model::write(&model, GENERATOR);
-                Ok(Self { model: Arc::new(model), bytes, refused })
+                Ok(Self::new(model, bytes, refused))
             })?
         })
     }
@@ -141,7 +155,7 @@ impl KeyStyleModel {
     ) -> PyResult<Bound<'py, PyArray1<f32>>> {
         let style = self.style(py, &style)?;
         let mut floats = [0.0; POSE_FLOATS];
-        py.detach(|| Synthesis::new(Arc::clone(&self.model)).pose(&style, Mode::default()).write_to(&mut floats));
+        py.detach(|| self.synthesis().pose(&style, Mode::default()).write_to(&mut floats));
         Ok(column(py, floats.to_vec()))
     }
 
@@ -160,13 +174,13 @@ impl KeyStyleModel {
             "monotone" => Interpolation::Monotone,
             other => {
                 let expected = "catmull-rom or monotone was expected";
-                return Err(bad_input(py, format_args!("the interpolation is '{other}'; {expected}")));
+                return Err(bad_input(py, format_args!("the interpolation is '{other:.40}'; {expected}")));
             }
         };
         let mode = match mode {
             "smooth" => Mode::KEYED,
             "hard" => Mode::Hard,
-            other => return Err(bad_input(py, format_args!("the mode is '{other}'; smooth or hard was expected"))),
+            other => return Err(bad_input(py, format_args!("the mode is '{other:.40}'; smooth or hard was expected"))),
         };
         let wrong = || PyTypeError::new_err("keys are pairs of a time in seconds and a sequence of numbers");
         let key = |pair: PyResult<Bound<'_, PyAny>>| {
@@ -175,7 +189,7 @@ impl KeyStyleModel {
         };
         let keys = keys.try_iter()?.map(key).collect::<PyResult<Vec<Key>>>()?;
         watched(py, None, |_| {
-            let mut synthesis = Synthesis::new(Arc::clone(&self.model));
+            let mut synthesis = self.synthesis();
             let styling = KeyStyling::new(&keys, interpolation, &mut synthesis, mode).map_err(TaskError::new)?;
             let motion = styling.motion(&mut synthesis, Method::KeyStyle);
             let planted = contact::label(&motion);

@@ -20,6 +20,7 @@ use strut_core::skeleton::{Joint, Skeleton};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
 use strut_formats::joints::{JointAssignment, Reading};
+use strut_formats::{quotation, shown_number};
 use strut_tasks::stylize::input_of;
 use strut_tasks::{Outcome, TaskError, files};
 
@@ -48,7 +49,9 @@ impl Arrays {
             let is_writable = name.trim() == name && !name.is_empty() && !name.contains(char::is_control);
             if !is_writable || name.len() > bvh::MAX_NAME_BYTES {
                 return Err(TaskError::usage(format_args!(
-                    "'{name}' is no name of a joint; a short line was expected"
+                    "'{}' is not a joint name; a name on one line of at most {} bytes was expected",
+                    quotation(name, 40),
+                    bvh::MAX_NAME_BYTES
                 )));
             }
             let parent = usize::try_from(*parent).ok();
@@ -136,12 +139,12 @@ impl Motion {
             return Err(bad_input(py, format_args!("{count}; as many were expected")));
         }
         if !["y", "z"].contains(&up) {
-            return Err(bad_input(py, format_args!("up is '{up}'; y or z was expected")));
+            return Err(bad_input(py, format_args!("up is '{up:.40}'; y or z was expected")));
         }
         if !RATES_HZ.contains(&rate_hz) {
             let (least, most) = (RATES_HZ.start(), RATES_HZ.end());
             let expected = format_args!("{least} to {most} frames per second were expected");
-            return Err(bad_input(py, format_args!("the rate is {rate_hz}; {expected}")));
+            return Err(bad_input(py, format_args!("the rate is {}; {expected}", shown_number(rate_hz))));
         }
         if let Some(unit) = metres_per_unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
             return Err(bad_input(py, format_args!("a unit is {unit} m; a positive number was expected")));

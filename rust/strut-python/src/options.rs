@@ -59,7 +59,7 @@ pub(crate) fn set_options(settings: &mut StyleSettings, options: Option<&Bound<'
         // Python's convention for its reserved words: `lambda_`.
         let option = name.trim_end_matches('_').replace('_', "-");
         if !StyleSettings::NAMES.contains(&option.as_str()) || option == OTHERWISE {
-            return Err(PyTypeError::new_err(format!("there is no option '{name}'")));
+            return Err(PyTypeError::new_err(format!("there is no option '{name:.40}'")));
         }
         if value.is_none() {
             continue;

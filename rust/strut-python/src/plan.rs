@@ -146,7 +146,7 @@ fn retry_of(py: Python<'_>, text: &str) -> PyResult<Retry> {
         "failed" => Ok(Retry::Failed),
         "skipped" => Ok(Retry::Skipped),
         "all" => Ok(Retry::All),
-        _ => Err(bad_input(py, format_args!("retry is '{text}'; failed, skipped or all was expected"))),
+        _ => Err(bad_input(py, format_args!("retry is '{text:.40}'; failed, skipped or all was expected"))),
     }
 }
 
@@ -190,7 +190,8 @@ fn record_of(row: &Bound<'_, PyAny>) -> PyResult<Record> {
     let notes: Vec<Bound<'_, PyAny>> = field(row, "notes")?;
     let note_of = |note: &Bound<'_, PyAny>| Ok(NoteReport { code: field(note, "code")?, text: field(note, "text")? });
     let status: String = field(row, "status")?;
-    let unlike = || bad_input(row.py(), format_args!("the status is '{status}'; done, skipped or failed was expected"));
+    let unlike =
+        || bad_input(row.py(), format_args!("the status is '{status:.40}'; done, skipped or failed was expected"));
     Ok(Record {
         job: field(row, "job")?,
         key: field(row, "key")?,

@@ -26,7 +26,7 @@ pub fn add_style(
     let db = read_database(database)?;
     let index_of = |name: String| match db.actions.iter().position(|known| *known == name) {
         Some(index) => Ok(index as u16),
-        None => Err(EngineError::bad_input(format!("the database has no action '{name}'"))),
+        None => Err(EngineError::bad_input(format!("the database has no action '{name:.40}'"))),
     };
     let action = action.map(index_of).transpose()?;
     let labels = Labels { action: String::new(), style, take: Some(1) };

@@ -66,7 +66,7 @@ impl Builder {
     /// If the file cannot be used, with the reason. The database can still be built from the other files.
     pub fn add(&mut self, path: &str, bytes: &[u8], roles: Option<Vec<i32>>) -> Result<(), EngineError> {
         let at = self.entries.binary_search_by(|e| e.path.as_str().cmp(path));
-        let unknown = |_| EngineError::bad_input(format!("'{path}' is not among the files of this build"));
+        let unknown = |_| EngineError::bad_input(format!("'{path:.80}' is not among the files of this build"));
         let entry = &self.entries[at.map_err(unknown)?];
         let clip = Clip::with_binding(bytes, |motion| bind(motion, roles.as_deref()));
         let clip = clip.map_err(EngineError::unusable_file)?;

@@ -45,7 +45,7 @@ impl PackedMotions {
     /// If there is no input with this name, or the bytes are invalid.
     pub(crate) fn input(&self, name: &str) -> Result<HumanoidMotion, EngineError> {
         let motion = packed::read_input(&self.bytes, name).map_err(unpackable)?;
-        motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name}'")))
+        motion.ok_or_else(|| EngineError::bad_input(format!("there is no built-in input '{name:.40}'")))
     }
 }
 

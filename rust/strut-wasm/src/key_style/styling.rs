@@ -8,6 +8,7 @@ use js_sys::Float32Array;
 use std::sync::Arc;
 use strut_core::humanoid::{HumanoidMotion, Pose};
 use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Synthesis};
+use strut_formats::shown_number;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Longest animation, seconds.
@@ -143,7 +144,10 @@ impl Styling {
 impl Styling {
     fn poses(&mut self, secs: f64, method: u8) -> Result<Vec<Pose>, EngineError> {
         if !(0.0..=MOST_SECS).contains(&secs) {
-            return Err(EngineError::bad_input(format!("{secs} s were asked for; up to {MOST_SECS} s are made")));
+            return Err(EngineError::bad_input(format!(
+                "{} s were asked for; up to {MOST_SECS} s are made",
+                shown_number(secs)
+            )));
         }
         let Self { synthesis, keyed: Some(keyed), .. } = self else {
             return Err(EngineError::bad_input("there is no key"));

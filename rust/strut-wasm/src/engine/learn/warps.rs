@@ -78,7 +78,11 @@ impl Warps {
             "dtw" => WarpMethod::Dtw,
             "imw" => WarpMethod::Imw,
             "linear" => WarpMethod::Linear,
-            _ => return Err(EngineError::bad_input(format!("'{by}' is no way to warp; they are dtw, imw and linear"))),
+            _ => {
+                return Err(EngineError::bad_input(format!(
+                    "'{by:.40}' is not a warping method; dtw, imw or linear was expected"
+                )));
+            }
         };
         let (a, b) = (stretch(a, a_first, a_last)?, stretch(b, b_first, b_last)?);
         Ok(ComparedCycles {
