@@ -4,6 +4,7 @@
 pub mod bvh;
 pub mod container;
 pub mod corpus;
+mod counted;
 pub mod joints;
 pub mod key_style_model;
 mod quotation;
@@ -14,6 +15,7 @@ pub mod style_keys;
 pub mod vmc;
 pub mod walk_model;
 
+pub use counted::counted;
 pub use quotation::{quotation, shown_number};
 
 /// Program and version, as recorded in files that Strut writes.

@@ -1,6 +1,7 @@
 //! Styles over time from a table: CSV with the columns `time` (seconds) and one for every axis of a key-style model, in
 //! the axes' own units and in any order.
 
+use crate::counted;
 use crate::quotation::{quotation, shown_number};
 use strut_core::somn::{Key, MAX_AXES, Measure};
 use thiserror::Error;
@@ -19,7 +20,7 @@ pub enum StyleKeysError {
         expected: String,
     },
     /// A row has another number of columns than the header.
-    #[error("line {line} has {found} columns; {expected} were expected")]
+    #[error("line {line} has {}; {expected} were expected", counted(*found, "column"))]
     Columns {
         /// Line in the file, from 1.
         line: u64,
@@ -126,7 +127,7 @@ mod tests {
             ("time,hips_height,time\n0,1,2\n", "line 1 is"),
             ("time,hips_height\n", "there is no key below the header"),
             ("time,hips_height\n1e300,90\n1e299,90\n", "line 3: the time 1e299 s does not come after"),
-            ("time,hips_height\n0,90\n1\n", "line 3 has 1 columns; 2 were expected"),
+            ("time,hips_height\n0,90\n1\n", "line 3 has 1 column; 2 were expected"),
             ("time,hips_height\n0,90\n1,NaN\n", "line 3: hips_height is 'NaN'; a number was expected"),
             ("time,hips_height\n0,ninety\n", "line 2: hips_height is 'ninety'"),
             ("time,hips_height\ninf,90\n", "line 2: time is 'inf'"),

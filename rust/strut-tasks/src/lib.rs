@@ -7,7 +7,6 @@
 pub mod batch;
 pub mod clip;
 pub mod corpus;
-mod counted;
 pub mod digest;
 pub mod error;
 pub mod evaluate;
@@ -25,6 +24,6 @@ pub mod walk;
 pub mod walks;
 pub mod weights;
 
-pub use counted::counted;
 pub use error::{Code, Outcome, TaskError};
 pub use progress::{OnProgress, Progress};
+pub use strut_formats::counted;

@@ -1,9 +1,9 @@
 //! Summary that `strut stylize` prints for a styled clip.
 
-use crate::counted;
 use std::path::Path;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
+use strut_formats::counted;
 
 /// Collects the summary frame by frame.
 pub struct Summary {
