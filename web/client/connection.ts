@@ -6,6 +6,7 @@ import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError }
 import type { Arguments, Call, Id, Method, Reply, Request, Result } from "./messages";
 import { sendPlain } from "./plain";
 import type { CallOptions, OpenMemory, Progress } from "./protocol";
+import { READING_MS, Watchdog } from "./watchdog";
 
 /** The part of a `Worker` that the connection needs. */
 export interface WorkerPort {
@@ -24,9 +25,6 @@ export interface Patience {
   /** Longest silence of a worker that reads a file in one piece; milliseconds, ten minutes by default. */
   readingMs?: number;
 }
-
-/** Default of {@link Patience.readingMs}: a database of gigabytes on a slow machine takes minutes. */
-const READING_MS = 600_000;
 
 export const DEFAULT_PATIENCE: Patience = { silenceMs: 20_000, pingMs: 5000 };
 
@@ -115,14 +113,23 @@ export class Connection {
   private proven = true;
   /** Argument of `onRestart`, called once the new worker is ready. */
   private restart: Restart | undefined;
-  private silence: ReturnType<typeof setTimeout> | undefined;
+  private readonly watchdog: Watchdog;
   /** Rejects the wait for a worker that is loading. */
   private failStart: (error: StrutError) => void = () => {};
 
   constructor(
     private readonly spawn: () => WorkerPort,
-    private readonly patience: Patience,
-  ) {}
+    { silenceMs, pingMs, readingMs = READING_MS }: Patience,
+  ) {
+    this.watchdog = new Watchdog({
+      stepMs: silenceMs,
+      graceMs: pingMs,
+      limitMs: () => ([...this.pending.values()].some(({ method }) => SILENT.has(method)) ? readingMs : silenceMs),
+      isWaiting: () => this.pending.size > 0,
+      ping: () => this.worker?.postMessage({ kind: "ping" }),
+      onSilent: () => this.replace(fault("The engine failed: its worker does not answer")),
+    });
+  }
 
   /**
    * Resolves when the worker takes calls. If a worker could not be started, another attempt is made.
@@ -199,7 +206,7 @@ export class Connection {
 
   private post(id: number, call: Pending, args: Arguments<Method>): void {
     this.pending.set(id, call);
-    this.watch();
+    this.watchdog.restart();
     try {
       sendPlain({ kind: "call", id, method: call.method, args } as Call, (message) =>
         this.worker!.postMessage(message),
@@ -274,32 +281,8 @@ export class Connection {
     this.restart?.lost.push({ thing, reason });
   }
 
-  /**
-   * Detects a worker that was terminated from outside, which sends no message. Silence alone is not enough: after the
-   * machine slept, or the page was in the browser's history, the timer fires before the messages that have arrived are
-   * handled.
-   */
-  private watch(silentMs = 0): void {
-    clearTimeout(this.silence);
-    const { worker } = this;
-    const isWaiting = () => this.worker === worker && this.pending.size > 0;
-    this.silence = setTimeout(() => {
-      if (!isWaiting()) return;
-      const silent = silentMs + this.patience.silenceMs;
-      const reads = [...this.pending.values()].some(({ method }) => SILENT.has(method));
-      if (reads && silent < (this.patience.readingMs ?? READING_MS)) {
-        this.watch(silent);
-        return;
-      }
-      worker?.postMessage({ kind: "ping" });
-      this.silence = setTimeout(() => {
-        if (isWaiting()) this.replace(fault("The engine failed: its worker does not answer"));
-      }, this.patience.pingMs);
-    }, this.patience.silenceMs);
-  }
-
   private receive(reply: Exclude<Reply, { kind: "ready" } | { kind: "not-ready" }>): void {
-    if (this.pending.size > 0) this.watch();
+    this.watchdog.restart();
     if (reply.kind === "pong") return;
     const call = this.pending.get(reply.id);
     if (!call) return;
@@ -326,7 +309,7 @@ export class Connection {
 
   /** Terminates the worker and rejects all unanswered calls. */
   private stop(error: StrutError): void {
-    clearTimeout(this.silence);
+    this.watchdog.stop();
     this.worker?.terminate();
     this.worker = undefined;
     this.failStart(error);

@@ -20,13 +20,13 @@ const TABLE = {
 };
 
 /** Both ends of a worker, connected without a thread. */
-function joined() {
+function joined({ limitMs }: { limitMs?: number } = {}) {
   let spawned = 0;
   const spawn = () => {
     spawned += 1;
     return joinedWorker(TABLE);
   };
-  const rpc = new RpcClient(spawn, "engine of the lessons");
+  const rpc = new RpcClient(spawn, "engine of the lessons", limitMs);
   const calls = remote<Calls>(rpc, { add: 2, samples: 0, refuse: 0, hang: 0 });
   return { rpc, calls, spawned: () => spawned };
 }
@@ -80,4 +80,22 @@ test("what cannot be sent is refused, and nothing is waited for", async () => {
   void rpc.call("add", [new Proxy({ a: [1] }, {})]).catch(() => {});
   expect(sent).toMatchObject([{ method: "add", args: [{ a: [1] }] }]);
   rpc.dispose();
+});
+
+test("a worker that stays silent is replaced, and its calls are rejected", async () => {
+  const { calls, spawned } = joined({ limitMs: 20 });
+  await expect(calls.hang()).rejects.toMatchObject({
+    code: "fault",
+    message: expect.stringContaining("its worker does not answer"),
+  });
+  expect(await calls.add(1, 2)).toBe(3);
+  expect(spawned()).toBe(2);
+});
+
+test("a silent worker without calls is kept", async () => {
+  const { calls, spawned } = joined({ limitMs: 20 });
+  await calls.add(1, 2);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  await calls.add(1, 2);
+  expect(spawned()).toBe(1);
 });

@@ -1,7 +1,10 @@
 /** Calls into a worker by name. The client is made from the interface, the server from a table of functions. */
 import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
-
 import { sendPlain } from "./plain";
+import { READING_MS, Watchdog } from "./watchdog";
+
+/** How often a silent worker is noticed, milliseconds. */
+const STEP_MS = 20_000;
 
 /** Methods that return promises. */
 export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
@@ -42,16 +45,26 @@ export class RpcClient {
   #lastId = 0;
   readonly #pending = new Map<number, Pending>();
   #disposed = false;
+  readonly #watchdog: Watchdog;
 
   /**
    * @param spawn starts the worker
    * @param what noun for messages
+   * @param limitMs longest silence of a worker that has pending calls; a call may compute in one piece
    */
   constructor(
     spawn: () => ClientPort,
     private readonly what: string,
+    limitMs: number = READING_MS,
   ) {
     this.#spawn = spawn;
+    this.#watchdog = new Watchdog({
+      stepMs: Math.min(limitMs, STEP_MS),
+      graceMs: Math.min(limitMs, STEP_MS),
+      limitMs: () => limitMs,
+      isWaiting: () => this.#pending.size > 0,
+      onSilent: () => this.#stop(fault(`The ${what} failed: its worker does not answer`)),
+    });
   }
 
   /** Calls a method; the buffers of `transfer` are transferred. @throws StrutError the worker's, `cancelled` or `disposed` */
@@ -61,6 +74,7 @@ export class RpcClient {
     const id = ++this.#lastId;
     const answer = new Promise<unknown>((resolve, reject) => {
       this.#pending.set(id, { resolve, reject });
+      this.#watchdog.restart();
       try {
         sendPlain({ id, method, args }, (message) => this.#started().postMessage(message, transfer));
       } catch (thrown) {
@@ -88,6 +102,7 @@ export class RpcClient {
     port.onmessage = ({ data }) => {
       const pending = this.#pending.get(data.id);
       this.#pending.delete(data.id);
+      this.#watchdog.restart();
       if ("error" in data) pending?.reject(new StrutError(data.error));
       else pending?.resolve(data.value);
       if ("error" in data && data.error.code === "fault" && this.#port === port)
@@ -101,6 +116,7 @@ export class RpcClient {
   }
 
   #stop(reason: StrutError): void {
+    this.#watchdog.stop();
     this.#port?.terminate();
     this.#port = undefined;
     for (const { reject } of this.#pending.values()) reject(reason);

@@ -52,6 +52,24 @@ async function build(files: DroppedFile[], neutral = "neutral"): Promise<BuiltDa
   return client.build(chosen, neutral);
 }
 
+test("a worker that stays silent is replaced, and its calls are rejected", async () => {
+  const client = createBuildClient(() => {
+    const worker = new InlineBuildWorker();
+    // As after the system has terminated it: no message, no error.
+    if (workers.length === 0) worker.postMessage = () => {};
+    workers.push(worker);
+    return worker;
+  }, 20);
+  const dropped = [file("walk_old_1.bvh", walks.old)];
+  await expect(client.open(dropped)).rejects.toMatchObject({
+    code: "fault",
+    message: expect.stringContaining("its worker does not answer"),
+  });
+  expect((await client.open(dropped)).clips).toHaveLength(1);
+  expect(workers).toHaveLength(2);
+  client.dispose();
+});
+
 describe("clips", () => {
   test("are found in folders and archives, with their licence and pattern", async () => {
     connect();

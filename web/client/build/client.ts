@@ -2,6 +2,7 @@
 import { cancelled, disposed, fault, StrutError } from "../../engine/errors";
 import type { CallOptions } from "../../engine/types";
 import { sendPlain } from "../plain";
+import { READING_MS, Watchdog } from "../watchdog";
 import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
 import type {
   BuildClient,
@@ -29,9 +30,15 @@ export interface BuildWorkerPort {
 /** A worker that builds handles a cancellation between two steps, which take less than this. */
 const PATIENCE_MS = 10_000;
 
-/** @param spawn starts a worker; the default is `build_worker.ts` in a module worker */
-export function createBuildClient(spawn: () => BuildWorkerPort = spawnWorker): BuildClient {
-  return new WorkerBuildClient(spawn);
+/**
+ * @param spawn starts a worker; the default is `build_worker.ts` in a module worker
+ * @param limitMs longest silence of a worker that has pending calls; it reads a file in one piece
+ */
+export function createBuildClient(
+  spawn: () => BuildWorkerPort = spawnWorker,
+  limitMs: number = READING_MS,
+): BuildClient {
+  return new WorkerBuildClient(spawn, limitMs);
 }
 
 function spawnWorker(): BuildWorkerPort {
@@ -54,7 +61,20 @@ class WorkerBuildClient implements BuildClient {
   /** Settles when it is known whether the worker survives the cancellation of a build. */
   private pausing: Promise<void> = Promise.resolve();
 
-  constructor(private readonly spawn: () => BuildWorkerPort) {}
+  private readonly watchdog: Watchdog;
+
+  constructor(
+    private readonly spawn: () => BuildWorkerPort,
+    limitMs: number,
+  ) {
+    this.watchdog = new Watchdog({
+      stepMs: Math.min(limitMs, PATIENCE_MS),
+      graceMs: Math.min(limitMs, PATIENCE_MS),
+      limitMs: () => limitMs,
+      isWaiting: () => this.pending.size > 0,
+      onSilent: () => this.stop(fault("Building failed: its worker does not answer")),
+    });
+  }
 
   async open(files: DroppedFile[], options?: CallOptions): Promise<Found> {
     this.stop(cancelled());
@@ -176,6 +196,7 @@ class WorkerBuildClient implements BuildClient {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       this.pending.set(id, { resolve, reject, options, onRead });
+      this.watchdog.restart();
       try {
         sendPlain({ ...call, id }, (message) => worker.postMessage(message));
       } catch (thrown) {
@@ -199,6 +220,7 @@ class WorkerBuildClient implements BuildClient {
   }
 
   private receive(reply: BuildReply): void {
+    this.watchdog.restart();
     const call = this.pending.get(reply.id);
     if (!call) return;
     if (reply.kind === "progress") call.options.onProgress?.(reply.progress);
@@ -217,6 +239,7 @@ class WorkerBuildClient implements BuildClient {
 
   /** Terminates the worker and rejects all unanswered calls. */
   private stop(error: StrutError): void {
+    this.watchdog.stop();
     this.worker?.terminate();
     this.worker = undefined;
     for (const call of this.pending.values()) call.reject(error);
