@@ -16,6 +16,7 @@ import { cancelled, exportName } from "../ui/words";
 import { type OutputFormat, VIDEO_SIZES, type VideoContainer, type VideoSize } from "./formats";
 import { onePass } from "./one_pass";
 import { pngOf } from "./png";
+import { checkVideoLength } from "./video_length";
 
 /** Media type of GLB files. */
 const GLB = "model/gltf-binary";
@@ -126,11 +127,12 @@ async function video(
   container: VideoContainer,
   { session, store, pictures, playhead, progress }: OutputSources,
 ): Promise<Blob | undefined> {
-  const { input } = session;
-  if (!input) return undefined;
+  const { input, database } = session;
+  if (!input || !database) return undefined;
   const before = store.state;
   const first = before.range?.first ?? 0;
   const last = Math.min(before.range?.last ?? input.frames - 1, input.frames - 1);
+  checkVideoLength((last - first) / database.rateHz / before.speed);
   const label = strings.page.outputs.recording;
   const { makeVideo, VIDEO_RATE } = await import("./video");
   store.edit({ playing: false, loop: false });

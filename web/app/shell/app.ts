@@ -380,16 +380,18 @@ export class App {
 
   /** Passes clips to the view if it accepts them; otherwise asks the user what they are for. */
   async #takeClips(files: DroppedFile[]): Promise<void> {
-    const [only, ...others] = files;
-    if (only && others.length === 0 && /\.zip$/i.test(only.path)) {
-      const { modelIn } = await import("../character/models_of_archive");
-      const found = await modelIn(only.file);
-      if (found) return this.#takeModel(found.model, found.beside);
-    }
-    // A table of labels or a database among the files answers the question.
-    const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
-    if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
-    else await this.#attempt(async () => (await this.#loadMotions()).take(files));
+    await this.#attempt(async () => {
+      const [only, ...others] = files;
+      if (only && others.length === 0 && /\.zip$/i.test(only.path)) {
+        const { modelIn } = await import("../character/models_of_archive");
+        const found = await modelIn(only.file);
+        if (found) return this.#takeModel(found.model, found.beside);
+      }
+      // A table of labels or a database among the files answers the question.
+      const isSaid = files.some(({ path }) => /\.(csv|strutdb)$/i.test(path));
+      if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
+      else (await this.#loadMotions()).take(files);
+    });
   }
 
   #loadMotions(): Promise<Motions> {

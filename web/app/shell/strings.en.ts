@@ -74,6 +74,9 @@ export const page = {
       jsonl: "the same, a line a frame",
     },
     saved: (name: string) => `Saved ${name}.`,
+    noPicture: "The browser could not make the picture. Choose a smaller size, or reload the page.",
+    videoTooLong: (minutes: number, most: number) =>
+      `The video would last ${Math.ceil(minutes)} minutes; at most ${most} can be recorded. Choose a shorter range, or a higher speed.`,
     noVideo: "This browser does not record video. Use the GLB in another program, or another browser.",
     recording: "Recording.",
   },

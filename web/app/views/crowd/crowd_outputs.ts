@@ -19,7 +19,6 @@ type Output = (picture: CrowdPicture, crowd: Crowd, call: CallOptions) => Promis
 
 const poster: Output = async (picture, _, { signal }) => {
   const blob = await pngOf(await picture.copyAt(performance.now(), 1, true, signal));
-  if (!blob) throw new Error(strings.page.engine.silentFailure);
   const name = `${words.fileName}.png`;
   saveFile(name, blob);
   return name;

@@ -94,6 +94,11 @@ export class Player {
     if (this.#moved) this.#show(walker);
   }
 
+  /** Duration of one pass at the chosen speed, seconds; 0 without a walk. */
+  get passSecs(): number {
+    return this.#walk ? this.#walk.frames / this.#walk.rateHz / this.#store.state.speed : 0;
+  }
+
   /**
    * One pass through the plan at the speed of the state, frame by frame: shows each, and yields the progress.
    * Afterwards the walk returns to its previous position.
@@ -106,7 +111,7 @@ export class Player {
     this.#store.edit({ playing: false });
     this.seek(0);
     this.#passing = true;
-    const frames = Math.round((this.#walk!.frames / this.#walk!.rateHz / speed) * rateHz);
+    const frames = Math.round(this.passSecs * rateHz);
     try {
       for (let frame = 0; frame < frames; frame++) {
         if (frame > 0) {

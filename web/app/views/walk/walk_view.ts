@@ -10,6 +10,7 @@ import { normalised, type Selection, toTriangle, vertexOrder } from "../../../ui
 import { onSystemTheme } from "../../../ui/theme";
 import { VIDEO_SIZES } from "../../outputs/formats";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
+import { checkVideoLength } from "../../outputs/video_length";
 import type { AppState } from "../../state/state";
 import { MAX_BLOCKS, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
@@ -440,6 +441,7 @@ class WalkView implements View {
       const name = await this.#progress.run(recording, async ({ signal, onProgress }) => {
         const { saveVideo, VIDEO_RATE } = await import("../../outputs/video");
         const player = this.#player;
+        checkVideoLength(player.passSecs);
         return lease.film(
           (pictureAt) => {
             async function* frames(): AsyncGenerator<HTMLCanvasElement> {
