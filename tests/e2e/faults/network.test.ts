@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { beforeAll, beforeEach, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
 import { walksIn } from "../../clips";
+import { zipOf } from "../../zip";
 import { dropFile, eventually, inputName, openSite, settledPose, shown, turnBetween, visit } from "../browser";
 import { dismissAll } from "./inject";
 
@@ -40,6 +41,20 @@ describe("a view of a version that the host no longer has", () => {
     expect(await page.evaluate(() => window.strut.state.styles[0])).toEqual({ name: "proud", weight: 1 });
     await page.getByRole("link", { name: "Key-style", exact: true }).click();
     await eventually(view).toBe("key-style");
+  });
+});
+
+describe("an archive", () => {
+  it("whose reader cannot be loaded gets a sentence, and what was shown stays", async () => {
+    await visit(page, STILL);
+    const before = await settledPose(page);
+    const code = /\/models_of_archive-[^/]*\.js$/;
+    await page.route(code, (route) => route.fulfill({ status: 404, body: "" }));
+    await dropFile(page, "clips.zip", zipOf([{ name: "walk_old_1.bvh", content: neutral }]));
+    await eventually(alert).toMatch(/A part of this page could not be loaded/);
+    await page.unroute(code);
+    expect(await inputName(page)).toBe("neutral walk");
+    expect(turnBetween(before, await settledPose(page))).toBeLessThan(0.2);
   });
 });
 

@@ -21,7 +21,7 @@ import { focusView } from "../ui/focus_view";
 import { LeaveGuard } from "../ui/leave_guard";
 import { otherTasks } from "../ui/tasks";
 import { RELOAD, Toasts } from "../ui/toasts";
-import { errorText } from "../ui/words";
+import { errorText, isMissingModule } from "../ui/words";
 import type { View, ViewHost } from "../view";
 import { DropZone } from "./drop";
 import { Help } from "./help";
@@ -335,7 +335,9 @@ export class App {
 
   #onRefused(name: ViewName, error: unknown): void {
     const again = { label: strings.page.tryAgain, act: () => this.#store.edit({ view: name }) };
-    const text = navigator.onLine ? strings.page.viewNotLoaded(errorText(error)) : strings.page.viewOffline;
+    const text = navigator.onLine
+      ? strings.page.viewNotLoaded(isMissingModule(error) ? "" : errorText(error))
+      : strings.page.viewOffline;
     this.#toasts.error(text, { action: navigator.onLine ? RELOAD : again });
     if (name !== "play") this.#address.redirect({ view: "play" });
   }

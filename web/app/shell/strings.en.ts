@@ -19,7 +19,8 @@ export const page = {
   reload: "Reload",
   dismiss: "Dismiss",
   tryAgain: "Try again",
-  viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`,
+  viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`.trim(),
+  partNotLoaded: "A part of this page could not be loaded. Check the connection, then try again or reload the page.",
   viewOffline: "This view could not be loaded, as there is no network. Connect, then try again.",
   pictureLost:
     "The browser stopped the 3D graphics. Your motion and settings are still here: save your work, then reload the page.",

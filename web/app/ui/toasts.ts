@@ -8,7 +8,7 @@ import { button } from "../../ui/controls/buttons";
 import { html } from "../../ui/dom";
 import { strings } from "../strings/strings";
 import { focusView } from "./focus_view";
-import { errorText } from "./words";
+import { errorText, isMissingModule } from "./words";
 
 const NOTE_MS = 6000;
 /** Maximum number of toasts at a time; the oldest is removed first. */
@@ -65,7 +65,7 @@ export class Toasts {
 
   /** Reports a thrown value. If a part of Strut could not be loaded, it offers to reload the page. */
   failure(error: unknown): void {
-    this.error(errorText(error), isUnloaded(error) ? { action: RELOAD } : {});
+    this.error(errorText(error), isUnloaded(error) || isMissingModule(error) ? { action: RELOAD } : {});
   }
 
   /** Shows a message. */

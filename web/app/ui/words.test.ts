@@ -45,6 +45,13 @@ describe("names and errors", () => {
   it("puts the hint after the sentence", () => {
     expect(errorText({ message: "Line 3 is empty.", hint: "Export again." })).toBe("Line 3 is empty. Export again.");
     expect(errorText(new Error("No."))).toBe("No.");
+    for (const message of [
+      "Failed to fetch dynamically imported module: https://host/assets/a.js",
+      "error loading dynamically imported module: https://host/assets/a.js",
+      "Importing a module script failed.",
+      "Unable to preload CSS for /assets/a.css",
+    ])
+      expect(errorText(new TypeError(message))).toMatch(/^A part of this page could not be loaded/);
     expect(errorText({})).toBe("An unknown error occurred.");
   });
 

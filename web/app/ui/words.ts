@@ -85,8 +85,17 @@ export function exportName(input: string, selection: Selection, ending = "bvh"):
   return `${plain(input) || "motion"}-${plain(heaviest.name) || "styled"}.${ending}`;
 }
 
+/** Whether a module or style sheet of this page could not be imported. The browsers and Vite word it differently. */
+export function isMissingModule(error: unknown): boolean {
+  return (
+    error instanceof Error &&
+    /dynamically imported module|importing a module script|unable to preload css/i.test(error.message)
+  );
+}
+
 /** An error as one text: the sentence and the hint, if there is one. */
 export function errorText(error: unknown): string {
+  if (isMissingModule(error)) return strings.page.partNotLoaded;
   const { message, hint } = error as { message?: unknown; hint?: unknown };
   const parts = [message, hint].filter((part): part is string => typeof part === "string" && part !== "");
   return parts.length > 0 ? parts.join(" ") : strings.page.engine.silentFailure;
