@@ -85,7 +85,7 @@ describe("a drag", () => {
 describe("the weights", () => {
   it("are number fields for keyboards and screen readers", async () => {
     await visit(page, STYLES);
-    const group = page.getByRole("group", { name: "Weights of the styles" });
+    const group = page.getByRole("group", { name: "Style weights" });
     const field = group.getByRole("textbox", { name: "proud" });
     await eventually(() => group.getByRole("textbox").count()).toBe(3);
     await field.focus();

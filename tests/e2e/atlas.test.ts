@@ -23,7 +23,7 @@ declare const window: { strut: StrutHook };
 
 /** The first input, paused. */
 const INPUT = "play=0&frame=40";
-const BY_PROCESSOR = /^Drawn by the processor in [\d.]+ m?s\./;
+const BY_PROCESSOR = /^Drawn by the CPU in [\d.]+ m?s\./;
 
 const state = (page: Page) => page.evaluate(() => window.strut.state);
 const words = (page: Page, of: "by" | "reading") => page.locator(`.atlas-${of}`).textContent();
@@ -75,7 +75,7 @@ describe("without a graphics processor", () => {
     await visit(page, `${INPUT}&atlas=whole`);
     expect(await drawn(page)).toBe("processor");
     expect(await words(page, "by")).toMatch(BY_PROCESSOR);
-    expect(await words(page, "by")).toContain("A browser with WebGPU redraws it while you drag.");
+    expect(await words(page, "by")).toContain("In a browser with WebGPU it updates while you drag.");
     expect(coloursOf(await pixels(page))).toBeGreaterThan(50);
     expect(loaded.filter((url) => url.includes("gpu") || url.includes("graphics_worker"))).toEqual([]);
     await screenshot(page, "atlas");

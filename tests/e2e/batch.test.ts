@@ -159,12 +159,12 @@ describe("a batch", () => {
     await eventually(heading).toMatch(/^Stopped: [1-7] of 8 files$/);
     const done = Number(/\d/.exec((await heading())!)![0]);
     expect(Object.keys(await savedZip())).toHaveLength(done + 1);
-    await card().getByRole("button", { name: "Go on" }).click();
+    await card().getByRole("button", { name: "Continue" }).click();
     await eventually(heading).toBe("8 files are done");
     // Another batch waits until this one is saved.
     await dropFiles(page, { "a.bvh": walks.old, "b.bvh": walks.old });
     await choose("Restyle all");
-    await eventually(() => page.getByRole("alert").textContent()).toContain("Another batch is not done");
+    await eventually(() => page.getByRole("alert").textContent()).toContain("Another batch is not finished");
     await page.getByRole("alert").getByRole("button", { name: "Dismiss" }).click();
     await card().getByRole("button", { name: "Close" }).click();
     await page.getByRole("button", { name: "Undo" }).last().click();

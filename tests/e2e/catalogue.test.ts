@@ -98,7 +98,7 @@ describe("a public data set", () => {
     await page.getByRole("button", { name: "Get Small set" }).click();
     await page.getByRole("button", { name: "Download" }).click();
     await eventually(() => note(page)).toBe(
-      "walk_old_2.bvh is not the file that the list of public data sets names, and was not kept. Get the files from https://example.org/set and drop them here.",
+      "walk_old_2.bvh differs from the file in the list of public data sets, and was discarded. Get the files from https://example.org/set and drop them here.",
     );
     host.changed = "";
     await page
@@ -116,7 +116,7 @@ describe("a public data set", () => {
     await page.getByRole("button", { name: "Get Small set" }).click();
     await page.getByRole("button", { name: "Download" }).click();
     await eventually(() => note(page)).toBe(
-      "raw.githubusercontent.com cannot be reached, or does not let other pages read its files. Get the files from https://example.org/set and drop them here.",
+      "raw.githubusercontent.com cannot be reached, or does not allow other pages to read its files. Get the files from https://example.org/set and drop them here.",
     );
     await closePage(page);
   });

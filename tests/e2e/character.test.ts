@@ -111,14 +111,14 @@ test("where not everybody may perform it, a person is asked, and no is an answer
     },
   };
   await dropRig("VRM 1", restricted);
-  const dialog = page.getByRole("dialog", { name: "Not for everybody" });
-  expect(await dialog.innerText()).toContain("The author of “Restricted” does not allow everybody to perform it.");
+  const dialog = page.getByRole("dialog", { name: "Restricted use" });
+  expect(await dialog.innerText()).toContain("The author of “Restricted” restricts who may perform with it.");
   await dialog.getByRole("button", { name: "Cancel" }).click();
   await eventually(() => dialog.count()).toBe(0);
   expect(await performer()).toBe("unnamed giant");
   expect(await alert()).toBe("");
   await dropRig("VRM 1", restricted);
-  await dialog.getByRole("button", { name: "I am allowed to" }).click();
+  await dialog.getByRole("button", { name: "I have permission" }).click();
   await eventually(performer).toBe("Restricted");
 });
 

@@ -97,7 +97,7 @@ test.skipIf(othersAbsent)("a .gltf and the files beside it are dropped together"
 
 test.skipIf(othersAbsent)("an animal is asked about, and performs only if a person says so", async () => {
   await dropRig("Fox.glb");
-  const dialog = page.getByRole("dialog", { name: "Which joint is which" });
+  const dialog = page.getByRole("dialog", { name: "Joint mapping" });
   await eventually(() => dialog.innerText()).toContain("stands on four legs");
   await eventually(() => dialog.getByLabel("hips").locator("option:checked").innerText()).toBe("b_Hip_01");
   await screenshot(page, "others-fox-joints");

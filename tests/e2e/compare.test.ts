@@ -76,8 +76,10 @@ describe("the columns", () => {
 
   it("say so where there is no counterpart, and compare with another then", async () => {
     await visit(page, `${COMPARED}&columns=input,lar,mar&parts=legs~proud:1`);
-    await eventually(() => page.locator(".compare-summary").textContent()).toContain("known for built-in inputs");
-    await page.getByLabel("Behind").selectOption("mar");
+    await eventually(() => page.locator(".compare-summary").textContent()).toContain(
+      "available only for built-in inputs",
+    );
+    await page.getByLabel("Reference").selectOption("mar");
     await eventually(() => figure("lar", "Pose difference")).toMatch(/cm$/);
     await visit(page, `${COMPARED}&columns=input,lar,mar`);
     await eventually(() => figure("lar", "Pose error")).toMatch(/cm$/);
@@ -99,7 +101,7 @@ describe("the search", () => {
     const [recall, ms] = await row.locator("dd").allTextContents();
     return [Number(/^recall@40 ([01]\.\d{3})$/.exec(recall!)![1]), Number(/^(\d+\.\d\d) ms a frame$/.exec(ms!)![1])];
   };
-  const figures = () => page.getByLabel("What the searches find, and how long they take");
+  const figures = () => page.getByLabel("Recall and time of the searches");
 
   it("is exact, and then there is nothing to compare", async () => {
     await visit(page, COMPARED);

@@ -47,7 +47,7 @@ describe("a first visit", () => {
     await eventually(title).toBe("One hundred people, three ways of walking");
     await walking();
     await eventually(() => page.locator(".crowd-row").count()).toBe(3);
-    await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe("Without a graphics card 100 walk.");
+    await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe("Without a GPU, at most 100 walk.");
     expect((await state()).crowd).toEqual({ count: 200, seed: 1 });
     await eventually(async () => (await walkIn("proud")) + (await walkIn("old"))).toBeGreaterThan(3);
     expect(await alerts()).toBe("");
@@ -61,7 +61,7 @@ describe("a first visit", () => {
       copy.drawImage(canvas, 0, 0);
       return canvas.getAttribute("aria-label");
     });
-    expect(colours).toMatch(/^100 mannequins who walk on open ground, in the styles .*: proud, old, childlike\.$/);
+    expect(colours).toMatch(/^100 mannequins walk on open ground\. Their styles .*: proud, old, childlike\.$/);
     await eventually(() => page.locator(".crowd-figures").textContent()).toMatch(/\d fps.*ms per tick.*ms per frame/);
   });
 
@@ -227,7 +227,7 @@ describe("the people", () => {
     const at = (x: number, y: number) => ({ x: sheet.x + x * sheet.width, y: sheet.y + y * sheet.height });
     await drag(page, at(0.3, 0.4), at(0.7, 0.6));
     await eventually(async () => ((await state()).route as unknown[]).length).toBeGreaterThan(2);
-    await eventually(() => page.getByText("Everybody follows the route.").isVisible()).toBe(true);
+    await eventually(() => page.getByText("Everyone follows the route.").isVisible()).toBe(true);
     await page.getByRole("button", { name: "Clear" }).click();
     await eventually(async () => (await state()).route).toEqual([]);
     await page.getByRole("button", { name: "Pause" }).click();
@@ -246,9 +246,9 @@ describe("performers", () => {
     await walking();
     await page.getByRole("radio", { name: "Performers" }).check();
     await eventually(title).toBe("24 people, two styles");
-    expect(await caption()).toMatch(/^\d+\.\d s of “neutral walk” of Play, over and over$/);
+    expect(await caption()).toMatch(/^\d+\.\d s of “neutral walk” from Play, looped$/);
     await walking();
-    await eventually(chart).toMatch(/^Who performs how: .*neutral [1-9]/);
+    await eventually(chart).toMatch(/^Performers by style: .*neutral [1-9]/);
     await eventually(() => walkIn("proud")).toBeGreaterThan(0);
     await eventually(() => page.url()).toContain("people=performers");
     expect(await page.locator(".crowd-figures").textContent()).toContain("Performing");
@@ -258,7 +258,7 @@ describe("performers", () => {
     await eventually(title).toBe("24 people, two styles");
     // The title is that of the request; the crowd appears once it is ready.
     await eventually(() => page.locator(".crowd-figures").textContent()).toContain("Performing");
-    await eventually(chart).toMatch(/^Who performs how/);
+    await eventually(chart).toMatch(/^Performers by style/);
     await walking();
     expect(await alerts()).toBe("");
   });
@@ -286,7 +286,7 @@ describe("performers", () => {
 
   it("need a motion that is long enough, and are as many as can be drawn", async () => {
     await visit(page, `view=crowd&people=performers&crowd=1000_1&${FIELD}&range=0-10`);
-    await page.getByText("The motion of Play cannot be performed.").waitFor();
+    await page.getByText("A crowd cannot perform the motion from Play.").waitFor();
     await page.getByRole("button", { name: "Let them walk" }).click();
     await eventually(title).toBe("One hundred people, two ways of walking");
     await walking();
@@ -377,7 +377,7 @@ describe("a model of one style", () => {
       "neutral",
     ]);
     await visit(page, FEW);
-    await page.getByText("This model has one style, so everybody walks alike.").waitFor();
+    await page.getByText("This model has only one style, so all walkers move alike.").waitFor();
     await walking();
     expect(await page.getByLabel("Style to add").locator("option").allTextContents()).toEqual(["Add style", "neutral"]);
     const [, styled, average] = /neutral (\d+), average (\d+)/.exec((await chart())!)!;

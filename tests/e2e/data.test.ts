@@ -196,7 +196,7 @@ describe("a style of two manners", () => {
     ];
     await choose(written("manners.zip", zipOf(clips)));
     await read();
-    const report = page.getByRole("region", { name: "Two manners" });
+    const report = page.getByRole("region", { name: "Takes that differ" });
     expect(await report.count(), "nothing is known before a build").toBe(0);
     await build();
     await eventually(() => report.locator("li").allTextContents()).toEqual([
@@ -239,7 +239,7 @@ describe("a database of a name that is taken", () => {
 
     await name.fill("My clips");
     await buildButton().click();
-    const question = page.getByRole("dialog", { name: "There is a database “My clips”" });
+    const question = page.getByRole("dialog", { name: "A database “My clips” exists" });
     expect(await question.textContent()).toContain("It has 2 clips, 2 styles.");
     await eventually(faults).toEqual([]);
     await screenshot(page, "data-replace");

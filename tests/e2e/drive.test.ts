@@ -379,7 +379,7 @@ describe("what was driven", () => {
     const { name, bytes } = await saved(page, "BVH");
     expect(name).toMatch(/^driven-1-.*\.bvh$/);
     expect(bytes.toString("utf8")).toMatch(/^HIERARCHY[\s\S]*Frames: [3-9]\d\d\n/);
-    await page.getByRole("button", { name: "Drive on" }).click();
+    await page.getByRole("button", { name: "Continue driving" }).click();
     await driving(page);
   });
 
@@ -412,7 +412,7 @@ describe("a database without neutral walking", () => {
     await eventually(() => page.locator(".panels .vertex").count()).toBe(2);
     await page.getByLabel("Input motion").selectOption("drive");
     await eventually(() => page.locator(".drive-note").textContent()).toMatch(
-      /^The neutral clips have .* s of walking; driving needs 5 s\. Built-in clips walk\.$/,
+      /^The neutral clips have .* s of walking; driving needs 5 s\. Built-in clips do the walking\.$/,
     );
     expect(await alerts()).toBe("");
     await holding(["KeyW"], async () => {

@@ -96,7 +96,7 @@ describe("a page that went offline", () => {
     await eventually(async () => turnBetween(before, await settledPose(page))).toBeGreaterThan(3);
     await page.getByRole("link", { name: "Compare" }).click();
     await eventually(() => page.getByRole("alert").textContent()).toMatch(
-      /This view could not be loaded, as there is no network. Connect, then try again./,
+      /This view could not be loaded because there is no network. Connect, then try again./,
     );
     await eventually(() => page.evaluate(() => window.strut.state.view)).toBe("play");
     await page.context().setOffline(false);

@@ -93,9 +93,9 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(() => source("Joints")).toBe("by name");
     await control("Up axis").selectOption("y");
     await eventually(reading).toEqual({ up: "y" });
-    await eventually(() => source("Up axis")).toBe("as you said");
+    await eventually(() => source("Up axis")).toBe("set by you");
     await eventually(() => opener().textContent()).toBe(HEADING);
-    await eventually(() => panel().getByText("Remembered for every file with this skeleton.").isVisible()).toBe(true);
+    await eventually(() => panel().getByText("Saved for every file with this skeleton.").isVisible()).toBe(true);
   });
 
   it("takes back what was said with undo, and says it again with redo", async () => {
@@ -127,7 +127,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await eventually(reading).toEqual({ floor: -0.83 });
     // The floor is nearer to the hips.
     await eventually(hips).toBeLessThan(before - 0.03);
-    await panel().getByRole("button", { name: "Floor: as it was found" }).click();
+    await panel().getByRole("button", { name: "Floor: back to the detected value" }).click();
     await eventually(reading).toEqual({});
     await eventually(async () => Math.abs((await hips()) - before)).toBeLessThan(0.01);
   });
@@ -173,23 +173,23 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
         .setInputFiles({ name: "mine.json", mimeType: "application/json", buffer: Buffer.from(text) });
     const alert = () => page.getByRole("alert").textContent();
     await take("HIERARCHY");
-    await eventually(alert).toContain("“mine.json” is no JSON file.");
+    await eventually(alert).toContain("“mine.json” is not a JSON file.");
     await take('{"joints": {"left_hand": "Paw"}}');
     await eventually(alert).toContain("This skeleton has no joint 'Paw', which was chosen as the left wrist.");
     // The former input is kept.
     expect(await reading()).toEqual({});
     await take(JSON.stringify({ joints: { ...joints, left_toes: null } }));
-    await eventually(() => source("Joints")).toBe("as you said");
+    await eventually(() => source("Joints")).toBe("set by you");
     await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("20 of 21");
     await panel().getByRole("button", { name: "Edit…" }).click();
-    const dialog = page.getByRole("dialog", { name: "Which joint is which" });
+    const dialog = page.getByRole("dialog", { name: "Joint mapping" });
     await dialog.getByLabel("right toes").selectOption({ label: "none" });
     await dialog.getByRole("button", { name: "Use these joints" }).click();
     await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("19 of 21");
     await drop("00_clean");
     await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("19 of 21");
     await eventually(() =>
-      panel().getByText("Read as you said of an earlier file with this skeleton.").isVisible(),
+      panel().getByText("Read with your settings for an earlier file with this skeleton.").isVisible(),
     ).toBe(true);
     await panel().getByRole("button", { name: "Reset all" }).click();
     await eventually(() => row("Joints").locator(".joint-count").textContent()).toBe("21 of 21");
@@ -212,21 +212,23 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
   it("is unlike anything where it is: never the kick that begins as somebody stands", async () => {
     await drop("00_clean", "a walk");
     await openPanel();
-    await eventually(() => source("Likeness")).toBe("walk, neutral");
+    await eventually(() => source("Similar to")).toBe("walk, neutral");
     const readsAs = () => page.locator(".section.input .reading").textContent();
     await dropFile(page, "idle.bvh", idle());
     await eventually(() => inputName(page)).toBe("idle");
-    await eventually(() => source("Likeness")).toBe("unlike anything in the styles");
+    await eventually(() => source("Similar to")).toBe("unlike any style");
     await eventually(readsAs).toBe("unlike any style");
     await eventually(() => page.locator(".input-note").textContent()).toBe("The result is a guess.");
-    await control("Likeness").selectOption("kick");
+    await control("Similar to").selectOption("kick");
     await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("kick");
-    await eventually(() => source("Likeness")).toBe("as you said");
-    await panel().getByRole("button", { name: "Likeness: as it was found" }).click();
+    await eventually(() => source("Similar to")).toBe("set by you");
+    await panel().getByRole("button", { name: "Similar to: back to the detected value" }).click();
     await eventually(() => page.evaluate(() => window.strut.state.action)).toBe("");
     // With another up axis it floats above the ground.
     await control("Up axis").selectOption("x");
-    await eventually(() => row("Likeness").locator(".row-why").textContent()).toMatch(/^Its poses are \d+ cm away/);
+    await eventually(() => row("Similar to").locator(".row-why").textContent()).toMatch(
+      /^Its poses are \d+ cm from the database/,
+    );
     await panel().getByRole("button", { name: "Reset all" }).click();
     await eventually(reading).toEqual({});
   });
@@ -313,13 +315,13 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     expect(await inputName(page)).toBe(before);
     await screenshot(page, "how-read-refused");
     await page.getByRole("button", { name: "Choose joints…" }).click();
-    const roles = page.getByRole("dialog", { name: "Which joint is which" });
+    const roles = page.getByRole("dialog", { name: "Joint mapping" });
     await eventually(() => roles.getByText("stands on four legs").isVisible()).toBe(true);
     await screenshot(page, "how-read-choose-joints");
     await roles.getByRole("button", { name: "Use these joints" }).click();
     await eventually(() => inputName(page)).toBe("dog");
     await openPanel();
-    await eventually(() => source("Joints")).toBe("as you said");
+    await eventually(() => source("Joints")).toBe("set by you");
     // The choice is remembered: the page does not ask again.
     await drop("S38_dog", "dog again");
   });

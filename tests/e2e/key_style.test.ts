@@ -380,7 +380,7 @@ describe("what is learned", () => {
     const box = (await page.locator(".recordings-plot").boundingBox())!;
     await page.mouse.click(box.x + box.width * 0.6, box.y + box.height * 0.6);
     await eventually(spoken).not.toBe(before);
-    const place = page.getByRole("slider", { name: "Place in the recording" });
+    const place = page.getByRole("slider", { name: "Time in the recording" });
     await eventually(() => place.getAttribute("aria-valuetext")).toMatch(/s$/);
     await eventually(faults).toEqual([]);
   });

@@ -161,7 +161,7 @@ describe("a performer", () => {
     await eventually(() => panel().locator(".live-fault").textContent()).toMatch(
       /^(The connection to 127\.0\.0\.1:\d+ has ended|Nobody answers at 127\.0\.0\.1:\d+); trying again in \d+ s\.$/,
     );
-    await eventually(stateOf).toMatch(/^not there; again in \d+ s$/);
+    await eventually(stateOf).toMatch(/^not reachable; retry in \d+ s$/);
     // Received frames are displayed to the end.
     let left: number[] = [];
     await eventually(async () => {

@@ -140,7 +140,7 @@ describe("a project", () => {
     await page.keyboard.press("Control+s");
     const dialog = page.locator("dialog[open]");
     expect(await dialog.textContent()).toContain("Character “chibi.glb”");
-    await dialog.getByLabel("Put the character into the file").uncheck();
+    await dialog.getByLabel("Include the character").uncheck();
     expect(await axeFaults(page)).toEqual([]);
     await screenshot(page, "project-save");
     const save = dialog.getByRole("button", { name: "Save", exact: true });
@@ -155,7 +155,7 @@ describe("a project", () => {
     page = await fresh();
     await dropFile(page, "again.strut", file);
     await eventually(said).toContainEqual(
-      expect.stringContaining("“chibi.glb”, which is not in its file. Drop it here."),
+      expect.stringContaining("“chibi.glb”, which is not in its file. Drop the character here."),
     );
     expect(await performer()).toBe("");
     await closePage(page);
@@ -205,12 +205,12 @@ describe("a file that is no project of this page", () => {
     const text = (content: string) => new Blob([content]);
     const garbage = { name: "bot.glb", size: 4, sha256: "0".repeat(64) };
     const files: [what: string, content: string | Uint8Array, sentence: RegExp][] = [
-      ["empty", "", /no project of Strut/],
-      ["text", "Dear Sir or Madam", /no project of Strut/],
-      ["cut off", good.subarray(0, good.length - 200), /no project of Strut/],
+      ["empty", "", /not a Strut project/],
+      ["text", "Dear Sir or Madam", /not a Strut project/],
+      ["cut off", good.subarray(0, good.length - 200), /not a Strut project/],
       ["damaged", good.map((byte, i) => (i === 900 ? byte ^ 255 : byte)), /It is damaged/],
-      ["newer", manifest({ format: "strut-project", version: 2 }), /A newer Strut saved it/],
-      ["older", manifest({ format: "strut-project", version: 0 }), /does not read any more/],
+      ["newer", manifest({ format: "strut-project", version: 2 }), /A newer version of Strut saved it/],
+      ["older", manifest({ format: "strut-project", version: 0 }), /is too old for this page/],
       ["no motion", await packed({ inputs: [{ name: "clip", file: text("no") }] }), /motion “clip” in it/],
       ["no database", await packed({ database: { name: "bad", file: text("no") } }), /database “bad” in it/],
       ["no character", await packed({ character: { ...garbage, file: text("no") } }), /character “bot.glb” in it/],

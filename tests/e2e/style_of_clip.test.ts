@@ -63,7 +63,7 @@ describe("a walk that falls on the polygon", () => {
     await name.fill("weary");
     const make = page.getByRole("button", { name: "Make it a style" });
     await eventually(() => make.isDisabled()).toBe(true);
-    await eventually(() => page.getByRole("dialog").textContent()).toContain("There is a style “weary” already.");
+    await eventually(() => page.getByRole("dialog").textContent()).toContain("A style “weary” already exists.");
     await name.fill("<b>tired</b>");
     await make.click();
     await eventually(vertices).toContain("<b>tired</b>");
@@ -87,7 +87,7 @@ describe("a walk that falls on the polygon", () => {
     await eventually(() => action.inputValue()).toBe("");
     await page.getByRole("button", { name: "Make it a style" }).click();
     const says = (text: string) => page.getByRole("status").getByText(text);
-    await eventually(() => says("“stooping” is made of the action “walk” and changes no other.").isVisible()).toBe(
+    await eventually(() => says("“stooping” was made from the action “walk” and changes no other.").isVisible()).toBe(
       true,
     );
     await screenshot(page, "style-of-clip-action");

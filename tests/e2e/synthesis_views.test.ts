@@ -102,7 +102,7 @@ describe("the Key-style view", () => {
   });
 
   it("learns files anew that are dropped again under their name", async () => {
-    const last = () => page.getByRole("slider", { name: "Place in the recording" }).getAttribute("aria-valuemax");
+    const last = () => page.getByRole("slider", { name: "Time in the recording" }).getAttribute("aria-valuemax");
     await page.locator('.key-style [aria-label="Below the pad"] label').filter({ hasText: "Recordings" }).click();
     await dropFile(page, "mine.bvh", walks.old);
     await eventually(recorded).toEqual(["mine"]);

@@ -46,7 +46,7 @@ describe("opening the view", () => {
   it("trains on the built-in walks, says so, and walks", async () => {
     await page.getByRole("link", { name: "Walk", exact: true }).click();
     await eventually(() => blocks().count()).toBe(3);
-    await eventually(() => page.locator(".toasts").textContent()).toMatch(/8 styles ready to walk, from 8 clips/);
+    await eventually(() => page.locator(".toasts").textContent()).toMatch(/Trained 8 styles from 8 clips in/);
     await eventually(title).toBe("22 steps, three styles");
     const before = await secs();
     await eventually(secs, "it walks by itself").not.toBe(before);
@@ -232,7 +232,8 @@ describe("the block", () => {
   it("gives each foot steps of its own", async () => {
     await visit(page, `view=walk&play=0&walk=1_4_2~proud:1,old:0,sexy:0`);
     await eventually(title).toBe("Four steps, one style");
-    const feet = (name: string) => page.locator('.walk-panel [aria-label="Steps of"] label').filter({ hasText: name });
+    const feet = (name: string) =>
+      page.locator('.walk-panel [aria-label="Applies to"] label').filter({ hasText: name });
     await feet("Right").click();
     await page.locator('.walk-panel .vertex[data-style="old"] .vertex-dot').dblclick();
     await eventually(() => page.locator("#walk-block-heading").textContent()).toBe("Block 1, proud left, old right");
@@ -382,7 +383,7 @@ describe("the picture", () => {
     await eventually(faults).toEqual([]);
     await showTheme(page, "light");
     await eventually(faults).toEqual([]);
-    await page.locator(".walk-form label").filter({ hasText: "3-D" }).click();
+    await page.locator(".walk-form label").filter({ hasText: "3D" }).click();
     await eventually(() => page.locator(".walk-strip").isVisible()).toBe(false);
     await eventually(faults).toEqual([]);
   });

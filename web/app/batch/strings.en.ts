@@ -19,7 +19,7 @@ export const batchWords = {
   cancel: "Cancel",
   reading: (n: number) => `Reading ${motions(n)}.`,
   tooMany: (n: number, most: number) =>
-    `${motions(n)} are too many for inputs: up to ${most} work, and 1 GB in all. Restyle them, or make a database.`,
+    `${motions(n)} are too many for inputs: the limit is ${most}, and 1 GB in total. Restyle them, or make a database.`,
   notRead: (path: string, why: string) => `${quoted(path)} was left out. ${why}`,
   added: (n: number) => `${motions(n)} are inputs now: choose among them beside “Input”.`,
 
@@ -30,10 +30,10 @@ export const batchWords = {
   single: "Each of these styles alone",
   style: (name: string) => name,
   result: (made: number, folders: number) =>
-    `${files(made)}${folders > 1 ? ` in ${folders} folders` : ""}. Database, model and switches are those of Play; style keys are not used.`,
+    `${files(made)}${folders > 1 ? ` in ${folders} folders` : ""}. Uses the database, model and options of Play, but no style keys.`,
   none: "Choose a style.",
   start: "Restyle",
-  busy: "Another batch is not done. Save or close it first.",
+  busy: "Another batch is not finished. Save or close it first.",
 
   // --- while it runs ---
   name: "Batch",
@@ -54,9 +54,10 @@ export const batchWords = {
   because: (path: string, why: string) => `${quoted(path)}: ${why}`,
   save: (bytes: number) => `Save zip, ${megabytes(bytes)}`,
   again: "Save again",
-  resume: "Go on",
+  resume: "Continue",
   close: "Close",
   saved: (name: string, bytes: number) => `Saved ${name}, ${megabytes(bytes)}.`,
-  discarded: (n: number) => `${files(n)} that ${n === 1 ? "was" : "were"} not saved went with the batch.`,
+  discarded: (n: number) =>
+    `${n === 1 ? "1 unsaved file was" : `${grouped(n)} unsaved files were`} discarded with the batch.`,
   undo: "Undo",
 } as const;

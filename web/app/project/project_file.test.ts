@@ -101,12 +101,12 @@ describe("a project file", () => {
 
 describe("what is no project file of this version", () => {
   it("gets a sentence", async () => {
-    expect(await why(new Blob())).toMatch(/no project of Strut/);
-    expect(await why(new Blob(["HIERARCHY"]))).toMatch(/no project of Strut/);
+    expect(await why(new Blob())).toMatch(/not a Strut project/);
+    expect(await why(new Blob(["HIERARCHY"]))).toMatch(/not a Strut project/);
     expect(await why(new Blob([zipOf([{ name: "walk.bvh", content: "HIERARCHY" }])]))).toMatch(/no project/);
     expect(await why(archive({ ...MANIFEST, format: "other" }))).toMatch(/no project/);
     expect(await why(archive({ ...MANIFEST, version: VERSION + 1 }))).toMatch(/newer Strut.*format is 2/);
-    expect(await why(archive({ ...MANIFEST, version: 0 }))).toMatch(/format is 0.*not read any more/);
+    expect(await why(archive({ ...MANIFEST, version: 0 }))).toMatch(/format 0 is too old/);
     expect(await why(archive({ ...MANIFEST, version: "1" }))).toMatch(/“version”/);
     expect(await why(archive("{"))).toMatch(/no JSON/);
     expect(await why(archive([]))).toMatch(/no project/);
@@ -126,7 +126,7 @@ describe("what is no project file of this version", () => {
       { name: "project.json", content: JSON.stringify(MANIFEST) },
       { name: "project.json", content: "{}" },
     ]);
-    expect(await why(new Blob([twice]))).toMatch(/“project.json” is in it twice/);
+    expect(await why(new Blob([twice]))).toMatch(/contains “project.json” twice/);
     const files = { "inputs/1.bvh": "HIERARCHY" };
     const wrong: [manifest: object, field: RegExp][] = [
       [{ inputs: {} }, /“inputs”/],
@@ -155,7 +155,7 @@ describe("what is no project file of this version", () => {
     for (const [manifest, field] of wrong)
       expect(await why(archive({ ...MANIFEST, ...manifest }, files)), JSON.stringify(manifest)).toMatch(field);
     const many = Array.from({ length: LIMITS.inputs + 1 }, () => input);
-    expect(await why(archive({ ...MANIFEST, inputs: many }, files))).toMatch(/501 motions; up to 500/);
+    expect(await why(archive({ ...MANIFEST, inputs: many }, files))).toMatch(/501 motions; the limit is 500/);
   });
 
   it("names files of the archive only: no path leads out of it", async () => {

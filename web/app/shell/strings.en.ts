@@ -21,7 +21,7 @@ export const page = {
   tryAgain: "Try again",
   viewNotLoaded: (why: string) => `This view could not be loaded. Reload the page. ${why}`.trim(),
   partNotLoaded: "A part of this page could not be loaded. Check the connection, then try again or reload the page.",
-  viewOffline: "This view could not be loaded, as there is no network. Connect, then try again.",
+  viewOffline: "This view could not be loaded because there is no network. Connect, then try again.",
   pictureLost:
     "The browser stopped the 3D graphics. Your motion and settings are still here: save your work, then reload the page.",
   oldBrowser:
@@ -69,10 +69,10 @@ export const page = {
       glb: "the character with the animation",
       vrma: "the motion alone, for any VRM",
       webm: "a video of what you see",
-      mp4: "the same for programs that open no WebM",
+      mp4: "the same, for programs that cannot open WebM",
       png: "this picture",
-      csv: "times, contacts and class weights, a row a frame",
-      jsonl: "the same, a line a frame",
+      csv: "times, contacts and class weights, one row per frame",
+      jsonl: "the same, one line per frame",
     },
     saved: (name: string) => `Saved ${name}.`,
     noPicture: "The browser could not make the picture. Choose a smaller size, or reload the page.",
@@ -87,10 +87,10 @@ export const page = {
       "Drop a motion (BVH, VRMA, or a GLB or FBX with one), a character (GLB, glTF with its files, VRM, FBX), a project, several motions, or a folder or zip of them. Any humanoid skeleton works.",
     file: "Motion, character, database or project",
     tooLarge: (name: string, megabytes: number, max: number) =>
-      `“${name}” has ${megabytes} MB; files up to ${max} MB work. Export a shorter part.`,
+      `“${name}” has ${megabytes} MB; the limit is ${max} MB. Export a shorter part.`,
     unknown: (name: string) =>
       `“${name}” is not a supported file. Drop a motion (.bvh, .vrma), a project (.strut), a database (.strutdb) or a character (.glb, .gltf, .vrm, .fbx).`,
-    projectAlone: "A project was dropped with other files. Drop it alone: it says itself what is open.",
+    projectAlone: "A project was dropped with other files. Drop only the project: it contains its own files.",
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
     choose: "Choose joints…",
@@ -102,25 +102,24 @@ export const page = {
     copiedWithMotion: "Link copied, with the motion in it.",
     copiedWithoutMotion: "Link copied. The dropped file is too large for a link: send a project file instead.",
     saveProject: "Save project…",
-    fileMissing: (name: string) =>
-      `This link was made with “${name}”, a file that is not part of it. Drop the file here.`,
-    databaseMissing: (name: string) => `This link was made with the database “${name}”, which is not on this device.`,
+    fileMissing: (name: string) => `This link uses “${name}”, a file that it does not contain. Drop the file here.`,
+    databaseMissing: (name: string) => `This link uses the database “${name}”, which is not on this device.`,
     databaseRefused: (name: string) => `The database “${name}” could not be opened; another one is open instead.`,
-    copyThis: "The browser does not let this page copy. Copy the link here:",
+    copyThis: "The browser does not allow this page to copy. Copy the link here:",
     link: "Link",
   },
 
   roles: {
-    heading: "Which joint is which",
+    heading: "Joint mapping",
     none: "none",
     use: "Use these joints",
   },
 
   characters: {
     reading: (name: string) => `Reading ${name}.`,
-    performs: (name: string) => `“${name}” performs now.`,
+    performs: (name: string) => `“${name}” is now the character.`,
     unsure: (name: string) =>
-      `“${name}” performs now. Its joints have unusual names: if a limb moves wrongly, check which joint is which.`,
+      `“${name}” is now the character. Its joint names are unusual: if a limb moves wrongly, check the joints.`,
     otherMotions: (others: number) =>
       others === 1
         ? "The file holds one more motion: choose it as the input."
@@ -129,11 +128,11 @@ export const page = {
     check: "Check joints",
     back: "Back to the mannequin",
     by: (authors: readonly string[]) => `by ${authors.join(", ")}`,
-    notForAll: "Not for everybody",
-    terms: (title: string) => `The author of “${title}” does not allow everybody to perform it. `,
+    notForAll: "Restricted use",
+    terms: (title: string) => `The author of “${title}” restricts who may perform with it. `,
     untitled: "this model",
     read: "Read the terms.",
-    allowed: "I am allowed to",
+    allowed: "I have permission",
     noExport:
       "This character’s licence does not allow redistribution with a new motion. Export the motion only: VRMA or BVH.",
   },
@@ -159,10 +158,10 @@ export const page = {
     noInput: (name: string) => `There is no input “${name}” here. Choose another or drop a BVH.`,
     stylesReady: (ofStyles: number, ofFrames: number) => `${styles(ofStyles)} ready. ${frames(ofFrames)}.`,
     made: (style: string, action: string, ofStyles: number) =>
-      `“${style}” is made of the action “${action}” and changes no other. ${styles(ofStyles)} ready.`,
+      `“${style}” was made from the action “${action}” and changes no other. ${styles(ofStyles)} ready.`,
     change: "Change…",
     notKept: (style: string, why: string) => `“${style}” will not be here after a reload. ${why}`,
-    cancelled: "It was cancelled.",
+    cancelled: "Cancelled.",
     silentFailure: "An unknown error occurred.",
   },
 

@@ -47,7 +47,7 @@ describe("a catalogue", () => {
     const refusal = (catalogue: unknown) => expect(() => parseCatalogue(catalogue));
     const expectRefused = (patch: object, at: string) =>
       refusal({ version: 1, sets: [{ ...SET, ...patch }] }).toThrow(
-        new RegExp(`^The list of public data sets is not as expected: sets\\[0\\]${at} should be .*\\.$`),
+        new RegExp(`^The list of public data sets is invalid: sets\\[0\\]${at} should be .*\\.$`),
       );
     refusal(null).toThrow("catalog.json should be an object.");
     refusal({ version: 2, sets: [] }).toThrow("version should be 1.");

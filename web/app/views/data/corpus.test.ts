@@ -63,7 +63,7 @@ describe("the table of classes", () => {
   test("says what will be lacking", () => {
     expect(concerns(table)).toEqual([
       "“sad” has only one clip. More clips give better results.",
-      "“sad” has no “run”; there the style is a guess from other actions.",
+      "“sad” has no “run”: it will be guessed from other actions.",
     ]);
     expect(concerns(classTable([row("walk", "old")]))).toEqual([
       "Only one style so far. Add a second one to mix with.",

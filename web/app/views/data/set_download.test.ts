@@ -89,7 +89,7 @@ describe("a set", () => {
     ]);
     await expect(fetchSet(set, cache)).rejects.toMatchObject({
       code: "bad-file",
-      message: "b.bvh is not the file that the list of public data sets names, and was not kept.",
+      message: "b.bvh differs from the file in the list of public data sets, and was discarded.",
       hint: expect.stringContaining(`Get the files from ${set.page}`),
     });
     expect(cache.kept.has(`${base()}b.bvh`)).toBe(false);
@@ -133,7 +133,7 @@ describe("a set", () => {
       hint: expect.stringContaining(`Get the files from ${set.page}`),
     });
     await expect(fetchSet({ ...set, base: "http://127.0.0.1:9/" }, new FakeCache())).rejects.toMatchObject({
-      message: "127.0.0.1:9 cannot be reached, or does not let other pages read its files.",
+      message: "127.0.0.1:9 cannot be reached, or does not allow other pages to read its files.",
     });
   });
 

@@ -7,8 +7,8 @@ export const keyStyle = {
   heading: "Style pad",
   caption: (variables: string) => `${variables} in, a whole pose out`,
   numbers: (n: number, word: string) => `${word} ${n === 1 ? "number" : "numbers"}`,
-  picture: "A mannequin in the pose that the style variables ask for.",
-  comparePicture: "The same keys three ways, side by side: key-style, hybrid and key-framing.",
+  picture: "A mannequin in the pose for these style variables.",
+  comparePicture: "The same keys with three methods, side by side: key-style, hybrid and key-framing.",
 
   // Training motions.
   set: "Training motions",
@@ -19,7 +19,7 @@ export const keyStyle = {
   chosenClips: (n: number) => (n === 1 ? "1 clip" : `${n} clips`),
   chooseClips: "Clips…",
   clips: "Training clips",
-  clipsWhy: "Choose clips of one activity: where equal values belong to different poses, the result is the mean pose.",
+  clipsWhy: "Choose clips of one activity. Where equal values belong to different poses, the result is their mean.",
   clipSecs: (secs: string) => `${secs} s`,
   take: "Train",
   cancel: "Cancel",
@@ -44,7 +44,7 @@ export const keyStyle = {
   none: "–",
   expression: "Expression…",
   expressionOf: (which: string) => `${which}, as an expression`,
-  expressionHint: "Such as left_hand.y − left_upper_arm.y",
+  expressionHint: "For example left_hand.y − left_upper_arm.y",
   axisTitle: (title: string, unit: string) => (unit === "" ? title : `${title}, ${unit}`),
   recordingTime: "time in the recordings",
 
@@ -53,8 +53,8 @@ export const keyStyle = {
   recordedPoses: "recorded poses",
   noData: "no data: the pose is a guess",
   beyond: "Beyond the data: the nearest pose of the model is shown.",
-  hint: "Drag the point: every place is a pose.",
-  hintWalk: "Turn the point clockwise: it walks.",
+  hint: "Drag the point: every position is a pose.",
+  hintWalk: "Drag the point clockwise: the character walks.",
   replay: "Replay the drag",
   trailToKeys: "Keys from the drag",
   valueOf: (title: string, value: string, unit: string) => `${title} ${value}${unit === "" ? "" : ` ${unit}`}`,
@@ -64,7 +64,7 @@ export const keyStyle = {
   model: (count: number, secs: string) => `${components(count)} · trained in ${secs} s`,
   modelSettings: "Model",
   componentCount: "Components",
-  byRule: (n: number) => (n === 0 ? "by the data" : String(n)),
+  byRule: (n: number) => (n === 0 ? "automatic" : String(n)),
   learning: "Training",
   som: "SOMN",
   em: "EM",
@@ -72,16 +72,16 @@ export const keyStyle = {
   smooth: "Smooth",
   hard: "Hard",
   smoothWhy:
-    "Neighbouring components share the pose. Hard uses only the best component, as in the paper: the pose jumps at borders.",
+    "Neighbouring components share the pose. Hard uses only the best component, as in the paper: the pose jumps at boundaries.",
   component: (n: number, home: string) => `Component ${n}: ${home}`,
-  components: (count: number, winner: number) => `${components(count)}; number ${winner} has most of the pose`,
+  components: (count: number, winner: number) => `${components(count)}; number ${winner} contributes most`,
 
   unexplained: (percent: string) =>
     `The style variables leave ${percent} % of the pose undetermined. Try another variable.`,
 
   // The picture.
   ghost: "Nearest recording",
-  method: "In between keys",
+  method: "Method between keys",
   methods: { style: "Key-style", hybrid: "Hybrid", frame: "Key-frame", all: "All three" },
   methodCaptions: {
     style: "style variables alone",
@@ -89,7 +89,7 @@ export const keyStyle = {
     frame: "recorded poses, blended",
   },
   compared:
-    "Key-framing has a whole recorded pose at every key, key-style only the numbers. Dense keys favour key-framing; ten frames apart and more, key-style keeps the motion's own dynamics.",
+    "Key-framing uses a whole recorded pose at every key; key-style uses only the style variables. Dense keys favour key-framing. With keys at least ten frames apart, key-style preserves the dynamics.",
 
   // Time.
   pane: "Below the pad",
@@ -109,23 +109,23 @@ export const keyStyle = {
   addKey: "Key",
   setKey: "Set a key",
   removeKey: "Remove key",
-  drags: "Drag records.",
+  drags: "Drag to record.",
   setsKey: "sets a key.",
-  tooManyKeys: (max: number) => `There are ${max} keys already. Remove one, then set another.`,
+  tooManyKeys: (max: number) => `There are already ${max} keys. Remove one, then set another.`,
   recording: "Recording",
-  recordedPose: "Place in the recording",
+  recordedPose: "Time in the recording",
   recordedAt: (clip: string, secs: string) => `${clip}, ${secs} s`,
 
   // Exports.
   fileName: "key-style",
 
   // Without a model.
-  nothing: "No model was trained yet",
+  nothing: "No model trained yet",
   training: "Training",
-  noModel: "No model could be trained.",
+  noModel: "The model could not be trained.",
   tryAgain: "Train again",
   useBuiltIn: "Use the built-in walk",
   noClips: (action: string) => `There is no clip of “${action}” here. Choose other clips.`,
   filesMissing:
-    "This link was made with files that are not here. Drop them on the page; until then the built-in walk is shown.",
+    "This link uses files that are not here. Drop them on the page. Until then, the built-in walk is shown.",
 };

@@ -87,7 +87,7 @@ export const learn: LearnText = {
   code: "Code to copy",
   copy: "Copy",
   codeCopied: "Copied.",
-  copyByHand: "The browser does not let this page copy. Press Ctrl+C.",
+  copyByHand: "The browser does not allow this page to copy. Press Ctrl+C.",
   close: "Close",
   failed: (why) => `This could not be computed. ${why}`,
 };

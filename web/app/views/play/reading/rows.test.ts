@@ -33,7 +33,7 @@ describe("the rows of how a file was read", () => {
       "by name",
     ]);
     expect(Object.values(texts).some(({ guessed }) => guessed)).toBe(false);
-    expect(texts.unit.why).toBe("So the body is 1.74 m tall");
+    expect(texts.unit.why).toBe("Makes the body 1.74 m tall");
     expect(texts.joints.why).toBe("All found by their names");
   });
 
@@ -42,8 +42,8 @@ describe("the rows of how a file was read", () => {
     const odd = { ...raw, up: "z" as const, mirrored: true, confidence: 0.6, roles };
     const texts = rowTexts(fileRead(odd, [], { reading: {}, remembered: false }), [{ code: "no-floor", text: "" }]);
     expect([texts.up, texts.sides, texts.joints].every(({ guessed }) => guessed)).toBe(true);
-    expect(texts.joints.why).toBe("Some by the shape of the skeleton. Without a joint: left toes, right toes");
-    expect(texts.floor.why).toBe("No foot rests: the lowest sole");
+    expect(texts.joints.why).toBe("Some found by the shape of the skeleton. No joint for: left toes, right toes");
+    expect(texts.floor.why).toBe("No foot is planted: height of the lowest sole");
     const notes = [{ code: "up-unsure", text: "The body lies along +Z." }];
     expect(rowTexts(fileRead(raw, notes, { reading: {}, remembered: false }), notes).up.why).toBe(
       "The body lies along +Z.",
@@ -53,10 +53,10 @@ describe("the rows of how a file was read", () => {
   it("say what a person said, now or before", () => {
     const reading = { up: "z", floor: 0, unit: 0.02, mirrored: true, joints: {} } as const;
     const now = rowTexts(fileRead(raw, [], { reading, remembered: false }), []);
-    expect(Object.values(now).every(({ source }) => source === "as you said")).toBe(true);
-    expect(now.up.why).toBe("In place of what was found");
+    expect(Object.values(now).every(({ source }) => source === "set by you")).toBe(true);
+    expect(now.up.why).toBe("Replaces the detected value");
     const before = rowTexts(fileRead(raw, [], { reading, remembered: true }), []);
-    expect(before.up.why).toBe("Of an earlier file with this skeleton");
+    expect(before.up.why).toBe("From an earlier file with this skeleton");
   });
 
   it("leave the notes that no row says", () => {
@@ -83,7 +83,7 @@ describe("the file of joints", () => {
 
   it("is refused with a sentence where it is none", () => {
     const fault = (text: string) => (readJointFile("a.json", text) as { fault: string }).fault;
-    expect(fault("HIERARCHY")).toMatch(/^“a.json” is no JSON file\./);
+    expect(fault("HIERARCHY")).toMatch(/^“a.json” is not a JSON file\./);
     for (const text of [
       "3",
       "null",
@@ -93,7 +93,7 @@ describe("the file of joints", () => {
       '{"joints": {"hips": 3}}',
       '{"joints": {}, "up": 1}',
     ])
-      expect(fault(text), text).toMatch(/^“a.json” is no assignment of joints: /);
-    expect(fault('{"joints": {"tail": "Tail"}}')).toMatch(/^“a.json” names the part “tail”, which there is not\./);
+      expect(fault(text), text).toMatch(/^“a.json” is not a joint mapping\. /);
+    expect(fault('{"joints": {"tail": "Tail"}}')).toMatch(/^“a.json” has an unknown body part “tail”\./);
   });
 });
