@@ -118,7 +118,7 @@ test("a table goes before the pattern until it turns out to be wrong", async () 
   await clips.open(files("walk_old.bvh"), {}, {});
   await clips.label({ table: new File([], "labels.csv") });
   expect(styles()).toEqual({ "walk_old.bvh": "tabled" });
-  expect(clips.labelNote).toBe("all match; labels.csv goes first");
+  expect(clips.labelNote).toBe("all match; labels.csv takes precedence");
   await clips.label({ table: new File([], "broken.csv") });
   expect([clips.labelNote, styles()]).toEqual(["Line 1 is wrong.", { "walk_old.bvh": "tabled" }]);
   await clips.label();

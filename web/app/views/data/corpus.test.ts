@@ -70,7 +70,7 @@ describe("the table of classes", () => {
     ]);
     const many = classTable(["a", "b", "c", "d", "e"].map((style) => row("walk", style)).concat(row("run", "a")));
     expect(concerns(many)).toContain(
-      "“b”, “c”, “d” and 1 more have no “run”; there the style is a guess from other actions.",
+      "“b”, “c”, “d” and 1 more have no “run”: it will be guessed from other actions.",
     );
   });
 });
