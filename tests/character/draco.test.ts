@@ -204,7 +204,7 @@ test("damaged and lying files are refused in words", async () => {
     // Streams as of 2017.
     [
       (...all) => (streamOf(...all)[6] = 1),
-      "bad-file: The meshes of this model are compressed with Draco's format 2.1; 2.2 can be read.",
+      "bad-file: The meshes of this model are compressed with Draco's format 2.1; only 2.2 is supported.",
     ],
     [(_, p) => (extensionOf(p).bufferView = 1e9), DAMAGED],
     [(_, p) => (extensionOf(p).attributes.JOINTS_0 = 77), DAMAGED],
@@ -212,10 +212,10 @@ test("damaged and lying files are refused in words", async () => {
     [(_, p) => (extensionOf(p).attributes.JOINTS_0 = 0), DAMAGED],
     [(_, p) => (p.attributes.JOINTS_0 = 1e9), DAMAGED],
     [(_, p) => (p.extensions = { [NAME]: null as unknown as Packed }), DAMAGED],
-    [(_, p) => (p.mode = 5), "bad-file: A compressed mesh of this model is no list of triangles."],
+    [(_, p) => (p.mode = 5), "bad-file: A compressed mesh of this model is not a list of triangles."],
     [
       (d, p) => (d.bufferViews[extensionOf(p).bufferView]!.byteLength = 1e9),
-      "bad-file: A part of this model lies outside of its data.",
+      "bad-file: A buffer view of this model is out of range.",
     ],
     [(d, p) => (d.accessors[p.indices!]!.count = 1e9), "bad-file: An array of this model has no type, or is too long."],
   ];
@@ -231,7 +231,7 @@ test("a mesh that is longer than it may be is refused", async () => {
   const { points, indices } = decoder.decode(stream, wanted, 16e6);
   const numbers = 3 * points + indices.length;
   expect(() => decoder.decode(stream, wanted, numbers - 1)).toThrow(
-    "The compressed meshes of this model are too long.",
+    "The compressed meshes of this model are too large.",
   );
   expect(decoder.decode(stream, wanted, numbers).indices).toEqual(indices);
 });

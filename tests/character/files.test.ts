@@ -128,10 +128,10 @@ test("broken files are refused in words", async () => {
   });
   expect(await refusal(glb.slice(0, glb.length - 1000).buffer)).toEqual({
     code: "bad-file",
-    message: "This file ends before its content does.",
+    message: "This file is incomplete.",
   });
   expect((await refusal(new TextEncoder().encode("not a model at all, just text").buffer)).message).toBe(
-    "This is no binary glTF file.",
+    "This is not a binary glTF file.",
   );
   expect((await refusal(new ArrayBuffer(0))).code).toBe("bad-file");
 });
@@ -188,7 +188,7 @@ test("motions whose values do not fit their keys are refused in words", async ()
     for (const load of [loadCharacter, loadMotions])
       await expect(load(glbOf(document, binary).buffer)).rejects.toMatchObject({
         code: "bad-file",
-        message: "A motion of this model has not the values that its keys need.",
+        message: "An animation of this model has the wrong number of values for its keyframes.",
       });
   }
 });
@@ -199,12 +199,12 @@ test("files outside of the limits are refused before they are read", async () =>
   Object.defineProperty(blob, "size", { value: huge.size });
   expect(await refusal(blob)).toEqual({
     code: "bad-file",
-    message: "This file has 129 MB; at most 128 MB can be opened.",
+    message: "This file has 129 MB; the limit is 128 MB.",
   });
   const old = new Uint8Array(4000);
   old.set(new TextEncoder().encode("Kaydara FBX Binary  \0\x1a\0"));
   new DataView(old.buffer).setUint32(23, 6100, true);
-  expect((await refusal(old.buffer)).message).toBe("This file is FBX 6.1; version 7 or newer was expected.");
+  expect((await refusal(old.buffer)).message).toBe("This file is FBX 6.1. Expected version 7 or newer.");
   const compressed = changed(MIXAMO, (d) => {
     d.extensionsRequired = ["KHR_texture_basisu"];
   });

@@ -139,7 +139,7 @@ test("where its author forbids to change it, only the motion is exported", async
 test("a file that is none gets a sentence, and who performs goes on", async () => {
   const { glb } = makeRig(family("VRM 0"));
   const refused: [string, Uint8Array, string][] = [
-    ["cut.glb", glb.subarray(0, glb.length / 2), "ends before its content does"],
+    ["cut.glb", glb.subarray(0, glb.length / 2), "This file is incomplete"],
     ["old.fbx", new TextEncoder().encode("; FBX 6.1.0 project file\nFBXVersion: 6100\n"), "FBX 6.1"],
     [
       "parts.gltf",

@@ -46,7 +46,7 @@ const OTHERS: readonly [file: string, told: string][] = [
   ["quaternius_Male_Casual.fbx", ""],
   ["rocketbox_Female_Adult_01.fbx", "textures could not be loaded"],
   ["valid_meshopt.glb", ""],
-  ["HVGirl.glb", "the size of a person here"],
+  ["HVGirl.glb", "to the size of a person"],
 ];
 
 test.skipIf(othersAbsent).each(OTHERS)("%s performs", async (file, told) => {

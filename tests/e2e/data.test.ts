@@ -434,7 +434,7 @@ describe("hostile input", () => {
     expect(await page.locator("main img").count()).toBe(0);
     await page.getByRole("button", { name: "2 left out" }).click();
     await eventually(() => page.locator(".clip-note").allTextContents()).toEqual([
-      "It unpacks to more than 200 times its size, as no motion does.",
+      "It unpacks to more than 200 times its size, so it cannot be a motion.",
       "The file is empty; a BVH file begins with HIERARCHY.",
     ]);
     await screenshot(page, "data-hostile");
@@ -457,7 +457,7 @@ describe("hostile input", () => {
 
   it("that is no archive, or holds no clip, gets a sentence", async () => {
     await choose(written("broken.zip", "not a zip"));
-    await eventually(alert).toContain("This is no zip archive, or its end is missing.");
+    await eventually(alert).toContain("This is not a zip archive, or it is incomplete.");
     await choose(written("letters.zip", zipOf([{ name: "a.txt", content: "x" }])));
     await eventually(alert).toContain("There is no BVH among these files.");
   });

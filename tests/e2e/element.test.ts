@@ -319,7 +319,7 @@ describe("a character", () => {
 
   test("that not everybody may perform is refused, unless the page accepts its terms", async () => {
     const page = await openPlayer('character="restricted.glb"');
-    await eventually(() => alert(page).innerText()).toContain("does not allow everybody to perform it");
+    await eventually(() => alert(page).innerText()).toContain("does not allow everyone to perform with it");
     await page.evaluate(() => {
       window.player.accept = ({ authors }) => authors.includes("Strut");
       window.player.character = new URL("restricted.glb", location.href);
@@ -547,7 +547,7 @@ describe("where something is missing", () => {
     expect(await saidInFrame()).toEqual({ data: "ready", origin: "null" });
     const [script, away] = [join(folder, "walk.bin.js"), join(folder, "away.js")];
     renameSync(script, away);
-    const data = "load: The built-in motions could not be loaded: there is no walk.bin.js beside strut-player.js.";
+    const data = "load: The built-in motions could not be loaded: walk.bin.js is missing next to strut-player.js.";
     expect(await saidInFrame()).toEqual({ data, origin: "null" });
     renameSync(away, script);
   });

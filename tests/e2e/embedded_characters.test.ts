@@ -59,6 +59,6 @@ test("strut-player.js as a module says what to write instead", async () => {
     `<script>addEventListener("error", ({ message }) => { document.title = message; });</script>
      <script type="module">import("./package/strut-player.js").catch(({ message }) => { document.title = message; });</script>`,
   );
-  await eventually(() => page.title()).toContain("strut-player.js does not know where it lies");
+  await eventually(() => page.title()).toContain("strut-player.js cannot find its own URL");
   await page.context().close();
 });

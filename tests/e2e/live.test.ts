@@ -117,7 +117,7 @@ describe("the dialog", () => {
     expect(await address.inputValue()).toBe("ws://127.0.0.1:39541");
     expect(await dialog().getByLabel("Format").inputValue()).toBe("json");
     await address.fill("ws://192.168.0.7:1");
-    expect(await dialog().getByRole("status").textContent()).toMatch(/^ws: is only for this computer, .*Use wss:/);
+    expect(await dialog().getByRole("status").textContent()).toMatch(/^ws: works only for this computer, .*Use wss:/);
     expect(await dialog().getByRole("button", { name: "Connect" }).isDisabled()).toBe(true);
     for (const theme of ["light", "dark"] as const) {
       await showTheme(page, theme);
@@ -159,7 +159,7 @@ describe("a performer", () => {
     await performing();
     await sender.stop();
     await eventually(() => panel().locator(".live-fault").textContent()).toMatch(
-      /^(The connection to 127\.0\.0\.1:\d+ has ended|Nobody answers at 127\.0\.0\.1:\d+); trying again in \d+ s\.$/,
+      /^(The connection to 127\.0\.0\.1:\d+ has ended|No sender answers at 127\.0\.0\.1:\d+); trying again in \d+ s\.$/,
     );
     await eventually(stateOf).toMatch(/^not reachable; retry in \d+ s$/);
     // Received frames are displayed to the end.

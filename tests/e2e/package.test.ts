@@ -220,7 +220,7 @@ test("bundled and imported from a blob it says what to import instead", async ()
     write: false,
   });
   const folder = siteOfBlob("blob", outputFiles[0]!.text);
-  await expect(open(folder)).rejects.toThrow(/The engine's files have no address/);
+  await expect(open(folder)).rejects.toThrow(/The location of the engine's files is unknown/);
 });
 
 test("on the page's thread where it may have no worker", async () => {

@@ -62,7 +62,7 @@ describe("the Walk view", () => {
     await open("two.strutdb", file, ["neutral", "old"]);
     const release = await holdTraining();
     await goTo("Walk");
-    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walks.");
+    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walk model.");
     await dropFile(page, "other.bvh", walks.proud);
     await eventually(input).toBe("other");
     release();
@@ -75,7 +75,7 @@ describe("the Walk view", () => {
     const three = { "walk_neutral_1.bvh": walks.neutral, "walk_old_1.bvh": walks.old, "walk_proud_1.bvh": walks.proud };
     await open("three.strutdb", await databaseOf(three), ["neutral", "old", "proud"]);
     await goTo("Walk");
-    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walks.");
+    await eventually(() => page.locator(".walk .stage-title").textContent()).toBe("Training the walk model.");
     const file = await databaseOf({ "walk_neutral_1.bvh": walks.neutral, "walk_proud_1.bvh": walks.proud });
     await open("other.strutdb", file, ["neutral", "proud"]);
     await goTo("Walk");

@@ -170,7 +170,7 @@ test("a performer is styled as poses arrive, and recorded; what does not work is
   expect(report.noBody).toMatch(/^This skeleton has no .*\.$/);
   // Node has WebSockets from version 22 on.
   expect(report.nobody).toMatch(
-    /^(There are no WebSockets here|Nobody answers at 127\.0\.0\.1:1; trying again in 1 s)\.$/,
+    /^(WebSocket is not available here|No sender answers at 127\.0\.0\.1:1; trying again in 1 s)\.$/,
   );
   expect(report.refusals).toEqual(["bad-input", "bad-input", "bad-input"]);
 });

@@ -144,10 +144,10 @@ export function boundWith(glue: CharacterGlue, origin: Origin, options: BindOpti
     const measured = soles(joints, roles, rig.worldFromFile);
     const warnings = [...(origin.notes ?? [])];
     if (options.soleHeight !== undefined) rig.setSole(options.soleHeight, measured?.points);
-    else if (!measured) warnings.push("Nothing that is drawn follows the feet; the height of the soles was guessed.");
+    else if (!measured) warnings.push("No mesh follows the feet; the height of the soles was guessed.");
     else if (!isPlausible(rig, measured)) {
       rig.setSole(undefined);
-      warnings.push("What is drawn of the feet does not end where soles can be; their height was guessed.");
+      warnings.push("The mesh of the feet does not end where soles can be; their height was guessed.");
     }
     const left =
       joints.dropped > 0
@@ -268,7 +268,7 @@ function badChoice(message: string): StrutError {
   return new StrutError({
     code: "bad-input",
     message,
-    hint: "Roles are given by the names of joints: { hips: 'Hips' }.",
+    hint: "Map each role to the name of a joint: { hips: 'Hips' }.",
   });
 }
 

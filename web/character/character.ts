@@ -140,7 +140,7 @@ class BoundCharacter implements Character, Releasable {
     }
     const { file } = this.#loaded;
     if (!file) {
-      const message = "There is no file of this character that a motion could be added to.";
+      const message = "This character was loaded without its file, so no motion can be added to it.";
       throw new StrutError({ code: "bad-input", message, hint: "Load it with loadCharacter, without glb: false." });
     }
     const { joints, roles, driven } = this.#bound;

@@ -72,7 +72,7 @@ class Meshes {
     if (mode !== TRIANGLES)
       throw new StrutError({
         code: "bad-file",
-        message: "A compressed mesh of this model is no list of triangles.",
+        message: "A compressed mesh of this model is not a list of triangles.",
         hint: "Export it without compression.",
       });
     const key = JSON.stringify([packed, attributes, indices]);

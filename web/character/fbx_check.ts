@@ -90,6 +90,6 @@ function* textArrays(file: Uint8Array): Generator<Keys> {
 }
 
 function broken(): StrutError {
-  const message = "The motion in this file has keys out of order, or beyond all bounds.";
+  const message = "The motion in this file has keyframes out of order, or out of range.";
   return new StrutError({ code: "bad-file", message, hint: "Export it again." });
 }

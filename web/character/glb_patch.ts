@@ -33,15 +33,15 @@ export interface NewAnimation {
  */
 export function chunksOf(file: Uint8Array): GlbChunks {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
-  if (file.length < 20 || view.getUint32(0, true) !== MAGIC) throw noGlb("This is no binary glTF file.");
+  if (file.length < 20 || view.getUint32(0, true) !== MAGIC) throw noGlb("This is not a binary glTF file.");
   const version = view.getUint32(4, true);
-  if (version !== 2) throw noGlb(`This file is glTF ${version}; version 2 was expected.`);
+  if (version !== 2) throw noGlb(`This file is glTF ${version}. Expected version 2.`);
   let json: unknown;
   let binary = new Uint8Array();
   for (let at = 12; at + 8 <= file.length; ) {
     const [length, type] = [view.getUint32(at, true), view.getUint32(at + 4, true)];
     const chunk = file.subarray(at + 8, at + 8 + length);
-    if (chunk.length < length) throw noGlb("This file ends before its content does.");
+    if (chunk.length < length) throw noGlb("This file is incomplete.");
     if (type === JSON_CHUNK && json === undefined) json = parsed(chunk);
     else if (type === BINARY_CHUNK && binary.length === 0) binary = chunk as Uint8Array<ArrayBuffer>;
     at += 8 + length;
@@ -100,7 +100,7 @@ export function withAnimation(file: Uint8Array, animation: NewAnimation): Uint8A
   ) as Record<"buffers" | "bufferViews" | "accessors" | "animations", unknown[]>;
   const first = lists.buffers[0];
   if (lists.buffers.length > 0 && (!isRecord(first) || first.uri !== undefined))
-    throw noGlb("This file keeps its data outside of itself.");
+    throw noGlb("This file keeps its data in another file.");
 
   const added = new BufferBuilder();
   const [views, accessors] = [lists.bufferViews.length, lists.accessors.length];

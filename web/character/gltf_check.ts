@@ -58,13 +58,13 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
   // Names of other types make three.js fail with errors that cannot be caught.
   for (const list of NAMED)
     if (records(json, list).some(({ name }) => name !== undefined && typeof name !== "string"))
-      throw broken("A name in this model is no text.");
+      throw broken("A name in this model is not a text.");
   const views = records(json, "bufferViews");
   for (const [i, buffer] of records(json, "buffers").entries()) {
     if (typeof buffer.uri === "string" && !buffer.uri.startsWith("data:"))
       throw broken("This model keeps a part of itself in another file.", "Export it as one .glb file.");
     if (i === 0 && buffer.uri === undefined && !(size(buffer.byteLength) <= binary.length))
-      throw broken("This model says that it has more data than the file holds.");
+      throw broken("This model declares more data than the file contains.");
   }
   for (const image of records(json, "images")) {
     if (typeof image.uri === "string" && !image.uri.startsWith("data:"))
@@ -76,7 +76,7 @@ export function checkGltf(json: Record<string, unknown>, binary: Uint8Array): vo
   for (const view of views) {
     const end = size(view.byteOffset ?? 0) + size(view.byteLength);
     if (!(end <= (bufferBytes[Number(view.buffer)] ?? -1)))
-      throw broken("A part of this model lies outside of its data.");
+      throw broken("A buffer view of this model is out of range.");
     for (const name of PACKED)
       checkPacked(isRecord(view.extensions) ? view.extensions[name] : undefined, view, bufferBytes);
   }
@@ -98,7 +98,7 @@ function checkPacked(packed: unknown, view: Record<string, unknown>, bufferBytes
   const end = size(byteOffset ?? 0) + size(byteLength);
   const isInside = end <= (bufferBytes[Number(buffer)] ?? -1);
   if (!isInside || !(size(count) * size(byteStride) <= size(view.byteLength)))
-    throw broken("A packed part of this model does not fit its data.");
+    throw broken("A compressed part of this model does not match its data.");
 }
 
 function checkAccessor(accessor: Record<string, unknown>, views: readonly Record<string, unknown>[]): void {
@@ -126,7 +126,7 @@ function checkAnimation(animation: Record<string, unknown>, accessors: readonly 
     const [times, values] = [accessors[Number(input)], accessors[Number(output)]];
     const share = size(values?.count) / size(times?.count);
     if (times?.type !== "SCALAR" || values?.type !== TYPE_OF_PATH[String(path)] || !(share >= 1 && share % 1 === 0))
-      throw broken("A motion of this model has not the values that its keys need.");
+      throw broken("An animation of this model has the wrong number of values for its keyframes.");
   }
 }
 

@@ -89,7 +89,7 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
   const matrices = matricesIn(object);
   const { skins, bindMatrices, isSure } = skinsOf(object, matrices, choice.turn);
   if (skins.length === 0 && needsSkin) {
-    const message = "This model has no skin: nothing of it follows bones.";
+    const message = "This model has no skin: no mesh follows its bones.";
     throw new StrutError({ code: "bad-file", message, hint: "Choose a rigged character." });
   }
   const kept = new Set<Object3D>();
@@ -161,7 +161,7 @@ export function jointsOf(object: Object3D, choice: JointChoice = {}): Joints {
   }
   for (const numbers of [offsets, bind, local])
     if (!numbers.every(Number.isFinite)) {
-      const message = "The joints of this model lie beyond all numbers.";
+      const message = "The joint positions of this model are out of range.";
       throw new StrutError({ code: "bad-file", message, hint: "Export it again." });
     }
   return {

@@ -135,7 +135,7 @@ function scaledBy(object: Object3D, scale: number): Object3D {
 function sizeNote(height: number): string {
   const metres = MANNEQUIN_METRES * height;
   const tall = metres >= 1 ? `${metres.toFixed(0)} m` : `${(100 * metres).toPrecision(2)} cm`;
-  return `This body is about ${tall} tall in its file; it has the size of a person here.`;
+  return `This body is about ${tall} tall in its file; it was scaled to the size of a person.`;
 }
 
 /** Loads and reads a file. */
@@ -167,10 +167,10 @@ function unitOf({ metresPerUnit }: ReadModel, options: BindOptions): BindOptions
 /** @throws StrutError `licence` unless everyone may perform the character or the licence was accepted */
 async function checkLicence(licence: Licence | undefined, accept: LoadCharacterOptions["accept"]): Promise<void> {
   if (!licence || licence.everybody || (await accept?.(licence))) return;
-  const message = "The author of this model does not allow everybody to perform it.";
+  const message = "The author of this model does not allow everyone to perform with it.";
   throw new StrutError({
     code: "licence",
     message,
-    hint: "Choose another model, or accept its terms if you are allowed to.",
+    hint: "Choose another model, or accept its terms if you have permission.",
   });
 }

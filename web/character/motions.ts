@@ -105,6 +105,6 @@ function matrixIn(object: Object3D, node: Object3D): Matrix4 {
 }
 
 function unreadable(name: string, cause?: unknown): StrutError {
-  const message = `The motion '${name}' has keys that cannot be read.`;
+  const message = `The motion '${name}' has keyframes that cannot be read.`;
   return new StrutError({ code: "bad-file", message, hint: "Export it again." }, cause);
 }

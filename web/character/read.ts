@@ -87,7 +87,7 @@ export async function bytesOf(
     if (signal?.aborted) throw cancelled(signal.reason);
     if (cause instanceof StrutError) throw cause;
     const message = "The file could not be loaded.";
-    const hint = "Check its address, and that its host allows other pages.";
+    const hint = "Check the URL, and that the server allows requests from other pages (CORS).";
     throw new StrutError({ code: "load", message, hint }, cause);
   }
 }
@@ -104,7 +104,7 @@ async function sourceBytes(source: CharacterSource, signal: AbortSignal | undefi
   if (typeof byteLength === "number") return checkedSize(byteLength, async () => source as ArrayBuffer);
   if (typeof size === "number" && typeof arrayBuffer === "function")
     return checkedSize(size, () => (source as Blob).arrayBuffer());
-  const message = "A character is given by its address, its file or the bytes of it.";
+  const message = "A character must be a URL, a file or its bytes.";
   throw new StrutError({ code: "bad-input", message, hint: "" });
 }
 
@@ -112,7 +112,7 @@ async function fetched(address: string | URL, signal: AbortSignal | undefined): 
   const response = await fetch(address, signal ? { signal } : {});
   if (!response.ok) {
     const message = `The file could not be loaded: the server answered ${response.status}.`;
-    throw new StrutError({ code: "load", message, hint: "Check its address." });
+    throw new StrutError({ code: "load", message, hint: "Check the URL." });
   }
   return checkedSize(Number(response.headers.get("Content-Length") ?? 0), () => response.arrayBuffer());
 }
@@ -167,7 +167,7 @@ async function checkedSize(bytes: number, read: () => Promise<ArrayBuffer>): Pro
 
 function tooLarge(bytes: number): StrutError {
   const megabytes = Math.ceil(bytes / (1024 * 1024));
-  return badFile(`This file has ${megabytes} MB; at most 128 MB can be opened.`, "Make its textures smaller.");
+  return badFile(`This file has ${megabytes} MB; the limit is 128 MB.`, "Make its textures smaller.");
 }
 
 /** Whether these are the bytes of an FBX file, binary or text. */
@@ -187,10 +187,7 @@ async function readFbx(file: Uint8Array<ArrayBuffer>, { wantsGlb }: ReadOptions)
   const version = fbxVersion(file);
   if (version < MIN_FBX) {
     const shown = version > 0 ? `FBX ${version / 1000}` : "FBX of an unknown version";
-    throw badFile(
-      `This file is ${shown}; version 7 or newer was expected.`,
-      "Export it as FBX 2011 or newer, or as GLB.",
-    );
+    throw badFile(`This file is ${shown}. Expected version 7 or newer.`, "Export it as FBX 2011 or newer, or as GLB.");
   }
   const { FBXLoader } = await import("three/addons/loaders/FBXLoader.js");
   const { unzlibSync } = await import("three/addons/libs/fflate.module.js");
@@ -256,7 +253,7 @@ function textureNotes(lost: number): string[] {
 function materialNotes({ extensionsUsed }: GltfJson): string[] {
   const used = Array.isArray(extensionsUsed) ? (extensionsUsed as unknown[]).map(String) : [];
   const unknown = used.filter((name) => UNSHOWN_MATERIALS.includes(name));
-  return unknown.map((name) => `Materials of this model use ${name}, which cannot be shown.`);
+  return unknown.map((name) => `Materials of this model use ${name}, which is not supported.`);
 }
 
 async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: ReadOptions): Promise<ReadModel> {
@@ -279,7 +276,7 @@ async function readGlb(file: Uint8Array<ArrayBuffer>, { inspect, importVrm }: Re
   if (plugin) loader.register(plugin as never);
   const plain = usesDraco(json) ? await (await import("./draco")).withoutDraco({ json, binary }) : file;
   const gltf: GltfLike = await reading(() => loader.parseAsync(plain.buffer, ""));
-  if (!gltf.scene) throw badFile("There is no scene in this model.", "Export it again.");
+  if (!gltf.scene) throw badFile("This model has no scene.", "Export it again.");
   const vrm = gltf.userData?.vrm as VrmLike | undefined;
   const notes = [...textureNotes(lost), ...materialNotes(document)];
   const origin = { ...originOf(gltf), notes };
@@ -314,7 +311,7 @@ export async function reading<T>(read: () => Promise<T>): Promise<T> {
 
 const DAMAGED: ErrorParts = {
   code: "bad-file",
-  message: "This model is damaged, or has parts that cannot be read.",
+  message: "This model is damaged, or has unsupported parts.",
   hint: "Export it again as GLB.",
 };
 

@@ -333,8 +333,8 @@ function notReady(error: ErrorParts): StrutError {
   if (error.code !== "fault") return new StrutError(error);
   return new StrutError({
     code: "load",
-    message: "The engine could not be started, as the browser refuses its code.",
-    hint: `Reload the page; if that does not help, let this site use WebAssembly, or use another browser. (${error.message})`,
+    message: "The engine could not be started, because the browser blocked its code.",
+    hint: `Reload the page; if that does not help, allow WebAssembly on this site, or use another browser. (${error.message})`,
   });
 }
 

@@ -25,8 +25,11 @@ export function sendPlain<T>(message: T, send: (message: T) => void): void {
     try {
       send(plain(message));
     } catch (cause) {
-      const text = "Something that was given cannot be sent to the engine: it is no plain data.";
-      throw new StrutError({ code: "bad-input", message: text, hint: "Give numbers, texts, lists and files." }, cause);
+      const text = "An argument cannot be sent to the engine, because it is not plain data.";
+      throw new StrutError(
+        { code: "bad-input", message: text, hint: "Pass only numbers, strings, arrays, plain objects and files." },
+        cause,
+      );
     }
   }
 }

@@ -13,7 +13,7 @@ import type { Settings } from "./settings";
 const AFTERGLOW_MS = 1200;
 
 /** The error of a figure that was disposed of before its picture was drawn. */
-const CLOSED = { code: "cancelled", message: "The figure was taken away.", hint: "" } as const;
+const CLOSED = { code: "cancelled", message: "The figure was removed from the page.", hint: "" } as const;
 
 export interface FigureListeners {
   onFrame: (frame: LiveFrame) => void;

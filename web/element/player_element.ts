@@ -49,7 +49,7 @@ const CLOCK_MS = 60;
 /** Time out of sight after which a character is freed, milliseconds. */
 const UNSEEN_MS = 30_000;
 /** The error of a player that is removed from its page while it loads. */
-const TAKEN_AWAY = { code: "cancelled", message: "The player was taken off the page.", hint: "" } as const;
+const TAKEN_AWAY = { code: "cancelled", message: "The player was removed from the page.", hint: "" } as const;
 /** Smaller weights are not announced. */
 const SAID = 0.005;
 

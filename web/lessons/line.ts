@@ -40,7 +40,7 @@ async function solveFar(engine: LearnEngine): Promise<Partial<LineState>> {
   const state = { ...PRESET, k: LINE_RANGES.k.max, lambda: LINE_RANGES.lambda.min };
   for (let at = 2; at <= INSTANTS.max; at += STRIDE)
     if (Math.abs(aboveMean(await fitOf(engine, { ...state, at }))) >= FAR) return { ...state, at };
-  throw new Error("No instant is so far from the mean.");
+  throw new Error("No frame is this far from the mean.");
 }
 
 export const line: Lesson = lesson<LineState>({

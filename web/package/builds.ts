@@ -26,8 +26,8 @@ export async function buildDatabase(builds: BuildClient, files: readonly File[],
   if (chosen.length > 0) return (await builds.build(chosen, undefined, call)).file;
   const message =
     clips.length === 0
-      ? `There is no BVH file to build a database of. ${notes.join(" ")}`.trimEnd()
-      : "The names of the files do not say which action and style they are.";
+      ? `There is no BVH file to build a database from. ${notes.join(" ")}`.trimEnd()
+      : "The file names do not contain an action and a style.";
   throw new StrutError({ code: "bad-file", message, hint: "Name them like walk_old_1.bvh, or open a .strutdb file." });
 }
 
@@ -43,7 +43,7 @@ export async function addedStyle(
   call: CallOptions,
 ): Promise<Blob> {
   if (source.kind !== "bvh") {
-    const message = "A built-in motion cannot become a style.";
+    const message = "A built-in motion cannot be added as a style.";
     throw new StrutError({ code: "bad-input", message, hint: "Open a BVH file as a motion." });
   }
   const clip = new File([source.bytes], `${source.name}.bvh`);

@@ -45,8 +45,9 @@ function beside(): (file: string) => string {
     // Turbopack returns a path where other bundlers return an absolute URL.
     return (file) => new URL(places[file]!, baseAddress()).href;
   } catch (cause) {
-    const message = "The engine's files have no address: this module was loaded from a blob or as data.";
-    const hint = "Import 'strut-motion/inline', or say where the files lie: loadStrut({ assets }).";
+    const message =
+      "The location of the engine's files is unknown, because this module was loaded from a blob: or data: URL.";
+    const hint = "Import 'strut-motion/inline', or set the location of the files: loadStrut({ assets }).";
     throw new StrutError({ code: "load", message, hint }, cause);
   }
 }

@@ -53,7 +53,7 @@ const isAddress = (source: Source): source is string | URL => typeof source === 
 
 const isBlob = (source: Source): source is Blob => /^(Blob|File)$/.test(tagOf(source));
 
-const HINT = "Give a URL, a file, its text or its bytes.";
+const HINT = "Pass a URL, a file, its text or its bytes.";
 
 function noSource(what: string, found: string): StrutError {
   return new StrutError({ code: "bad-input", message: `The ${what} cannot be ${found}.`, hint: HINT });
@@ -100,5 +100,5 @@ async function fetched(url: URL, what: string, signal: AbortSignal | undefined):
 
 function unreadable(url: URL, what: string, why: string, cause?: unknown): never {
   const message = `The ${what} ${url.href} could not be loaded: ${why}.`;
-  throw new StrutError({ code: "load", message, hint: "Check the address." }, cause);
+  throw new StrutError({ code: "load", message, hint: "Check the URL." }, cause);
 }

@@ -73,7 +73,7 @@ export function localPorts({ serve, serveBuilds }: Servers): Pick<Started, "spaw
 const NOTHING_WORKS: ErrorParts = {
   code: "load",
   message: "The engine could not be started: neither in a worker nor on the page.",
-  hint: "Check that assets/ lies beside the package's code, and the page's Content-Security-Policy.",
+  hint: "Check that assets/ is next to the package's code, and check the page's Content-Security-Policy.",
 };
 
 /** The methods of starting a worker, the best first. */

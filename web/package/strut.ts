@@ -167,7 +167,7 @@ export class StrutEngine implements Strut {
     const name = names.find((known) => inUrl(known) === wanted);
     if (name !== undefined) return { kind: "built-in", name, set: "built-in" };
     const message = `There is no motion 'strut:${wanted}'.`;
-    const hint = `There are ${names.map((known) => `strut:${inUrl(known)}`).join(", ")}.`;
+    const hint = `Built-in motions: ${names.map((known) => `strut:${inUrl(known)}`).join(", ")}.`;
     throw new StrutError({ code: "bad-input", message, hint });
   }
 
@@ -194,11 +194,11 @@ class OpenedDatabase implements Database {
   async toFile(): Promise<Blob> {
     const { source } = this.handle;
     if (source.kind === "strutdb") return source.file;
-    const message = "The built-in motions are not a database file.";
+    const message = "A built-in database cannot be saved as a file.";
     throw new StrutError({
       code: "bad-input",
       message,
-      hint: "Write them with 'strut demo-db', or add a style first.",
+      hint: "Write it with 'strut demo-db', or add a style first.",
     });
   }
 
@@ -325,7 +325,7 @@ class StyledResult implements StyledMotion {
       return this.#writers.toAnimationClip(three, root, this.#animation, options);
     } catch (thrown) {
       if (!(thrown instanceof this.#writers.MissingJointError)) throw thrown;
-      const hint = "Give the mannequin of toGLB(), or a rig with the same joints.";
+      const hint = "Pass the mannequin of toGLB(), or a rig with the same joints.";
       throw new StrutError({ code: "bad-input", message: thrown.message, hint }, thrown);
     }
   }
@@ -337,7 +337,7 @@ type Writers = typeof import("./writers");
 function setOf(name: string): BuiltInSet {
   if (name === "walk" || name === "built-in") return name;
   const message = `There is no database 'strut:${name}'.`;
-  throw new StrutError({ code: "bad-input", message, hint: "There are strut:walk and strut:built-in." });
+  throw new StrutError({ code: "bad-input", message, hint: "Use strut:walk or strut:built-in." });
 }
 
 /** Default style variables of key-style models: the separation of the feet. */
@@ -364,5 +364,5 @@ async function motionFile(
 
 function foreign(what: string, opener: string): StrutError {
   const message = `This ${what} was not opened by this engine.`;
-  return new StrutError({ code: "bad-input", message, hint: `Use what ${opener} of the same engine gave.` });
+  return new StrutError({ code: "bad-input", message, hint: `Use the result of ${opener} of the same engine.` });
 }

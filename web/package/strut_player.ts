@@ -22,7 +22,7 @@ const mayFetch = self.origin !== "null";
 /** The folder of this script. @throws StrutError if it is not one of the page's classic scripts */
 function folderOf(script: HTMLOrSVGScriptElement | null): string {
   if (script instanceof HTMLScriptElement && script.src) return new URL(".", script.src).href;
-  const message = "strut-player.js does not know where it lies: it is no module, and nothing to import.";
+  const message = "strut-player.js cannot find its own URL, because it was loaded as a module or imported.";
   const hint = 'Load it with <script src="strut-player.js">, or import "strut-motion/element".';
   throw new StrutError({ code: "load", message, hint });
 }
@@ -30,7 +30,7 @@ function folderOf(script: HTMLOrSVGScriptElement | null): string {
 /** The walks, from the script that contains them as text. @throws StrutError `load` */
 async function walkFromScript(): Promise<Uint8Array<ArrayBuffer>> {
   const file = "walk.bin.js";
-  const message = `The built-in motions could not be loaded: there is no ${file} beside strut-player.js.`;
+  const message = `The built-in motions could not be loaded: ${file} is missing next to strut-player.js.`;
   const hint = "Reload the page; if that does not help, the site was not deployed completely.";
   const text = await received<string>(new URL(file, folder), message, hint);
   return Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -40,8 +40,8 @@ async function walkFromScript(): Promise<Uint8Array<ArrayBuffer>> {
 const SERVERS: Servers = {
   serve,
   serveBuilds: () => {
-    const message = "A database cannot be built here, as the page allows no workers.";
-    throw new StrutError({ code: "unsupported", message, hint: "Build it with 'strut build-db', and give the file." });
+    const message = "A database cannot be built here, because the page does not allow workers.";
+    throw new StrutError({ code: "unsupported", message, hint: "Build it with 'strut build-db', and use the file." });
   },
 };
 
@@ -55,8 +55,8 @@ let characters: Promise<Characters> | undefined;
 /** Uses a copy of three.js of its own: few pages need it, and a script cannot share its contents. @throws StrutError */
 async function loadCharacter(...given: Parameters<Characters["loadCharacter"]>) {
   const address = new URL("strut-character.js", folder);
-  const message = `Characters cannot perform here: ${address.href} could not be loaded.`;
-  characters ??= received<Characters>(address, message, "It belongs beside strut-player.js.");
+  const message = `Characters cannot be used here: ${address.href} could not be loaded.`;
+  characters ??= received<Characters>(address, message, "Put it next to strut-player.js.");
   characters.catch(() => {
     characters = undefined;
   });

@@ -80,7 +80,8 @@ function place(): void {
       "draco_decoder.wasm": placed("draco_decoder.wasm"),
     });
   } catch (cause) {
-    const message = "The module of characters has no address: this one was loaded from a blob or as data.";
-    throw new StrutError({ code: "load", message, hint: "Load it from a file." }, cause);
+    const message =
+      "The location of the character module is unknown, because this module was loaded from a blob: or data: URL.";
+    throw new StrutError({ code: "load", message, hint: "Load it from a file or an http: URL." }, cause);
   }
 }

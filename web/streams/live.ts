@@ -64,7 +64,7 @@ export async function openLive(
   { delay = "auto", place = "follow", ...options }: LiveOptions = {},
 ): Promise<Live> {
   if (delay !== "auto" && !(delay >= 0 && delay <= MAX_DELAY_MS)) {
-    const message = `delay is ${delay}; "auto", or 0 to ${MAX_DELAY_MS} ms was expected.`;
+    const message = `delay is ${delay}. Expected "auto", or 0 to ${MAX_DELAY_MS} ms.`;
     throw new StrutError({ code: "bad-input", message, hint: "" });
   }
   const delaySecs = delay === "auto" ? undefined : delay / 1000;

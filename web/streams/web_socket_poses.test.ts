@@ -65,12 +65,12 @@ describe("an address", () => {
   });
 
   test.each([
-    ["ws://192.168.0.7", /only for this computer/],
-    ["ws://127.0.0.1.example", /only for this computer/],
-    ["ws://localhost.example", /only for this computer/],
-    ["http://127.0.0.1", /not the address of a WebSocket/],
+    ["ws://192.168.0.7", /works only for this computer/],
+    ["ws://127.0.0.1.example", /works only for this computer/],
+    ["ws://localhost.example", /works only for this computer/],
+    ["http://127.0.0.1", /not the URL of a WebSocket/],
     ["127.0.0.1:39541", /not/],
-    ["", /not an address/],
+    ["", /not a URL/],
   ])("%s may not", (url, why) => {
     expect(() => addressOf(url)).toThrow(why);
   });
@@ -114,7 +114,7 @@ describe("a connection", () => {
     };
     for (let i = 0; i < 7; i++) await fail();
     expect(waits).toEqual([1, 2, 4, 8, 16, 30, 30]);
-    expect(said.at(-1)).toBe("Nobody answers at 127.0.0.1:39541; trying again in 30 s.");
+    expect(said.at(-1)).toBe("No sender answers at 127.0.0.1:39541; trying again in 30 s.");
     socket().onopen!();
     await fail();
     expect(waits.at(-1)).toBe(1);

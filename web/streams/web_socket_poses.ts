@@ -27,8 +27,8 @@ export interface WebSocketOptions {
 
 const NO_SOCKETS: ErrorParts = {
   code: "unsupported",
-  message: "There are no WebSockets here.",
-  hint: "Node has them from version 22 on.",
+  message: "WebSocket is not available here.",
+  hint: "Node has it from version 22 on.",
 };
 
 /** Longest wait between two attempts, seconds. */
@@ -42,7 +42,7 @@ const MAX_WAIT_SECS = 30;
 export function webSocketPoses(url: string | URL, { format, onState, onRefused }: WebSocketOptions): PoseSource {
   const address = addressOf(url);
   if (!STREAM_FORMATS.includes(format)) {
-    const hint = `There are ${STREAM_FORMATS.join(", ")}.`;
+    const hint = `Formats: ${STREAM_FORMATS.join(", ")}.`;
     throw new StrutError({ code: "bad-input", message: `There is no format '${format}'.`, hint });
   }
   return {
@@ -60,7 +60,7 @@ export function webSocketPoses(url: string | URL, { format, onState, onRefused }
         if (signal.aborted) return;
         if (opened) waitSecs = 1;
         const host = address.host;
-        const ended = opened ? `The connection to ${host} has ended` : `Nobody answers at ${host}`;
+        const ended = opened ? `The connection to ${host} has ended` : `No sender answers at ${host}`;
         sink.lost(`${ended}; trying again in ${waitSecs} s.`);
         onState?.({ kind: "waiting", secs: waitSecs });
         await wait(waitSecs, signal);
@@ -76,17 +76,20 @@ export function webSocketPoses(url: string | URL, { format, onState, onRefused }
  */
 export function addressOf(url: string | URL): URL {
   const refuse = (message: string, hint: string) => new StrutError({ code: "bad-input", message, hint });
-  const example = "An address is like ws://127.0.0.1:39541.";
+  const example = "For example: ws://127.0.0.1:39541.";
   let address: URL;
   try {
     address = new URL(url);
   } catch {
-    throw refuse(`'${url}' is not an address.`, example);
+    throw refuse(`'${url}' is not a URL.`, example);
   }
   if (address.protocol !== "ws:" && address.protocol !== "wss:")
-    throw refuse(`'${url}' is not the address of a WebSocket.`, example);
+    throw refuse(`'${url}' is not the URL of a WebSocket.`, example);
   if (address.protocol === "ws:" && !isLoopback(address.hostname))
-    throw refuse(`ws: is only for this computer, which ${address.hostname} is not.`, "Use wss: for another computer.");
+    throw refuse(
+      `ws: works only for this computer, and ${address.hostname} is another one.`,
+      "Use wss: for another computer.",
+    );
   // A WebSocket refuses URLs with a fragment.
   address.hash = "";
   return address;

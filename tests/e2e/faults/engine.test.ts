@@ -150,7 +150,7 @@ describe("at the start", () => {
     });
     await open();
     await eventually(alert).toMatch(
-      /The engine could not be started, as the browser refuses its code. Reload the page;/,
+      /The engine could not be started, because the browser blocked its code. Reload the page;/,
     );
     expect(await alert()).not.toContain("bug in Strut");
     await page.unroute(/\/worker-[^/]*\.js$/);

@@ -117,7 +117,7 @@ describe("a batch", () => {
     await batch.run([lane()], () => {});
     expect([batch.done, batch.leftOut.map(({ why }) => why)]).toEqual([
       1,
-      ["The archive is full. Save it, then go on with another one."],
+      ["The archive is full. Save it, then continue with another one."],
     ]);
   });
 });

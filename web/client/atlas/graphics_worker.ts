@@ -16,7 +16,7 @@ function inTurn<T>(answer: () => T | Promise<T>): Promise<T> {
 
 function painter(): Painter {
   if (opened) return opened;
-  throw new StrutError({ code: "not-open", message: "No graphics processor is open.", hint: "" });
+  throw new StrutError({ code: "not-open", message: "No GPU is open.", hint: "" });
 }
 
 const TABLE: GraphicsCalls = {

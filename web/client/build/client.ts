@@ -251,7 +251,7 @@ class WorkerBuildClient implements BuildClient {
 function unloadable(why: string): StrutError {
   return new StrutError({
     code: "load",
-    message: `What builds databases could not be started: ${why || "build_worker.js could not be loaded"}.`,
+    message: `The database builder could not be started: ${why || "build_worker.js could not be loaded"}.`,
     hint: "Reload the page; if that does not help, the site was not deployed completely.",
   });
 }

@@ -318,7 +318,7 @@ function trainProgress(stage: "reading" | "training", done: number, total: numbe
   const share = done / Math.max(1, total);
   return stage === "reading"
     ? { label: `Reading ${total} walks, ${done} done.`, fraction: TRAIN_READING * share }
-    : { label: "Training the walks.", fraction: TRAIN_READING + (1 - TRAIN_READING) * share };
+    : { label: "Training the walk model.", fraction: TRAIN_READING + (1 - TRAIN_READING) * share };
 }
 
 function keyStyleProgress(done: number, total: number): Progress {

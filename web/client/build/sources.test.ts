@@ -12,7 +12,7 @@ test("licences count to what an archive may unpack to, as clips do", async () =>
   const { clips, licences } = await findSources(files, 2 * MB);
   await licences[0]!.read();
   await licences[1]!.read();
-  const sentence = "The archive unpacks to more than 2 MB; this file is beyond that.";
+  const sentence = "The archive unpacks to more than 2 MB; this file is beyond the limit.";
   await expect(licences[2]!.read()).rejects.toThrow(sentence);
   await expect(clips[0]!.read()).rejects.toThrow(sentence);
   expect((await licences[0]!.read()).length, "what was read can be read again").toBe(MB);

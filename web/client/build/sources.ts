@@ -53,7 +53,7 @@ export async function findSources(
     } else if (isBvh(path)) found.set(path, { path, read: () => readFile(file, MAX_CLIP_BYTES) });
     else if (isLicence(path)) licences.push({ path, read: () => readFile(file, MAX_LICENCE_BYTES) });
   }
-  if (found.size > MAX_CLIPS) notes.push(`There are ${found.size} clips; the first ${MAX_CLIPS} are taken.`);
+  if (found.size > MAX_CLIPS) notes.push(`There are ${found.size} clips; the first ${MAX_CLIPS} are used.`);
   const clips = [...found.values()].sort((a, b) => (a.path < b.path ? -1 : 1)).slice(0, MAX_CLIPS);
   return { clips, licences, notes };
 }
@@ -66,7 +66,7 @@ export function reasonOf(thrown: unknown): string {
 }
 
 async function readFile(file: File, max: number): Promise<Uint8Array<ArrayBuffer>> {
-  if (file.size > max) throw new ZipError(`It has more than ${max >> 20} MB, the most supported.`);
+  if (file.size > max) throw new ZipError(`It has more than the limit of ${max >> 20} MB.`);
   return new Uint8Array(await file.arrayBuffer());
 }
 
@@ -106,7 +106,7 @@ function budgetedReader(archive: Archive, budget: number) {
   let unpacked = 0;
   return async (entry: ZipEntry, max: number): Promise<Uint8Array<ArrayBuffer>> => {
     if (!counted.has(entry) && unpacked >= budget)
-      throw new ZipError(`The archive unpacks to more than ${sizeOf(budget)}; this file is beyond that.`);
+      throw new ZipError(`The archive unpacks to more than ${sizeOf(budget)}; this file is beyond the limit.`);
     const bytes = await readEntry(archive, entry, max);
     if (!counted.has(entry)) unpacked += bytes.length;
     counted.add(entry);

@@ -46,7 +46,7 @@ export class ZipError extends Error {}
 /** The files in an archive; folders are left out. */
 export async function readDirectory(archive: Archive): Promise<ZipEntry[]> {
   const { offset, size, count } = await findDirectory(archive);
-  if (count > MAX_ENTRIES) throw new ZipError(`The archive has ${count} files; up to ${MAX_ENTRIES} work.`);
+  if (count > MAX_ENTRIES) throw new ZipError(`The archive has ${count} files; the limit is ${MAX_ENTRIES}.`);
   if (size > MAX_DIRECTORY_BYTES || offset + size > archive.file.size) throw damaged();
   const view = viewOf(await archive.bytes(offset, offset + size));
   const entries: ZipEntry[] = [];
@@ -83,7 +83,7 @@ export async function readEntry(archive: Archive, entry: ZipEntry, max: number):
   if (entry.encrypted)
     throw new ZipError("It is encrypted. Unpack the archive with its password, then drop the files.");
   if (entry.method !== STORED && entry.method !== DEFLATED)
-    throw new ZipError("It is packed in a way that this page does not know. Pack the archive again as a plain zip.");
+    throw new ZipError("Its compression method is not supported. Pack the archive again as a plain zip.");
   if (entry.method === DEFLATED && entry.packedBytes <= EMPTY_BYTES) return checked(new Uint8Array(), entry);
   const header = viewOf(await archive.bytes(entry.offset, entry.offset + 30));
   if (header.byteLength < 30 || header.getUint32(0, true) !== LOCAL) throw damaged();
@@ -93,8 +93,8 @@ export async function readEntry(archive: Archive, entry: ZipEntry, max: number):
   const limit = Math.min(max, Math.max(BOMB_BYTES, BOMB_RATIO * entry.packedBytes));
   const sentence =
     limit < max
-      ? `It unpacks to more than ${BOMB_RATIO} times its size, as no motion does.`
-      : `It unpacks to more than ${max >> 20} MB, the most supported.`;
+      ? `It unpacks to more than ${BOMB_RATIO} times its size, so it cannot be a motion.`
+      : `It unpacks to more than the limit of ${max >> 20} MB.`;
   return checked(await gather(stream, Math.min(entry.bytes, limit), limit, sentence), entry);
 }
 
@@ -169,7 +169,7 @@ async function findDirectory(archive: Archive): Promise<{ offset: number; size: 
   const tail = viewOf(await archive.bytes(tailAt, archive.file.size));
   let end = tail.byteLength - 22;
   while (end >= 0 && tail.getUint32(end, true) !== END) end--;
-  if (end < 0) throw new ZipError("This is no zip archive, or its end is missing.");
+  if (end < 0) throw new ZipError("This is not a zip archive, or it is incomplete.");
   const found = {
     count: tail.getUint16(end + 10, true),
     size: tail.getUint32(end + 12, true),
@@ -220,5 +220,5 @@ function viewOf(bytes: Uint8Array<ArrayBuffer>): DataView<ArrayBuffer> {
 }
 
 function damaged(): ZipError {
-  return new ZipError("The archive is damaged: its directory does not agree with its content.");
+  return new ZipError("The archive is damaged: its directory does not match its content.");
 }

@@ -85,7 +85,7 @@ export class ZipWriter {
 
   /** An entry after all others, and its directory record. @throws ZipError */
   #entryOf(name: string, bytes: Uint8Array<ArrayBuffer>, content: Blob, method: number): Record<Parts, Part[]> {
-    if (this.#names.has(name)) throw new ZipError(`The archive would have two files “${name}”.`);
+    if (this.#names.has(name)) throw new ZipError(`The archive already has a file “${name}”.`);
     const encoded = new TextEncoder().encode(name);
     const common: Fields = [
       [2, VERSION],
@@ -104,7 +104,7 @@ export class ZipWriter {
     const directory = [entry, encoded];
     const room = this.bytes + sizeOf(parts) + sizeOf(directory) <= this.#maxBytes;
     if (!room || this.entries >= MAX_ENTRIES || encoded.length > 0xffff)
-      throw new ZipError("The archive is full. Save it, then go on with another one.");
+      throw new ZipError("The archive is full. Save it, then continue with another one.");
     return { parts, directory };
   }
 }

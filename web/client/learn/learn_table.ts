@@ -14,7 +14,8 @@ const NO_CHANGE = { turns: [], heading: 0, x: 0, z: 0, reversed: false };
 /** The requested class. @throws StrutError `bad-input` if no class has neighbours */
 function classOf(lens: Lens, order: WindowsOrder): number {
   const found = order.class ?? lens.heaviestClass();
-  if (found === undefined) throw new StrutError({ code: "bad-input", message: "No class is near.", hint: "" });
+  if (found === undefined)
+    throw new StrutError({ code: "bad-input", message: "There is no class near this pose.", hint: "" });
   return found;
 }
 
@@ -101,7 +102,7 @@ export function createLearnTable(): LearnEngine {
       if (!ideal)
         throw new StrutError({
           code: "bad-input",
-          message: `It is not known how '${look.input.name}' is performed in the style '${style}'.`,
+          message: `'${look.input.name}' has no performance in the style '${style}'.`,
           hint: "",
         });
       return lens.sweep(settings, Float32Array.from(lambdas), ideal.poses);

@@ -81,7 +81,7 @@ function joined(parts: readonly Styled[]): Styled {
 function badLength(length: number): StrutError {
   return new StrutError({
     code: "bad-input",
-    message: `${length} numbers were pushed; 1 to ${MAX_PUSH_FRAMES} poses of ${POSE_FLOATS} numbers were expected.`,
+    message: `${length} numbers were pushed. Expected 1 to ${MAX_PUSH_FRAMES} poses of ${POSE_FLOATS} numbers.`,
     hint: "",
   });
 }

@@ -20,7 +20,7 @@ export async function recordMotion(
   const opened = host.open.get(OpenDatabase, database).database;
   const { styles, rateHz } = opened.info;
   const { first, frames } = recordedPart({ frames: input.info.frames, rateHz }, styles.length, range);
-  if (frames < 1) throw new StrutError({ code: "bad-input", message: "The range is beyond the motion.", hint: "" });
+  if (frames < 1) throw new StrutError({ code: "bad-input", message: "The range is outside the motion.", hint: "" });
   const stylizer = host.engine.createStylizer(opened, options);
   let recording: Recording | undefined;
   try {

@@ -126,7 +126,8 @@ function handle(
   const handler = handlers[call.method] as
     | ((host: Host, caller: Caller, ...args: unknown[]) => Result<Method>)
     | undefined;
-  if (!handler) throw new StrutError({ code: "unsupported", message: "This engine cannot do it.", hint: "" });
+  if (!handler)
+    throw new StrutError({ code: "unsupported", message: "This engine does not support the call.", hint: "" });
   return handler(host, caller, ...call.args);
 }
 

@@ -40,7 +40,7 @@ const PAGE = 65_536;
 
 /** The module's name in messages, and what to do without it. */
 const WHAT = "decoder of Draco meshes";
-const HINT = "Export the model without Draco, or see that draco_decoder.wasm is there and may be fetched.";
+const HINT = "Export the model without Draco, or check that draco_decoder.wasm exists and can be fetched.";
 
 type Call = (...given: number[]) => number;
 
@@ -188,12 +188,12 @@ const isOutdated = (stream: Uint8Array): boolean =>
   new TextDecoder("latin1").decode(stream.subarray(0, 5)) === "DRACO" && (stream[5]! < 2 || stream[6]! < 2);
 
 function outdated([, , , , , major, minor]: Uint8Array): StrutError {
-  const message = `The meshes of this model are compressed with Draco's format ${major}.${minor}; 2.2 can be read.`;
-  return new StrutError({ code: "bad-file", message, hint: "Export it again with a program of 2018 or later." });
+  const message = `The meshes of this model are compressed with Draco's format ${major}.${minor}; only 2.2 is supported.`;
+  return new StrutError({ code: "bad-file", message, hint: "Export it again with a program from 2018 or later." });
 }
 
 function tooLong(): StrutError {
-  const message = "The compressed meshes of this model are too long.";
+  const message = "The compressed meshes of this model are too large.";
   return new StrutError({ code: "bad-file", message, hint: "Simplify its meshes." });
 }
 

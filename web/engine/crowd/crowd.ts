@@ -95,7 +95,7 @@ export class Crowd extends Handle<Raw> {
         throw new StrutError({
           code: "bad-input",
           message: `There is no style ${style}.`,
-          hint: `There are ${this.styles.join(", ")}.`,
+          hint: `Styles: ${this.styles.join(", ")}.`,
         });
       return number;
     });

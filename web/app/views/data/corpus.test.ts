@@ -69,9 +69,7 @@ describe("the table of classes", () => {
       "Only one style so far. Add a second one to mix with.",
     ]);
     const many = classTable(["a", "b", "c", "d", "e"].map((style) => row("walk", style)).concat(row("run", "a")));
-    expect(concerns(many)).toContain(
-      "“b”, “c”, “d” and 1 more have no “run”: it will be guessed from other actions.",
-    );
+    expect(concerns(many)).toContain("“b”, “c”, “d” and 1 more have no “run”: it will be guessed from other actions.");
   });
 });
 

@@ -36,7 +36,7 @@ interface Held {
 
 const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held> => {
   const [motion, performed] = await Promise.all([engine.motion({ name: take }), engine.counterpart(take, style)]);
-  if (!performed) throw new Error(`“${take}” was never performed in the style “${style}”.`);
+  if (!performed) throw new Error(`“${take}” has no recording in the style “${style}”.`);
   const { rateHz, proportions } = motion;
   return { rateHz, proportions, input: measure(motion, proportions), truth: measure(performed, proportions) };
 });
