@@ -126,7 +126,7 @@ describe("a figure elsewhere", () => {
       document.querySelector("strut-figure")!.setAttribute("kind", "scatter");
     }, `${site.site.url}strut-figure.js`);
     const message = page.locator("strut-figure .message");
-    await eventually(() => message.textContent()).toContain("could not be made");
+    await eventually(() => message.textContent()).toContain("could not be created");
     isDown = false;
     await message.getByRole("button", { name: "Try again" }).click();
     await eventually(() => page.locator("strut-figure").evaluate((figure) => (figure as StrutFigure).heading)).not.toBe(

@@ -73,7 +73,7 @@ describe("by the keyboard alone", () => {
     await eventually(() => verdict("B")).toMatch(/^✗ ?\|w\| is 1[78]\d\.\d\d°\.$/);
     await page.keyboard.type("4");
     await page.keyboard.press("Enter");
-    await eventually(() => verdict("B")).toMatch(/^≈ ?Close: \d\.\d\d°\. Stretch it a little\.$/);
+    await eventually(() => verdict("B")).toMatch(/^≈ ?Close: \d\.\d\d°\. Straighten it a little\.$/);
     await joint.getByRole("slider", { name: "w about x" }).focus();
     await page.keyboard.type("0");
     await page.keyboard.press("Enter");
@@ -99,7 +99,7 @@ describe("by the keyboard alone", () => {
     await open("near");
     await begin("B");
     const query = page.locator('strut-figure[data-name="query"]');
-    await query.getByRole("slider", { name: "Place of the query" }).focus();
+    await query.getByRole("slider", { name: "Position of the query" }).focus();
     for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp");
     await query.getByRole("slider", { name: "Turn" }).focus();
     await page.keyboard.type("60");
@@ -136,7 +136,7 @@ describe("by the keyboard alone", () => {
     for (let i = 0; i < 7; i++) await page.keyboard.press("ArrowLeft");
     await eventually(() => verdict("A")).toMatch(/^✗ ?Length now 17\.79 s/);
     for (let i = 0; i < 2; i++) await page.keyboard.press("Shift+ArrowLeft");
-    await eventually(() => verdict("A")).toMatch(/^≈ ?Close: length now 17\.7\d s\. A little less of old\.$/);
+    await eventually(() => verdict("A")).toMatch(/^≈ ?Close: length now 17\.7\d s\. A little less old\.$/);
     for (let i = 0; i < 2; i++) await page.keyboard.press("Shift+ArrowLeft");
     await eventually(() => verdict("A")).toMatch(/^✓ ?Yes: with 0\.61 of old it takes 1\.20 times as long\./);
     await screenshot(page, "lesson-time-solved");
@@ -166,7 +166,7 @@ describe("by the keyboard alone", () => {
     await eventually(picked).toMatch(/^0\.\d\d$/);
     await methods.getByRole("radio", { name: "not ticked" }).focus();
     await page.keyboard.press("ArrowLeft");
-    await eventually(() => verdict("B")).toMatch(/^✗ ?It had seen the answer\. 0\.\d\d mm/);
+    await eventually(() => verdict("B")).toMatch(/^✗ ?NN had seen the answer\. 0\.\d\d mm/);
     await page.keyboard.press("ArrowLeft");
     await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: 9\.\d\d mm\./);
     await screenshot(page, "lesson-judge-solved");

@@ -36,7 +36,7 @@ it("needs no WebGL: text, tables and exercises are there, and other views lead t
     await eventually(() => verdict(page, "C")).toMatch(/^✓ ?Yes: head, by 32\.01 cm/);
     const stage = page.locator('strut-figure[data-name="stage"]');
     await eventually(() => stage.locator(".picture .message").textContent()).toMatch(
-      /^This browser cannot draw in 3-D/,
+      /^This browser cannot draw in 3D/,
     );
     await stage.locator("summary").click();
     await eventually(() => stage.locator("td").count()).toBeGreaterThan(20);
@@ -77,7 +77,7 @@ it("needs no storage: it says so, and progress lasts until the page is closed", 
     await eventually(() => verdict(page, "C")).toMatch(/^✓ ?Yes: head/);
     await visit(page, "view=learn&lesson=style&beat=3");
     await eventually(() => page.locator(".learn-text").textContent()).toContain(
-      "This browser keeps nothing for the page",
+      "This browser does not store data for the page",
     );
   });
 });

@@ -130,9 +130,11 @@ test("B is passed where the band just reaches the input", async () => {
     expect(await result("B", { reach: tenth, ...patch })).toEqual({ result: "near", way: "other" });
   const text = { en: await TEXTS.en.lessons.bias!(), de: await TEXTS.de.lessons.bias!() };
   expect(text.en.exercises.B!.refuse(await said("en", "B", { reach: 12 }))).toMatch(
-    /^Nothing sticks out, but κ 12\.0 is wider than it needs to be/,
+    /^The input is inside the band, but κ 12\.0 is larger than necessary/,
   );
-  expect(text.de.exercises.B!.refuse(await said("de", "B", { reach: 12 }))).toMatch(/^Nichts ragt heraus, aber κ 12,0/);
+  expect(text.de.exercises.B!.refuse(await said("de", "B", { reach: 12 }))).toMatch(
+    /^Die Eingabe liegt im Band, aber κ 12,0/,
+  );
 });
 
 test("C wants what is outside the band, and refuses a share of all of x with its sentence", async () => {

@@ -208,7 +208,7 @@ test("the bet: hundredths of a millimetre, as the document has them", async () =
   const [knn, mar, difference, other] = [measure.knn, measure.mar, measure.difference, measure.other].map((mm) =>
     Number(mm).toFixed(2),
   );
-  const said = `KNN errs by ${knn} mm and MAR by ${mar} mm: ${difference} mm apart. Even the best other real take errs by ${other} mm`;
+  const said = `KNN’s error is ${knn} mm, MAR’s ${mar} mm: ${difference} mm apart. Even the best other real take is off by ${other} mm`;
   expect(text.bet.reveal(saidIn("en", measure)).startsWith(said)).toBe(true);
 });
 
@@ -256,9 +256,9 @@ test("B refuses the number of a method that had seen the answer", async () => {
   });
   const said = saidIn("en", await measureOf("B", { leftIn: true, honest: "in" }));
   const [en, de] = [await TEXTS.en.lessons.judge!(), await TEXTS.de.lessons.judge!()];
-  expect(en.exercises.B!.refuse(said)).toMatch(/^It had seen the answer\. 0\.\d\d mm/);
+  expect(en.exercises.B!.refuse(said)).toMatch(/^NN had seen the answer\. 0\.\d\d mm/);
   expect(de.exercises.B!.refuse(saidIn("de", await measureOf("B", {})))).toMatch(
-    /^Es hatte die Antwort gesehen\. 0,\d\d mm/,
+    /^NN hatte die Antwort gesehen\. 0,\d\d mm/,
   );
 });
 

@@ -180,7 +180,7 @@ describe("style", () => {
     );
     const german = await TEXTS.de.lessons.style!();
     expect(german.exercises.A!.refuse(saidIn("de", await measured("style=childlike")))).toMatch(
-      /^Du hast verschiedene Augenblicke .*kindlich am wenigsten, 11,71 cm; .* 5,70 cm/,
+      /^Du hast verschiedene Augenblicke .*kindlich den kleinsten Unterschied, 11,71 cm; .* 5,70 cm/,
     );
   });
 

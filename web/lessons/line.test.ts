@@ -201,8 +201,12 @@ test("the terms of a line sum to its prediction", async () => {
 test("misconceptions are refused with their sentence, in both languages", async () => {
   const [en, de] = [await TEXTS.en.lessons.line!(), await TEXTS.de.lessons.line!()];
   const steep = { lambda: 0.0005 };
-  expect(en.exercises.A!.refuse(await said("en", "A", steep))).toMatch(/^The line follows 12 points.*1\.\d\d°.*1\.50°/);
-  expect(de.exercises.A!.refuse(await said("de", "A", steep))).toMatch(/^Die Gerade folgt 12 Punkten.*1,\d\d°.*1,50°/);
+  expect(en.exercises.A!.refuse(await said("en", "A", steep))).toMatch(
+    /^The line follows the noise of the 12 points.*1\.\d\d°.*1\.50°/,
+  );
+  expect(de.exercises.A!.refuse(await said("de", "A", steep))).toMatch(
+    /^Die Gerade folgt dem Rauschen der 12 Punkte.*1,\d\d°.*1,50°/,
+  );
   expect(en.exercises.A!.no(await said("en", "A", { lambda: 5 }))).toMatch(/^Only the mean is left.*1\.64°.*1\.50°/);
   expect(de.exercises.A!.no(await said("de", "A", { lambda: 5 }))).toMatch(/^Nur das Mittel ist übrig/);
   expect(en.exercises.A!.no(await said("en", "A", { lambda: 0.06, at: 300 }))).toMatch(

@@ -255,7 +255,7 @@ test("B is passed by a stretch of T, and refuses a hard change", async () => {
   expect([ends[0], ends.at(-1), ends.length]).toEqual([40, 48, 9]);
   const [en, de] = [await TEXTS.en.lessons.map!(), await TEXTS.de.lessons.map!()];
   expect(en.exercises.B!.refuse(await said("en", {}))).toMatch(
-    /^Weights that change at once make the body jump: 15\.7° a frame\./,
+    /^Weights that switch abruptly make the body jump: 15\.7° a frame\./,
   );
   expect(de.exercises.B!.refuse(await said("de", {}))).toMatch(/den Körper springen: 15,7° je Bild\./);
 });

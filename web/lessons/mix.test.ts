@@ -135,7 +135,7 @@ test("B is passed at one width only", async () => {
   expect(await result("B", { delta, motion: "neutral run" })).toEqual({ result: "near", way: "other" });
   const text = { en: await TEXTS.en.lessons.mix!(), de: await TEXTS.de.lessons.mix!() };
   expect(text.en.exercises.B!.refuse(await said("en", "B", { delta: 0.5 }))).toMatch(
-    /^δ is a width and no weight: with δ 0\.50 neutral running has 0\.\d\d, not one half\.$/,
+    /^δ is a width, not a weight: with δ 0\.50 neutral running has 0\.\d\d, not one half\.$/,
   );
   expect(text.de.exercises.B!.refuse(await said("de", "B", { delta: 0.5 }))).toMatch(/^δ ist eine Breite und kein/);
 });

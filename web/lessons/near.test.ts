@@ -181,6 +181,6 @@ test("C: one frame has no direction, and five have", async () => {
   for (const state of [{ motion: "neutral run" }, { at: 200 }] as const)
     expect(await result("C", { reversed: true, window: "5", ...state })).toEqual({ result: "near", way: "other" });
   const [text, german] = [await TEXTS.en.lessons.near!(), await TEXTS.de.lessons.near!()];
-  expect(text.exercises.C!.refuse({})).toMatch(/^At s = 1 both ways have the same poses/);
+  expect(text.exercises.C!.refuse({})).toMatch(/^At s = 1 both directions have the same poses/);
   expect(german.exercises.C!.refuse({})).toMatch(/^Bei s = 1 sind es in beiden Richtungen dieselben Posen/);
 });

@@ -2,33 +2,33 @@ import type { LessonText } from "../text";
 
 export const chain: LessonText = {
   idea: [
-    "Dieser Gehende folgt keiner Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen, und jeder Zustand kennt Mittel und Varianz jedes Winkels, seiner Geschwindigkeit (der Änderung von Bild zu Bild), seiner Beschleunigung (der Änderung dieser Änderung) und der Dauer des Zustands.",
-    "Ein Mittel mit seiner Varianz ist wie eine Zusage: Mit kleiner Varianz ist sie fest, mit großer locker. Unter allen Bewegungen wird die gewählt, die alle Zusagen am besten hält, Schritt für Schritt. Das ist ein Hidden-Semi-Markov-Modell, und seine Mittel und Varianzen sind alles, was von den Aufnahmen bleibt.",
+    "Diese Figur hat keine Eingabe. Ein Schritt ist eine Kette aus fünf Zuständen. Jeder Zustand hat Mittel und Varianz jedes Winkels, seiner Geschwindigkeit (der Änderung von Bild zu Bild), seiner Beschleunigung (der Änderung dieser Änderung) und der Dauer des Zustands.",
+    "Ein Mittel mit seiner Varianz ist wie eine Zusage: Mit kleiner Varianz ist sie fest, mit großer locker. Das Modell wählt dann die Bewegung, die alle diese Zusagen am besten hält. Es heißt Hidden-Semi-Markov-Modell („semi“, weil es auch Dauern modelliert). Von den Aufnahmen bleiben nur seine Mittel und Varianzen.",
     "Mische die Mittel zweier Modelle, und du hast einen gemischten Gang. Mit k über 1 ist der Stil übertrieben, unter 0 in sein Gegenteil umgekehrt.",
   ],
   bet: {
     question:
-      "Die Kurve muss drei Zusagen halten: über den Winkel, seine Geschwindigkeit und seine Beschleunigung. Mach σ″, die Standardabweichung der letzten, kleiner. Was wird aus der Kurve?",
+      "Die Kurve muss drei Zusagen halten: über den Winkel, seine Geschwindigkeit und seine Beschleunigung. Mach σ″, die Standardabweichung der letzten, kleiner. Wie ändert sich die Kurve?",
     options: { smoother: "Sie wird glatter", same: "Sie bleibt, wie sie ist", rougher: "Sie wird rauer" },
     reveal: ({ leg, toes }) =>
       `Mit einem Zehntel von σ″² ist der Ruck (wie schnell sich die Beschleunigung ändert) am Oberschenkel das ${leg}-Fache von vorher, an den Zehen das ${toes}-Fache. Eine kleine Varianz ist eine feste Zusage: Die Beschleunigung muss nah an ihrem Mittel bleiben, und das schwankt kaum.`,
   },
   look: [
-    "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Standardabweichung σ]. Die [c: Kurve c] ist die wahrscheinlichste; gestrichelt ist die des Modells, wie es trainiert wurde.",
+    "Die Treppe ist das [mu: Mittel μ] jedes Zustands, die Bänder sind seine [sigma: Standardabweichung σ]. Die [c: Kurve c] ist die wahrscheinlichste; gestrichelt ist die des trainierten Modells.",
     "Die kurzen Striche sind die [delta: Geschwindigkeiten Δc], die halbe Differenz von nächstem und vorigem Bild; Δ²c ist die Beschleunigung. μ′, σ′ und μ″, σ″ sind ihre Mittel und Standardabweichungen. Die Regler multiplizieren die drei Varianzen, mit einem Tausendstel bis zum Tausendfachen.",
-    "Die Blöcke sind die Zustände, so lang, wie sie [d: dauern]. Das d mit Strich ist die mittlere Dauer eines Zustands, ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass zuerst nachgibt, was stark schwankt.",
+    "Die Blöcke sind die Zustände; ihre Breite ist die [d: Dauer d]. Das d mit Strich ist die mittlere Dauer eines Zustands, ν ihre Varianz. Zieh das Ende eines Schritts: [rho: ρ] verlängert jeden Zustand um das ρ-Fache seines ν, sodass sich die am stärksten schwankenden am meisten ändern.",
     "m₁ ist das Modell des neutralen Gangs, m₂ das des Stils: Mit [k: k] mischst du sie.",
   ],
   symbols: {
-    c: { symbol: "c", name: "Ruck der Kurve, Vielfaches des Modells" },
-    mu: { symbol: "μ", name: "größter Abstand von c zum Mittel" },
-    sigma: { symbol: "σ²", name: "Faktor der Varianz der Posen" },
-    delta: { symbol: "Δc", name: "Faktoren von σ′² und σ″²" },
+    c: { symbol: "c", name: "Kurve; hier ihr Ruck, × der des Modells" },
+    mu: { symbol: "μ", name: "Mittel; hier der größte Abstand von c" },
+    sigma: { symbol: "σ²", name: "Varianz der Posen; hier ihr Faktor" },
+    delta: { symbol: "Δc", name: "Geschwindigkeit; hier Faktoren von σ′², σ″²" },
     d: { symbol: "d", name: "Dauern des linken und rechten Schritts" },
     rho: { symbol: "ρ", name: "Verlängerung der linken und rechten Schritte" },
     k: { symbol: "k", name: "Anteil des Stils" },
   },
-  why: "Warum läuft die Kurve nicht durch die Mittel, obwohl über den Winkel selbst sonst nichts gesagt ist? Wie sähe der Gang aus, wenn sie es täte?",
+  why: "Warum läuft die Kurve nicht durch die Mittel, obwohl nur sie ein Ziel für den Winkel selbst sind? Wie sähe der Gang aus, wenn sie es täte?",
   exercises: {
     A: {
       task: "Bring die Kurve des linken Oberschenkels in jedem Bild auf 2° an die Mittel heran.",
@@ -47,7 +47,7 @@ export const chain: LessonText = {
       ],
     },
     B: {
-      task: "Die Zehen rucken. Bring den Ruck auf höchstens das 0,5-Fache, wobei die Kurve höchstens 2,2 σ von den Mitteln entfernt bleibt (mit dem σ des Modells).",
+      task: "Der Ruck der Zehen ist groß. Bring ihn auf höchstens das 0,5-Fache, wobei die Kurve höchstens 2,2 σ von den Mitteln entfernt bleibt (mit dem σ des Modells).",
       pass: ({ jerkShare, deviations }) => `Ja: das ${jerkShare}-Fache des Rucks, bei ${deviations} σ.`,
       near: {
         other: () => "Sieh auf die linken Zehen des neutralen Gangs: k 0.",
@@ -57,7 +57,7 @@ export const chain: LessonText = {
       },
       refuse: ({ jerkShare, deviations }) =>
         `Das ${jerkShare}-Fache des Rucks, aber ${deviations} σ von einem Mittel: Eine zu feste Zusage bricht die anderen.`,
-      no: ({ jerkShare }) => `Die Kurve ruckt ${jerkShare}-mal so stark wie die des Modells.`,
+      no: ({ jerkShare }) => `Der Ruck ist das ${jerkShare}-Fache der Kurve des Modells.`,
       hints: [
         "Ruck ist, wie schnell sich die Beschleunigung ändert. Mach die Zusage über die Beschleunigung fester.",
         "Dreh σ″² herunter, auf etwas zwischen einem Zehntel und einem Dreißigstel.",

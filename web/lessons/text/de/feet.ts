@@ -2,9 +2,9 @@ import type { LessonText } from "../text";
 
 export const feet: LessonText = {
   idea: [
-    "Eine vorhergesagte Pose kann auf einen Zentimeter stimmen, und doch siehst du sofort, wenn ein stehender Fuß rutscht. Auf Englisch heißt das Foot Skate.",
-    "Die Abbildung zeigt die Sohle eines Fußes von oben, für jedes Bild eines Stands (solange er steht) als Linie von der Ferse zum Ballen. Stünde der Fuß still, wären alle Linien eine. Die rote ist der Fuß im gewählten Augenblick, die gestrichelte zeigt, wohin das Halten ihn bringt.",
-    "Die Abhilfe hat drei Teile: wissen, ob ein Fuß steht, ihn halten, wo er ist, und das Knie so beugen, dass das Bein ihn erreicht.",
+    "Eine vorhergesagte Pose kann auf den Zentimeter stimmen und trotzdem falsch aussehen, sobald ein stehender Fuß rutscht. Auf Englisch heißt das Foot Skate.",
+    "Die Abbildung zeigt die Sohle eines Fußes von oben: für jedes Bild eines Stands (der Zeit am Boden) eine Linie von der Ferse zum Ballen. Stünde der Fuß still, fielen alle Linien zusammen. Die rote ist der Fuß im gewählten Augenblick; die gestrichelte zeigt, wohin das Halten ihn bringt.",
+    "Die Abhilfe hat drei Teile: erkennen, ob der Fuß steht, ihn an seiner Stelle halten und das Knie so beugen, dass das Bein ihn erreicht.",
   ],
   bet: {
     question: "Das Halten ist aus. Wann rutscht ein stehender Fuß am schnellsten?",
@@ -13,8 +13,8 @@ export const feet: LessonText = {
       `Dieser Stand hat ${frames} Bilder, und am schnellsten rutscht der Fuß in Bild ${nth}: mit ${most} cm/s, gegenüber ${middle} cm/s in der Mitte. Ein Fuß, der aufsetzt, gilt schon als stehend, kurz bevor er ruht. Gehalten rutscht er dort mit ${held} cm/s.`,
   },
   look: [
-    "Steht der Fuß? Die 40 ähnlichsten Bilder der Datenbank stimmen ab: cₖ ist 1, wenn der Fuß in Bild k steht, sonst 0. Eine Stimme zählt umso mehr, je kleiner eₖ ist: wie sehr sich die Füße in Bild k von denen der Eingabe in Höhe und Geschwindigkeit unterscheiden. Jeder Punkt ist [c: das Ergebnis in einem Augenblick]; gemittelt mit den Kontakten des aufgenommenen Stils und über die Zeit geglättet ist es [P: P]. Ab P 0,6 wird der Fuß gehalten, unter 0,4 gelöst, das sind die gepunkteten Linien; ein Fuß, der tief und langsam ist, gilt ohnehin als stehend. Wo er steht, ist das Diagramm grau.",
-    "Die dicke Kurve ist [p: das Rutschen Δp] je Sekunde; gestrichelt ist das Rutschen mit der anderen Einstellung des Haltens. Stell den Zeiger auf einen [i: Augenblick], und schalte das Halten um: [q: Die Korrektur q] schiebt einen stehenden Fuß um das zurück, was er gerutscht ist. n zählt die Bilder, seit der Fuß steht, sodass das Halten über drei Bilder einsetzt.",
+    "Steht der Fuß? Die 40 ähnlichsten Bilder der Datenbank stimmen ab: cₖ ist 1, wenn der Fuß in Bild k steht, sonst 0. Eine Stimme zählt umso mehr, je kleiner eₖ ist: wie sehr sich die Füße in Bild k von denen der Eingabe in Höhe und Geschwindigkeit unterscheiden. Jeder Punkt ist [c: das Ergebnis in einem Augenblick]. [P: P] ist dieses Ergebnis, mit den Kontakten des aufgenommenen Stils gemittelt und dann über die Zeit geglättet. Ab P 0,6 wird der Fuß gehalten, unter 0,4 gelöst, das sind die gepunkteten Linien; ein Fuß, der tief und langsam ist, gilt ohnehin als stehend. Wo er steht, ist das Diagramm grau.",
+    "Die dicke Kurve ist [p: das Rutschen Δp] je Sekunde; gestrichelt ist das Rutschen mit der anderen Einstellung des Haltens. Stell den Zeiger auf einen [i: Augenblick], und schalte das Halten um: [q: Die Korrektur q] schiebt einen stehenden Fuß um die Strecke zurück, die er gerutscht ist. n zählt die Bilder, seit der Fuß steht, sodass das Halten über drei Bilder einsetzt.",
     "Nun steht fest, wo der Knöchel ist, und damit sein [d: Abstand d] von der Hüfte. Oberschenkel a, Unterschenkel b und d bilden ein Dreieck: Der Kosinussatz ergibt den [gamma: Winkel γ] im Knie.",
   ],
   symbols: {

@@ -2,9 +2,9 @@ import type { LessonText } from "../text";
 
 export const line: LessonText = {
   idea: [
-    "Wie weit beugt ein alter Mensch in diesem Augenblick das Knie? Niemand in der Datenbank stand in genau dieser Pose. Aber einige Bilder sind nah, und zu jedem kennen wir das Bild des alten Gangs mit gleichem Inhalt.",
-    "Trage einen Winkel über dem anderen auf: nach rechts das linke Knie der Eingabe (wie weit sein Unterschenkel gedreht ist), nach oben das des alten Gangs. Jeder Punkt ist ein nahes Bild.",
-    "Eine Gerade durch die Punkte antwortet für Posen dazwischen. Jedes Gelenk hat seine eigene Gerade, und jedes Bild eine neue.",
+    "Wie weit beugt ein alter Mensch in diesem Augenblick das Knie? Kein Bild der Datenbank zeigt genau diese Pose. Aber einige Bilder sind nah, und zu jedem kennen wir das Bild des alten Gangs mit gleichem Inhalt.",
+    "Trage einen Winkel über dem anderen auf: nach rechts das linke Knie der Eingabe (die Drehung seines Unterschenkels), nach oben das des alten Gangs. Jeder Punkt ist ein nahes Bild.",
+    "Eine Gerade, an die Punkte angepasst, gibt die Antwort für Posen dazwischen. Jedes Gelenk hat seine eigene Gerade, und jedes Bild eine neue.",
   ],
   bet: {
     question: "Lege die Gerade durch den nächsten Punkt allein, K = 1. Welche Steigung hat sie?",
@@ -14,14 +14,14 @@ export const line: LessonText = {
       any: "Beliebig: Ein Punkt legt keine Steigung fest",
     },
     reveal: ({ slope }) =>
-      `Sie ist ${slope}. Durch einen Punkt passt jede Steigung gleich gut. Der zweite Term der Gleichung lässt Steilheit etwas kosten, also gewinnt die billigste Gerade, und die ist waagrecht: Die Vorhersage ist der Punkt selbst.`,
+      `Sie ist ${slope}. Durch einen Punkt passt jede Steigung gleich gut. Der zweite Term der Gleichung bestraft steile Geraden, also gewinnt die waagrechte: Die Vorhersage ist der Punkt selbst.`,
   },
   look: [
-    "Die Punkte sind die [K: K nächsten Bilder]; je größer ein Punkt, desto größer sein [v: Gewicht v]. Der Ring ist die [y: Antwort y]: Er liegt auf der Geraden, über der [x: Eingabe x]. Das Band um die Gerade ist so breit, wie die Punkte üblicherweise von ihr entfernt sind: eine Standardabweichung.",
-    "[c: c] ist die Steigung der Geraden. Zwei weitere Terme, [a: a] und [b: b], berücksichtigen, wo Eingabe und Ausgabe ein Bild vorher standen, und [d: d] ist, was übrig bleibt, wenn alle drei 0 sind. Die untere Abbildung zählt die vier zusammen.",
-    "Die zweite Zeile sagt, wie sie gefunden werden. β ist a, b und c zusammen. Jeder Nachbar k hat sein eigenes u, die drei Werte x vorher, y vorher und x jetzt, und sein eigenes y; die Tilde heißt: ohne das Mittel der Nachbarn. Der erste Term verlangt kleine Fehler.",
-    "Der zweite Term macht Steigung teuer. V ist die Summe aller Gewichte und σ die Standardabweichung dieses Gelenks in der ganzen Datenbank; so passt dasselbe [lambda: Ridge-Gewicht λ] zu jedem K und jedem Gelenk. Drehst du λ auf, legt sich die Gerade auf das gepunktete Mittel, und d gibt die ganze Antwort.",
-    "b bleibt zwischen −0,9 und 0,9. Der Fehler eines Bildes steckt im nächsten Bild in y vorher, mal b: Mit weniger als 1 klingt er ab.",
+    "Die Punkte sind die [K: K nächsten Bilder]; je größer ein Punkt, desto größer sein [v: Gewicht v]. Der Ring ist die [y: Antwort y]: Er liegt auf der Geraden, über der [x: Eingabe x]. Das Band zeigt den Fehler der ganzen Anpassung (mit allen drei Eingaben), eine Standardabweichung. Die Gerade ist nur ein Schnitt durch sie, darum können Punkte außerhalb liegen.",
+    "[c: c] ist die Steigung der Geraden. Zwei weitere Terme, [a: a] und [b: b], gewichten Eingabe und Ausgabe des vorigen Bildes. [d: d] ist die Konstante, die bleibt, wenn alle drei 0 sind. Die untere Abbildung addiert die vier Terme.",
+    "Die zweite Zeile legt die Anpassung fest. β fasst a, b und c zusammen. Für jeden Nachbarn k enthält u drei Zahlen: das vorige x, das vorige y und das jetzige x; y ist seine Ausgabe. Die Tilde heißt: minus das Mittel der Nachbarn. Der erste Term verlangt kleine Fehler.",
+    "Der zweite Term bestraft Steigungen. V ist die Summe aller Gewichte und σ die Standardabweichung dieses Gelenks in der ganzen Datenbank; so passt dasselbe [lambda: Ridge-Gewicht λ] zu jedem K und jedem Gelenk. Drehst du λ auf, legt sich die Gerade auf das gepunktete Mittel, und d gibt die ganze Antwort.",
+    "b bleibt zwischen −0,9 und 0,9. Ein Fehler in einem Bild geht, mit b multipliziert, in das nächste ein. Ist |b| < 1, klingt er ab.",
   ],
   symbols: {
     y: { symbol: "yₜ", name: "vorhergesagter Winkel der Ausgabe, vom Mittel aus" },
@@ -29,10 +29,10 @@ export const line: LessonText = {
     a: { symbol: "aₜ", name: "Gewicht der Eingabe ein Bild vorher" },
     b: { symbol: "bₜ", name: "Gewicht der Ausgabe ein Bild vorher" },
     c: { symbol: "cₜ", name: "Gewicht der Eingabe: die Steigung" },
-    d: { symbol: "dₜ", name: "Konstante: was ohne Steigungen bleibt" },
+    d: { symbol: "dₜ", name: "Konstante: die Antwort ohne Steigungen" },
     K: { symbol: "K", name: "Zahl der Nachbarn" },
     v: { symbol: "vₖ", name: "Gewicht eines Punkts, 0 bis 1; V ist ihre Summe" },
-    lambda: { symbol: "λ", name: "Ridge-Gewicht: der Preis der Steigung" },
+    lambda: { symbol: "λ", name: "Ridge-Gewicht: die Strafe für Steigung" },
   },
   why: "Warum darf die Engine eine Gerade anpassen, obwohl sich ein Knie nicht auf einer Geraden bewegt?",
   exercises: {
@@ -46,7 +46,7 @@ export const line: LessonText = {
         less: ({ error, leastError }) => `Knapp: ${error}°, am wenigsten sind ${leastError}°. Etwas weniger λ.`,
       },
       refuse: ({ error, leastError }) =>
-        `Die Gerade folgt 12 Punkten samt ihrem Rauschen: ${error}°, wo ${leastError}° möglich sind.`,
+        `Die Gerade folgt dem Rauschen der 12 Punkte: ${error}°, wo ${leastError}° möglich sind.`,
       no: ({ error, leastError, left }) =>
         left === "mean"
           ? `Nur das Mittel ist übrig, und die Pose der Eingabe zählt nicht mehr: ${error}°, wo ${leastError}° möglich sind.`
@@ -74,7 +74,7 @@ export const line: LessonText = {
       ],
     },
     C: {
-      task: "Finde einen Augenblick, in dem die Gerade etwas anderes sagt als das Mittel: mindestens 2° davon. K und λ sind frei.",
+      task: "Finde einen Augenblick, in dem die Antwort der Geraden um mindestens 2° vom Mittel abweicht. K und λ sind frei.",
       pass: ({ above, lambda, k }) => `Ja: ${above}° vom Mittel, mit K ${k} und λ ${lambda}.`,
       near: {
         other: () =>

@@ -2,29 +2,29 @@ import type { LessonText } from "../text";
 
 export const map: LessonText = {
   idea: [
-    "Zwei Zahlen, die Stilvariablen, ergeben eine ganze Pose: Sie sagen, wie weit die Füße längs des Wegs auseinander sind, und in der Höhe. Zieh den Punkt, und der Körper folgt.",
-    "Dahinter sind mehrere lineare Abbildungen von den beiden Zahlen auf die Pose. Jede kennt ein Gebiet der Ebene, und wo Gebiete sich treffen, teilen sich die Abbildungen die Antwort.",
+    "Zwei Zahlen, die Stilvariablen, ergeben eine ganze Pose: Sie legen fest, wie weit die Füße in Gehrichtung und in der Höhe auseinander sind. Zieh den Punkt, und der Körper folgt.",
+    "Mehrere lineare Abbildungen machen aus den beiden Zahlen die Pose. Jede deckt ein Gebiet der Ebene ab, und wo Gebiete sich treffen, teilen sich die Abbildungen die Antwort.",
     "Sie organisieren sich selbst: Jedes aufgenommene Bild zieht an den Abbildungen, die ihm nah sind, erst an vielen zugleich, dann an immer weniger. Ein solcher Zug ist ein Lernschritt.",
   ],
   bet: {
     question:
-      "Ein Lernschritt bewegt eine Abbildung auf die Stichprobe zu, ein aufgenommenes Bild. Der Artikel druckt die Formel mit einem Minus, das sie davon wegbewegt. Was geschieht, wenn du wie gedruckt rechnest?",
+      "Ein Lernschritt bewegt eine Abbildung auf die Stichprobe zu, ein aufgenommenes Bild. Der Artikel druckt die Formel mit einem Minus, das sie davon wegbewegt. Was geschieht, wenn du die gedruckte Formel benutzt?",
     options: {
       same: "Es lernt genauso gut",
       slower: "Es lernt langsamer",
       diverges: "Der Fehler wächst ohne Ende",
     },
     reveal: ({ updates, right, printed }) =>
-      `Nach ${updates} Schritten ist der Fehler ${right}° mit dem richtigen Vorzeichen und ${printed}° wie gedruckt. Jeder Schritt führt von der Stichprobe weg, und je größer der Abstand, desto länger der nächste Schritt.`,
+      `Nach ${updates} Schritten ist der Fehler ${right}° mit dem richtigen Vorzeichen und ${printed}° wie gedruckt. Jeder Schritt bewegt die Abbildung von der Stichprobe weg, und je größer der Abstand, desto länger der nächste Schritt.`,
   },
   look: [
-    "Die Punkte sind aufgenommene Bilder, angeordnet nach ihren Stilvariablen. Jede Ellipse ist das Gebiet einer Komponente, einer Abbildung Zᵢ: mᵢ ist ihre Mitte, Sᵢ ihre Streuung. Je dunkler sie ist, desto größer ihr [a: Anteil a] an allen Stichproben. Mach einen Lernschritt: Der Ring ist [x: die Stichprobe x], und die Balken sind, [r: wie viel davon, r,] jede Komponente nimmt.",
-    "Die Abbildung Zᵢ macht aus v, den beiden Variablen und einer 1, eine Pose. Die undurchsichtige Figur ist die Pose der Stichprobe, die durchscheinende [Z: die Vorhersage Zv]. Ein Lernschritt bewegt Zv um δ r des Wegs auf x zu; δ ist die [delta: Lernrate]. Die Striche zeigen, wie weit er die Mitten bewegt hat.",
-    "Der gestrichelte Ring steht für die [sigma: Breite σ] der Nachbarschaft: Eine Komponente, deren Vorhersage weiter als σ von der Stichprobe ist, nimmt wenig von ihr. Von Durchgang zu Durchgang wird σ enger und δ kleiner, sodass am Ende nur noch die nächste Komponente lernt. Die Kurve ist der [E: Fehler] des Modells nach jedem Durchgang. Drück auf Abspielen, und versuch auch das Vorzeichen wie gedruckt.",
-    "Zuletzt wird nach einer Pose gefragt: [u: Zieh u]. Alle Abbildungen antworten, mit [w: Gewichten w] danach, wie gut u zu ihren mᵢ und Sᵢ passt. Je höher die Temperatur [T: T], desto gleicher die Gewichte.",
+    "Die Punkte sind aufgenommene Bilder, angeordnet nach ihren Stilvariablen. Jede Ellipse ist das Gebiet einer Komponente, einer Abbildung Zᵢ: mᵢ ist ihre Mitte, Sᵢ ihre Streuung. Je dunkler sie ist, desto größer ihr [a: Anteil a] an allen Stichproben. Mach einen Lernschritt: Der Ring ist [x: die Stichprobe x], und die Balken zeigen [r: den Teil r], den jede Komponente davon nimmt.",
+    "Die Abbildung Zᵢ macht aus v (den beiden Variablen und einer 1) eine Pose. Die undurchsichtige Figur ist die Pose der Stichprobe, die durchscheinende [Z: die Vorhersage Zv]. Ein Lernschritt bewegt Zv um den Anteil δ r auf x zu; δ ist die [delta: Lernrate]. Die Striche zeigen, wie weit er die Mitten bewegt hat.",
+    "Der gestrichelte Ring zeigt die [sigma: Breite σ] der Nachbarschaft: Eine Komponente, deren Vorhersage weiter als σ von der Stichprobe ist, nimmt wenig von ihr. Von Durchgang zu Durchgang werden σ und δ kleiner, sodass am Ende nur noch die nächste Komponente lernt. Die Kurve ist der [E: Fehler] des Modells nach jedem Durchgang. Drück auf Abspielen, und versuch auch das Vorzeichen wie gedruckt.",
+    "Zuletzt forderst du eine Pose an: [u: Zieh u]. Alle Abbildungen antworten; das [w: Gewicht w] jeder hängt davon ab, wie gut u zu ihrem mᵢ und Sᵢ passt. Je höher die Temperatur [T: T], desto gleicher die Gewichte.",
   ],
   symbols: {
-    u: { symbol: "u", name: "Stilvariablen, nach denen gefragt wird" },
+    u: { symbol: "u", name: "angeforderte Stilvariablen" },
     x: { symbol: "x", name: "die Stichprobe, durch ihre Variablen" },
     r: { symbol: "rᵢ", name: "der größte Teil der Stichprobe" },
     a: { symbol: "aᵢ", name: "der größte Anteil" },
@@ -55,7 +55,7 @@ export const map: LessonText = {
       ],
     },
     B: {
-      task: "Ziehen darf nicht rucken: Stell T so ein, dass sich auf zehn festen Wegen kein Gelenk um mehr als 6° je Bild dreht, aufgenommene Posen aber noch auf 2° stimmen.",
+      task: "Das Ziehen soll glatt sein: Stell T so ein, dass sich auf zehn festen Wegen kein Gelenk um mehr als 6° je Bild dreht und der Fehler bei aufgenommenen Posen höchstens 2° ist.",
       pass: ({ temperature, change, shared }) =>
         `Ja: mit T ${temperature} ${change}° je Bild bei einem Fehler von ${shared}°.`,
       near: {
@@ -63,7 +63,7 @@ export const map: LessonText = {
         harder: ({ shared }) => `Knapp: Der Fehler ist ${shared}°. Etwas weniger T.`,
       },
       refuse: ({ change }) =>
-        `Gewichte, die auf einmal wechseln, lassen den Körper springen: ${change}° je Bild. Mit höherem T teilen sich die Abbildungen die Pose.`,
+        `Gewichte, die schlagartig wechseln, lassen den Körper springen: ${change}° je Bild. Mit höherem T teilen sich die Abbildungen die Pose.`,
       no: ({ change, shared }) => `${change}° je Bild, bei einem Fehler von ${shared}°.`,
       hints: [
         "Je höher T, desto weicher der Wechsel von Abbildung zu Abbildung, und desto weniger gilt jede einzelne.",

@@ -2,22 +2,22 @@ import type { LessonText } from "../text";
 
 export const mix: LessonText = {
   idea: [
-    "Die Datenbank hat vierzig Klassen: fünf Handlungen, jede in acht Stilen. Jede Klasse antwortet mit ihrer eigenen Geraden. Aber wessen Antwort zählt?",
-    "Niemand sagt der Engine, dass die Eingabe läuft. Sie sieht nach, wie weit die Pose von den nächsten Beispielen jeder Klasse entfernt ist, und gibt näheren Klassen mehr Gewicht.",
-    "Die Gewichte sind also zugleich das, als was die Engine die Eingabe liest: Hier läuft jemand, geht, springt und geht wieder.",
+    "Die Datenbank hat vierzig Klassen: fünf Handlungen, jede in acht Stilen. Jede Klasse gibt eine Antwort aus ihrer eigenen Geraden. Welche Antwort zählt?",
+    "Die Engine erfährt nicht, dass die Eingabe läuft. Sie misst, wie weit die Pose von den nächsten Beispielen jeder Klasse entfernt ist, und gibt näheren Klassen mehr Gewicht.",
+    "Die Gewichte zeigen also auch, was die Engine erkennt: Hier läuft die Eingabe, geht, springt und geht wieder.",
   ],
   bet: {
     question:
       "Die Breite δ sagt, wie langsam ein Gewicht mit dem Abstand fällt. Verdopple sie: Gewinnt oder verliert die stärkste Klasse?",
     options: { gains: "Sie gewinnt", loses: "Sie verliert", same: "Nichts ändert sich" },
     reveal: ({ before, after }) =>
-      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ verzeiht Abstand: Die Klassen dahinter holen auf, und weil alle Gewichte zusammen 1 sind, verliert die stärkste.`,
+      `Ihr Gewicht geht von ${before} auf ${after}. Ein größeres δ toleriert Abstand: Die anderen Klassen holen auf, und weil alle Gewichte zusammen 1 sind, verliert die stärkste.`,
   },
   look: [
-    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Ihre Summe ist immer 1. Vor und nach den Sprüngen liest die Engine kurz einen Tritt: Dort steht die Eingabe still, wie man es vor einem Tritt tut.",
+    "Die Flächen sind die [lambda: Gewichte λ] der Handlungen über der Zeit, alle Stile einer Handlung zusammen. Ihre Summe ist immer 1. Vor und nach den Sprüngen erkennt die Engine kurz einen Tritt: Dort steht die Eingabe still, wie vor einem Tritt.",
     "Die Liste zeigt die nächsten Klassen am Zeiger. [D: D] ist der mittlere quadrierte Abstand der nächsten Beispiele einer Klasse, in cm²; der Balken daneben ist das Gewicht, das daraus wird. Das Zeichen ∝ heißt „proportional zu“: Am Ende werden alle Gewichte durch ihre Summe geteilt.",
-    "Die Kurve neben der Liste zeigt, wie das Gewicht mit dem Abstand fällt. Sie beginnt beim [min: kleinsten D], dem der nächsten Klasse. Über [delta: δ] mal min D fällt sie auf 1/e, etwa ein Drittel. Dreh an δ und beobachte die Klassen dahinter.",
-    "Weil D durch min D geteilt wird, zählen nur Verhältnisse: Wären alle Abstände doppelt so groß, blieben die Gewichte gleich. Das gilt, solange die Datenbank die Pose kennt. Ist selbst die nächste Klasse mehrere Zentimeter entfernt, macht die Engine δ breiter; neben seinem Wert steht dann, wie breit es hier ist.",
+    "Die Kurve neben der Liste zeigt, wie das Gewicht mit dem Abstand fällt. Sie beginnt beim [min: kleinsten D], dem der nächsten Klasse. Über [delta: δ] mal min D fällt sie auf 1/e, etwa ein Drittel. Dreh an δ und beobachte die anderen Klassen.",
+    "D wird durch min D geteilt, also zählen nur Verhältnisse: Wären alle Abstände doppelt so groß, blieben die Gewichte gleich. Das gilt, wo die Datenbank ähnliche Posen hat. Ist selbst die nächste Klasse mehrere Zentimeter entfernt, vergrößert die Engine δ; die Anzeige nennt dann beide Werte.",
     "Die zweite Zeile der Gleichung ist die Antwort, E(y): Jede Klasse j hat eine Gerade uᵀβ wie in Lektion 5, und deren Antworten werden mit diesen Gewichten gemittelt.",
   ],
   symbols: {
@@ -57,7 +57,7 @@ export const mix: LessonText = {
         `δ ist eine Breite und kein Gewicht: Mit δ ${delta} hat neutrales Laufen ${running}, nicht die Hälfte.`,
       no: ({ delta, running }) => `Mit δ ${delta} hat neutrales Laufen ${running}.`,
       hints: [
-        "Ein breiteres δ verzeiht Abstand, und die stärkste Klasse verliert.",
+        "Ein größeres δ toleriert Abstand, und die stärkste Klasse verliert.",
         "Lies das Gewicht von Laufen / neutral in der Liste der nächsten Klassen, während du an δ drehst.",
       ],
     },
@@ -80,6 +80,6 @@ export const mix: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 3–5: die Mischung autoregressiver Modelle.",
-    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. Das kleinste D zählt mindestens als 1 mm². Gewichte unter zwei Hunderttausendsteln des größten fallen weg. δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, und doppelt so breit, wo das kleinste D 25 cm² ist.",
+    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. min D ist mindestens 1 mm². Gewichte unter zwei Hunderttausendsteln des größten fallen weg. δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, und doppelt so breit, wo min D 25 cm² ist.",
   ],
 };

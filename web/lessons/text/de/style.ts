@@ -2,8 +2,8 @@ import type { LessonText } from "../text";
 
 export const style: LessonText = {
   idea: [
-    "Zwei Gehende machen dieselben Schritte: links, rechts, links, in derselben Reihenfolge. Das ist der Inhalt.",
-    "Die eine Figur geht neutral, die andere wie ein alter Mensch: gebeugt, und langsamer. Das ist der Stil.",
+    "Zwei Figuren gehen dieselben Schritte: links, rechts, links, in derselben Reihenfolge. Das ist der Inhalt.",
+    "Die eine geht neutral, die andere wie ein alter Mensch: gebeugt und langsamer. Das ist der Stil.",
     "Um allein den Stil zu sehen, musst du gleiche Augenblicke des Schritts vergleichen. Aber welche sind gleich?",
   ],
   bet: {
@@ -14,8 +14,8 @@ export const style: LessonText = {
       `Im Mittel unterscheiden sich die Posen in der gleichen Sekunde um ${second} cm, bei gleichem Inhalt um ${content} cm. Der alte Gang ist langsamer: Nach einigen Sekunden steht die eine Figur auf dem linken Fuß, die andere auf dem rechten. Das ist ein Unterschied im Tempo, aber nach der Uhr zählt er als Unterschied der Pose.`,
   },
   look: [
-    "Miss in jedem Augenblick i, wie weit jedes Gelenk der einen Figur vom selben Gelenk der anderen entfernt ist. Ort und Richtung des Gehens werden vorher abgezogen. Das Mittel über die [J: J Gelenke] ist der [e: Unterschied e], in Zentimetern.",
-    "Entscheidend ist die [tau: Paarung τ]: Sie nennt den Augenblick des Gangs im Stil, der mit i verglichen wird. Unter der Kurve führt ein Faden vom [i: Zeiger] zu diesem Augenblick.",
+    "Miss in jedem Augenblick i, wie weit jedes Gelenk der einen Figur vom selben Gelenk der anderen entfernt ist. Position und Richtung werden vorher entfernt. Das Mittel über die [J: J Gelenke] ist der [e: Unterschied e], in Zentimetern.",
+    "Die [tau: Paarung τ] entscheidet, welcher Augenblick des Gangs im Stil mit i verglichen wird. Unter der Kurve führt ein Faden vom [i: Zeiger] zu diesem Augenblick.",
     "Zieh am Zeiger, ändere den Stil, und wechsle zwischen *gleiche Sekunde* und *gleicher Inhalt*. Je größer ein Punkt am Körper, desto weiter liegt dieses Gelenk bei den beiden auseinander.",
   ],
   symbols: {
@@ -35,8 +35,8 @@ export const style: LessonText = {
         other: () => "Wähle einen anderen Stil als neutral, für das neutrale Gehen.",
       },
       refuse: ({ style, meanContent, meanSecond }) =>
-        `Du hast verschiedene Augenblicke des Schritts verglichen. Nach der Uhr hat ${style} am wenigsten, ${meanSecond} cm; in gleichen Augenblicken sind es ${meanContent} cm.`,
-      no: ({ style, meanContent }) => `${style} hat im Mittel ${meanContent} cm. Es geht mit weniger.`,
+        `Du hast verschiedene Augenblicke des Schritts verglichen. Nach der Uhr hat ${style} den kleinsten Unterschied, ${meanSecond} cm; in gleichen Augenblicken sind es ${meanContent} cm.`,
+      no: ({ style, meanContent }) => `${style} hat im Mittel ${meanContent} cm. Ein anderer Stil ist näher.`,
       hints: [
         "Auch Tempo ist Stil, aber es ist keine Pose. Paare gleiche Augenblicke.",
         "Stell *gleicher Inhalt* ein und lies das Mittel neben der Kurve dieses Namens.",

@@ -2,8 +2,8 @@ import type { LessonText } from "../text";
 
 export const time: LessonText = {
   idea: [
-    "Ein Stil ist nicht nur, wie sich jemand bewegt, sondern auch, wie schnell. Der alte Mensch braucht für dieselben Schritte länger und liegt nach ein paar Sekunden Schritte zurück.",
-    "Darum sagt die Engine für jedes Bild zweierlei vorher: eine Pose, und wie lange sie dauert. Beides sagen seine Nachbarn, die nächsten Beispiele.",
+    "Ein Stil bestimmt nicht nur, wie sich ein Körper bewegt, sondern auch, wie schnell. Der alte Mensch braucht für jeden Schritt länger; nach ein paar Sekunden liegt er mehrere Schritte zurück.",
+    "Darum sagt die Engine für jedes Bild zweierlei vorher: eine Pose, und wie lange sie dauert. Beides liest sie aus den Nachbarn ab, den nächsten Beispielen der Datenbank.",
     "Mischst du zwei Stile, werden Posen und Dauern gleich gemischt. Kannst du das Tempo ausrechnen, bevor du die Schritte siehst?",
   ],
   bet: {
@@ -13,10 +13,10 @@ export const time: LessonText = {
       `Ganz alt dauert ${all} % länger, halb alt ${half} %: ${share} der Verzögerung. Dauern werden mit denselben Gewichten gemischt wie Posen, also wächst die Verzögerung linear mit dem Gewicht.`,
   },
   look: [
-    "Zieh den Punkt: Sein Ort sind die Gewichte [s: s] von alt und kindlich. Neutral hat den Rest, zusammen sind es 1. Im schraffierten Teil liegen Gewichte unter 0 oder über 1: Stile werden übertrieben.",
-    "Die Kurve sagt, wann die Mischung tut, was die Eingabe tut; gestrichelt ist das Tempo der Eingabe. Die Steigung der Kurve ist die [w: Dauer w] eines Bildes, geteilt durch die 16,7 ms, die es in der Eingabe dauert.",
+    "Zieh den Punkt: Seine Position bestimmt die Gewichte [s: s] von alt und kindlich. Neutral erhält den Rest, sodass die Summe 1 ist. Im schraffierten Teil liegen Gewichte unter 0 oder über 1: Stile werden übertrieben.",
+    "Die Kurve gibt zu jeder Zeit der Eingabe die Zeit der Mischung an; gestrichelt ist das Tempo der Eingabe. Die Steigung der Kurve ist die [w: Dauer w] eines Bildes, geteilt durch die 16,7 ms, die es in der Eingabe dauert.",
     "Die letzte Abbildung zeigt, woher die Dauer eines Stils kommt. Jeder Punkt ist ein Nachbar k im Abstand d, dessen Bild wₖ dauerte. Ein näherer Nachbar hat ein größeres [g: Gewicht gₖ]; wie schnell g fällt, bestimmt die [h: Bandbreite h], der mittlere Abstand aller K. vₖ ist das Gewicht aus Lektion 5. Das Mittel mit beiden Gewichten ist die waagrechte Linie.",
-    "Die übrigen Zeilen mischen die Stile m: yᵐ ist die Pose eines Stils, wᵐ seine Dauer, und beide werden mit denselben Gewichten gemischt. Zuletzt gleicht die Engine Bilder aus, bei denen die Nachbarn hinter der Eingabe zurückbleiben oder ihr vorauslaufen; darum weicht w etwas von ihrem Mittel ab.",
+    "Die übrigen Zeilen mischen die Stile m: yᵐ ist die Pose eines Stils, wᵐ seine Dauer, und beide werden mit denselben Gewichten gemischt. Zuletzt korrigiert die Engine Bilder, bei denen die Nachbarn der Eingabe vorauslaufen oder hinter ihr zurückbleiben; darum ist w nicht genau ihr Mittel.",
   ],
   symbols: {
     w: { symbol: "w", name: "Dauer des Bildes" },
@@ -24,7 +24,7 @@ export const time: LessonText = {
     h: { symbol: "h", name: "Bandbreite: mittlerer Abstand, in σ" },
     s: { symbol: "sₘ", name: "Gewichte: alt, kindlich, neutral" },
   },
-  why: "Wenn du nur Posen mischtest und das Tempo der Eingabe behieltest, wie sähe ein alter Gang aus? Und wenn nur Dauern?",
+  why: "Wenn du nur Posen mischtest und das Tempo der Eingabe behieltest, wie sähe ein alter Gang aus? Und wenn du nur Dauern mischtest?",
   exercises: {
     A: {
       task: "Lass den Gang mit alt allein 1,2-mal so lang dauern wie die Eingabe, auf 0,005 genau.",
@@ -39,7 +39,7 @@ export const time: LessonText = {
       no: ({ length, input }) => `Länge jetzt ${length} s, für ${input} s Eingabe.`,
       hints: [
         "Die Verzögerung ist linear im Gewicht: Lies sie beim Gewicht 1 ab, und nimm den Teil, den du brauchst.",
-        "Beim Gewicht 1 steht unter dem Bild, wievielmal so lang. Teile 0,2 durch das, was davon über 1 liegt.",
+        "Beim Gewicht 1 steht der Faktor unter dem Bild. Teile 0,2 durch seinen Teil über 1.",
       ],
     },
     B: {
@@ -61,9 +61,9 @@ export const time: LessonText = {
       ],
     },
     C: {
-      task: "Sei langsamer als alle: Lass den Gang länger dauern als die langsamste Aufnahme davon in irgendeinem Stil.",
+      task: "Lass den Gang länger dauern als seine langsamste Aufnahme in irgendeinem Stil.",
       pass: ({ ratio, longest, longestStyle }) =>
-        `Ja: das ${ratio}-Fache, und die langsamste Aufnahme, ${longestStyle}, dauerte das ${longest}-Fache. Das hat nie jemand aufgeführt.`,
+        `Ja: das ${ratio}-Fache, und die langsamste Aufnahme, ${longestStyle}, dauerte das ${longest}-Fache. So langsam ist keine Aufnahme.`,
       near: {
         other: () => "Nimm den neutralen Gang.",
         further: ({ ratio, longest }) =>
@@ -73,7 +73,7 @@ export const time: LessonText = {
         `Im Dreieck ist nichts langsamer als seine langsamste Ecke: jetzt das ${ratio}-Fache. Verlass das Dreieck.`,
       no: ({ ratio }) => `Jetzt ${ratio}-mal so lang.`,
       hints: [
-        "Gewichte dürfen über 1 gehen: Dann wird neutral weggenommen.",
+        "Gewichte dürfen über 1 gehen: Dann wird neutral abgezogen.",
         "Zieh den Punkt nach rechts, in die Schraffur.",
       ],
     },

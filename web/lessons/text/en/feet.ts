@@ -2,34 +2,34 @@ import type { LessonText } from "../text";
 
 export const feet: LessonText = {
   idea: [
-    "A predicted pose may be right to a centimetre, and still you see at once when a standing foot slides. That is called foot skate.",
-    "The picture shows the sole of one foot from above, as a line from heel to ball for each frame of a stance, the time it stands. If the foot stood still, all lines would be one. The red line is the foot at the chosen instant, the dashed one shows where the hold puts it.",
-    "The cure has three parts: know whether a foot stands, keep it where it is, and bend the knee so that the leg reaches it.",
+    "A predicted pose can be right to the centimetre and still look wrong the moment a planted foot slides. That is called foot skate.",
+    "The picture shows the sole of one foot from above: a line from heel to ball for each frame of a stance, the time on the ground. If the foot did not move, all lines would coincide. The red line is the foot at the chosen instant; the dashed one shows where the hold puts it.",
+    "The cure has three parts: detect whether the foot is planted, hold it in place, and bend the knee so that the leg reaches it.",
   ],
   bet: {
-    question: "The hold is off. When does a standing foot slide fastest?",
+    question: "The hold is off. When does a planted foot slide fastest?",
     options: { strike: "When it strikes", middle: "In the middle of the stance", lift: "When it is lifted" },
     reveal: ({ most, middle, held, nth, frames }) =>
-      `This stance has ${frames} frames, and the foot slides fastest in frame ${nth}: at ${most} cm/s, against ${middle} cm/s in the middle. A landing foot counts as standing a little before it is at rest. With the hold it slides at ${held} cm/s there.`,
+      `This stance has ${frames} frames, and the foot slides fastest in frame ${nth}: at ${most} cm/s, against ${middle} cm/s in the middle. A landing foot counts as planted a little before it is at rest. With the hold it slides at ${held} cm/s there.`,
   },
   look: [
-    "Does the foot stand? The 40 most similar frames of the database vote: cₖ is 1 if the foot of frame k stands, else 0. A vote counts more the smaller eₖ is: how much the feet of frame k differ from the input’s in height and speed. Each dot is [c: the outcome at one instant]; averaged with the contacts of the recorded style, and smoothed over time, it is [P: P]. The foot is planted from P 0.6 on and released below 0.4, the dotted lines; a foot that is low and slow counts as standing anyway. Where it stands, the plot is grey.",
-    "The thick curve is [p: the slide Δp], per second; the dashed one is the slide with the other setting of the hold. Move the playhead to an [i: instant], and switch the hold: [q: the correction q] moves a standing foot back by what it has slid. n counts the frames since the foot was planted, so that the hold sets in over three frames.",
-    "Now the ankle has its place, and with it its [d: distance d] from the hip. Thigh a, shin b and d make a triangle: the law of cosines gives the [gamma: angle γ] at the knee.",
+    "Is the foot planted? The 40 most similar frames of the database vote: cₖ is 1 if the foot of frame k is planted, else 0. A vote counts more the smaller eₖ is: how much the feet of frame k differ from the input’s in height and speed. Each dot is [c: the vote at one instant]. [P: P] is the vote averaged with the recorded style’s own contacts, then smoothed over time. The foot is planted from P 0.6 on and released below 0.4, the dotted lines; a low and slow foot counts as planted anyway. Where it is planted, the plot is grey.",
+    "The thick curve is [p: the slide Δp], per second; the dashed one is the slide with the other setting of the hold. Move the playhead to an [i: instant], and switch the hold: [q: the correction q] moves a planted foot back by the distance it has slid. n counts the frames since the foot was planted, so that the hold fades in over three frames.",
+    "Now the position of the ankle is fixed, and with it its [d: distance d] from the hip. Thigh a, shin b and d make a triangle: the law of cosines gives the [gamma: angle γ] at the knee.",
   ],
   symbols: {
-    P: { symbol: "P", name: "how likely the foot stands" },
-    c: { symbol: "c", name: "share of the votes for standing" },
+    P: { symbol: "P", name: "how likely the foot is planted" },
+    c: { symbol: "c", name: "share of the votes for planted" },
     p: { symbol: "Δp", name: "slide of the foot" },
     q: { symbol: "q", name: "how far the hold moves the foot" },
     gamma: { symbol: "γ", name: "angle between thigh and shin" },
     d: { symbol: "d", name: "from hip to ankle" },
     i: { symbol: "t", name: "instant" },
   },
-  why: "Why are two limits better than one: 0.6 to plant, 0.4 to release? Think of a P that trembles about 0.5.",
+  why: "Why are two limits better than one: 0.6 to plant, 0.4 to release? Think of a P that jitters around 0.5.",
   exercises: {
     A: {
-      task: "The hold is off. In the stretch that you see, go to the instant at which the standing left foot slides fastest, to within 3 frames.",
+      task: "The hold is off. In the stretch that you see, go to the instant where the planted left foot slides fastest, to within 3 frames.",
       pass: ({ speed, most }) => `Yes: ${speed} cm/s here, and ${most} cm/s at most, where the foot lands.`,
       near: {
         other: () => "Look at the left foot of the old walk, in this stretch.",
@@ -37,10 +37,10 @@ export const feet: LessonText = {
         later: () => "Close, but here the foot is still lifted. A little later.",
         earlier: ({ speed }) => `Close: ${speed} cm/s. A little earlier.`,
       },
-      refuse: ({ speed }) => `A lifted foot may move, even at ${speed} cm/s. Look where it stands: in grey.`,
+      refuse: ({ speed }) => `A lifted foot may move, even at ${speed} cm/s. Look where it is planted: in grey.`,
       no: ({ speed }) => `Here it slides at ${speed} cm/s. It is faster somewhere else.`,
       hints: [
-        "Only the speed of a standing foot counts: look in the grey stretches.",
+        "Only the speed of a planted foot counts: look in the grey stretches.",
         "Look at the edges of the grey stretches. Arrow keys move the playhead, with Shift by single frames.",
       ],
     },

@@ -2,32 +2,32 @@ import type { LessonText } from "../text";
 
 export const map: LessonText = {
   idea: [
-    "Two numbers, the style variables, give a whole pose: they say how far the feet are apart along the way, and in height. Drag the point, and the body follows.",
-    "Behind it are several linear maps from the two numbers to the pose. Each one knows a region of the plane, and where regions meet, the maps share the answer.",
+    "Two numbers, the style variables, give a whole pose: they set how far apart the feet are, front to back and in height. Drag the point, and the body follows.",
+    "Several linear maps turn the two numbers into the pose. Each map covers a region of the plane, and where regions meet, the maps share the answer.",
     "They organise themselves: every recorded frame pulls the maps that are near to it, first many at once, then fewer and fewer. One such pull is an update.",
   ],
   bet: {
     question:
-      "An update moves a map towards the sample, one recorded frame. The paper prints the formula with a minus, which moves it away. What happens if you compute as printed?",
+      "An update moves a map towards the sample, one recorded frame. The paper prints the formula with a minus, which moves it away. What happens if you use the printed formula?",
     options: {
       same: "It learns just as well",
       slower: "It learns more slowly",
       diverges: "The error grows without end",
     },
     reveal: ({ updates, right, printed }) =>
-      `After ${updates} updates the error is ${right}° with the right sign, and ${printed}° as printed. Every update leads away from the sample, and the greater the distance, the larger the next one.`,
+      `After ${updates} updates the error is ${right}° with the right sign, and ${printed}° as printed. Every update moves the map away from the sample, and the greater the distance, the larger the next update.`,
   },
   look: [
-    "The dots are recorded frames, placed by their style variables. Each ellipse is the region of one component, a map Zᵢ: mᵢ is its centre, Sᵢ its spread. The darker it is, the greater its [a: share a] of all samples. Make one update: the ring is [x: the sample x], and the bars are [r: how much of it, r,] each component takes.",
-    "The map Zᵢ turns v, the two variables and a 1, into a pose. The solid body is the sample’s pose, the ghost is [Z: the prediction Zv]. An update moves Zv by δ r of the way to x; δ is the [delta: learning rate]. The strokes show how far it has moved the centres.",
-    "The dashed ring stands for the [sigma: width σ] of the neighbourhood: a component whose prediction is farther than σ from the sample takes little of it. From pass to pass σ narrows and δ falls, so that in the end the nearest component learns alone. The curve is the [E: error] of the model after each pass. Press Play, and try the sign as printed, too.",
-    "Last, a pose is asked for: [u: drag u]. All maps answer, with [w: weights w] by how well u fits their mᵢ and Sᵢ. The higher the temperature [T: T], the more equal the weights are.",
+    "The dots are recorded frames, placed by their style variables. Each ellipse is the region of one component, a map Zᵢ: mᵢ is its centre, Sᵢ its spread. The darker it is, the greater its [a: share a] of all samples. Make one update: the ring is [x: the sample x], and the bars show [r: the part r] of it that each component takes.",
+    "The map Zᵢ turns v (the two variables and a 1) into a pose. The solid body is the sample’s pose, the ghost is [Z: the prediction Zv]. An update moves Zv towards x by the fraction δ r; δ is the [delta: learning rate]. The strokes show how far it has moved the centres.",
+    "The dashed ring shows the [sigma: width σ] of the neighbourhood: a component whose prediction is farther than σ from the sample takes little of it. From pass to pass σ and δ decrease, so that in the end only the nearest component learns. The curve is the [E: error] of the model after each pass. Press Play, and try the sign as printed, too.",
+    "Finally, request a pose: [u: drag u]. All maps answer; the [w: weight w] of each depends on how well u fits its mᵢ and Sᵢ. The higher the temperature [T: T], the more equal the weights are.",
   ],
   symbols: {
-    u: { symbol: "u", name: "style variables that are asked for" },
+    u: { symbol: "u", name: "requested style variables" },
     x: { symbol: "x", name: "the sample, by its variables" },
-    r: { symbol: "rᵢ", name: "the greatest part of the sample" },
-    a: { symbol: "aᵢ", name: "the greatest share" },
+    r: { symbol: "rᵢ", name: "largest part of the sample" },
+    a: { symbol: "aᵢ", name: "largest share" },
     Z: { symbol: "Zᵢv", name: "distance of the prediction from x" },
     delta: { symbol: "δ", name: "learning rate" },
     sigma: { symbol: "σ", name: "width of the neighbourhood" },
@@ -53,7 +53,7 @@ export const map: LessonText = {
       ],
     },
     B: {
-      task: "Dragging must not jerk: set T so that on ten fixed drags no joint turns by more than 6° a frame, while recorded poses are still within 2°.",
+      task: "Dragging should be smooth: set T so that on ten fixed drags no joint turns by more than 6° a frame, while the error at recorded poses is at most 2°.",
       pass: ({ temperature, change, shared }) =>
         `Yes: with T ${temperature}, ${change}° a frame at an error of ${shared}°.`,
       near: {
@@ -61,11 +61,11 @@ export const map: LessonText = {
         harder: ({ shared }) => `Close: the error is ${shared}°. A little less T.`,
       },
       refuse: ({ change }) =>
-        `Weights that change at once make the body jump: ${change}° a frame. With a higher T the maps share.`,
+        `Weights that switch abruptly make the body jump: ${change}° a frame. With a higher T the maps share.`,
       no: ({ change, shared }) => `${change}° a frame, at an error of ${shared}°.`,
       hints: [
-        "The higher T, the softer the change from map to map, and the less each single map counts.",
-        "Both numbers stand below the plane. Turn T up slowly.",
+        "The higher T, the softer the change from map to map, and the less each map counts alone.",
+        "Both numbers are shown below the plane. Turn T up slowly.",
       ],
     },
     C: {

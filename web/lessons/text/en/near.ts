@@ -2,20 +2,20 @@ import type { LessonText } from "../text";
 
 export const near: LessonText = {
   idea: [
-    "The engine looks for moments of the database that resemble what you do now. For that it needs a number that says how alike two moments are.",
+    "Strut searches its recordings for moments that look like the pose you give it. For that, it needs a number that measures how alike two moments are.",
     "It compares the last five frames, joint by joint, and adds up squared distances. So two moments are near if both the poses and the motion are alike.",
     "But is walking north any different from walking east? A good distance must know what to ignore.",
   ],
   bet: {
-    question: "Turn the walker by 90° and move it by 1 m. What becomes of its distance to the nearest example?",
+    question: "Turn the walker by 90° and move it by 1 m. How does its distance to the nearest example change?",
     options: { same: "It stays the same", little: "It grows by some centimetres", much: "It grows by much more" },
     reveal: ({ before, after }) =>
-      `Before: ${before} mm. After: ${after} mm. A window is the last five frames. Before two windows are compared, one of them is turned and moved over the ground to where it fits best.`,
+      `Before: ${before} mm. After: ${after} mm. A window is the last five frames. Before two windows are compared, one of them is turned and moved on the ground to the best fit.`,
   },
   look: [
-    "The solid walker is the query, and p are its joints. Around it stand its 8 nearest examples; the nearer an example, the less transparent it is. The joints p′ of each are moved by T, a [theta: turn by θ] and a shift by [x0: x₀] and [z0: z₀], to where they fit best.",
-    "What is left are differences in [y: height] and [z: on the ground], weighted by [w: how large and visible each part is]. The eight are so near that they hide behind the query: drag a limb by its ring, and watch them part and [D: D] grow.",
-    "The second line of the equation finds the best turn and shift without a search. Here y are the heights, and z the places on the ground as complex numbers with their mean taken off, both multiplied by √w. A turn multiplies z′ by a number of length 1, and the best one makes the product ⟨z, z′⟩ real and positive.",
+    "The solid walker is the query, and p are its joints. Around it stand its 8 nearest examples; the nearer an example, the less transparent it is. T moves the joints p′ of each example to the best fit: a [theta: turn by θ] and a shift by [x0: x₀] and [z0: z₀].",
+    "The remaining differences are in [y: height] and [z: on the ground], weighted by [w: how large and visible each part is]. The eight are so similar that the query hides them: drag a limb by its ring, and watch them separate and [D: D] grow.",
+    "The second line of the equation finds the best turn and shift without a search. Here y are the heights, and z the positions on the ground as complex numbers, minus their mean; both are multiplied by √w. A turn multiplies z′ by a number of length 1, and the best one makes the product ⟨z, z′⟩ real and positive.",
     "The curve is [D: √D], a distance in millimetres, for every moment of one class (an action in one style), and the dots are the [K: K nearest]. Now drag the ring on the ground: the query moves, the curve does not. The window has [s: s frames], each with 20 joints.",
   ],
   symbols: {
@@ -29,10 +29,10 @@ export const near: LessonText = {
     s: { symbol: "s", name: "frames of a window" },
     K: { symbol: "K", name: "number of neighbours; √D of the last" },
   },
-  why: "The distance ignores where somebody is and which way they face. It does not ignore how high they are. Why not, and for which motions does that matter?",
+  why: "The distance ignores position and heading. It does not ignore height. Why not, and for which motions does that matter?",
   exercises: {
     A: {
-      task: "How many neighbours are at most twice as far as the nearest? Set K so that √D of the last is at most 2 √D₁, and one more would be beyond it.",
+      task: "How many neighbours are at most twice as far away as the nearest? Set K so that √D of the last is at most 2 √D₁, and that of the next is larger.",
       pass: ({ K, last, first }) => `Yes: number ${K} is ${last} mm away, and 2 √D₁ is twice ${first} mm.`,
       near: {
         other: () => "Use the walker as it was at the start: no bent limbs, five frames, and time forwards.",
@@ -40,7 +40,7 @@ export const near: LessonText = {
         less: ({ K, last }) => `Close: number ${K} is ${last} mm away. That is a little too far.`,
       },
       refuse: ({ K }) => `You compared D, which is squared: with K ${K}, D doubles. The task is about √D.`,
-      no: ({ K, last, first }) => `Number ${K} is ${last} mm away; the nearest ${first} mm.`,
+      no: ({ K, last, first }) => `Number ${K} is ${last} mm away. The limit is 2 × ${first} mm.`,
       hints: [
         "Read √D₁ above the plot, and double it.",
         "Turn the knob K until the dashed line, √D of number K, is just below that. Arrow keys change K by one.",
@@ -63,18 +63,18 @@ export const near: LessonText = {
       ],
     },
     C: {
-      task: "Reverse time: the walker goes backwards. Which is the shortest window in which the nearest example is at least 4 times as far as with time forwards?",
+      task: "Reverse time, so that the walker goes backwards. What is the shortest window in which the nearest example is at least 4 times as far away as with time forwards?",
       pass: ({ window }) =>
         `Yes: ${window} frames show a direction, so walking backwards is far from walking forwards.`,
       near: {
         other: () => "Use the walker as it was at the start: put bent limbs back.",
         forward: () => "Reverse time first.",
-        shorter: ({ window }) => `With ${window} frames it is far enough, but a shorter window does it, too.`,
+        shorter: ({ window }) => `With ${window} frames it is far enough, but a shorter window is enough, too.`,
       },
-      refuse: () => "At s = 1 both ways have the same poses: one frame has no direction, so √D₁ is the same.",
+      refuse: () => "At s = 1 both directions have the same poses: one frame has no direction, so √D₁ is the same.",
       no: ({ window }) => `${window} frames do not tell the two apart.`,
       hints: [
-        "How many frames does it take to see which way somebody moves?",
+        "How many frames do you need to see the direction of a movement?",
         "Switch “Reverse time” on and off for each s, and compare √D₁.",
       ],
     },

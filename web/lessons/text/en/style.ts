@@ -3,7 +3,7 @@ import type { LessonText } from "../text";
 export const style: LessonText = {
   idea: [
     "Two walkers take the same steps: left, right, left, in the same order. That is the content.",
-    "One of them is neutral, the other walks as an old person does: bent forward, and slower. That is the style.",
+    "One of them walks neutrally, the other like an old person: bent forward, and slower. That is the style.",
     "To see style alone, you have to compare equal instants of the step. But which instants are equal?",
   ],
   bet: {
@@ -11,12 +11,12 @@ export const style: LessonText = {
       "You can pair the two walkers by the clock, second with second, or by the step, foot strike with foot strike. Which pairing shows more difference between the poses?",
     options: { second: "The same second", content: "The same content" },
     reveal: ({ second, content }) =>
-      `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is a difference in pace, but by the clock it counts as one in pose.`,
+      `Over the whole walk the poses differ by ${second} cm in the same second, and by ${content} cm at the same content. The old walker is slower: after a few seconds one stands on the left foot while the other stands on the right. That is a difference in pace, but the clock counts it as a difference in pose.`,
   },
   look: [
-    "At each instant i, measure how far each joint of one walker is from the same joint of the other. Place and heading are taken away first. The mean over the [J: J joints] is the [e: difference e], in centimetres.",
-    "What decides is the [tau: pairing τ]: it names the instant of the styled walk that is compared with i. Below the curve, a thread leads from the [i: playhead] to that instant.",
-    "Drag the playhead, change the style, and switch between *same second* and *same content*. The larger a dot on the body, the farther apart the two walkers have that joint.",
+    "At each instant i, measure how far each joint of one walker is from the same joint of the other. Position and heading are removed first. The mean over the [J: J joints] is the [e: difference e], in centimetres.",
+    "The [tau: pairing τ] decides which instant of the styled walk is compared with i. Below the curve, a thread leads from the [i: playhead] to that instant.",
+    "Drag the playhead, change the style, and switch between *same second* and *same content*. The larger a dot on the body, the farther apart that joint is in the two walkers.",
   ],
   symbols: {
     e: { symbol: "e", name: "difference of the poses" },
@@ -29,14 +29,14 @@ export const style: LessonText = {
   why: "Why does the curve of the same second rise and fall, while that of the same content stays nearly level?",
   exercises: {
     A: {
-      task: "Which style is nearest to neutral? Choose the style with the least mean difference.",
+      task: "Which style is nearest to neutral? Choose the style with the smallest mean difference.",
       pass: ({ style, meanContent }) => `Yes: ${style}, with ${meanContent} cm on average.`,
       near: {
         other: () => "Choose one of the styles other than neutral, on the neutral walk.",
       },
       refuse: ({ style, meanContent, meanSecond }) =>
-        `You compared different moments of the step. By the clock ${style} has least, ${meanSecond} cm; at equal instants it has ${meanContent} cm.`,
-      no: ({ style, meanContent }) => `${style} has ${meanContent} cm on average. Another style has less.`,
+        `You compared different moments of the step. By the clock, ${style} has the smallest difference, ${meanSecond} cm; at equal instants it has ${meanContent} cm.`,
+      no: ({ style, meanContent }) => `${style} has ${meanContent} cm on average. Another style is closer.`,
       hints: [
         "Pace is style too, but it is not pose. Pair equal instants.",
         "Set *same content* and read the mean beside the curve of that name.",

@@ -2,21 +2,22 @@ import type { LessonText } from "../text";
 
 export const time: LessonText = {
   idea: [
-    "A style is not only how somebody moves, but also how fast. The old walker needs longer for the same steps, and after a few seconds is steps behind.",
-    "So the engine predicts two things for every frame: a pose, and how long it lasts. Its neighbours, the nearest examples, say both.",
-    "Blend two styles, and poses and durations are blended alike. Can you compute the pace before you watch the walk?",
+    "A style changes not only how a body moves, but also how fast. The old walker takes longer over each step; after a few seconds it is several steps behind.",
+    "So the engine predicts two things for every frame: a pose, and how long it lasts. It reads both off the neighbours, the nearest examples in the database.",
+    "If you blend two styles, poses and durations are blended in the same way. Can you compute the pace before you watch the walk?",
   ],
   bet: {
-    question: "All old, the walk takes longer. Take half of old and half of neutral: how much of that delay is left?",
+    question:
+      "Played fully old, the walk takes longer. Take half old and half neutral: how much of that delay is left?",
     options: { less: "Less than half", half: "Half", more: "More than half" },
     reveal: ({ half, all, share }) =>
-      `All old takes ${all} % longer, half old ${half} %: ${share} of the delay. Durations are blended by the same weights as poses, so the delay is linear in the weight.`,
+      `Fully old takes ${all} % longer, half old ${half} %: ${share} of the delay. Durations are blended with the same weights as poses, so the delay is linear in the weight.`,
   },
   look: [
-    "Drag the point: its place is the weights [s: s] of old and childlike. Neutral has the rest, so that all sum to 1. In the hatched part weights are below 0 or above 1: styles are exaggerated.",
-    "The curve says when the blend does what the input does; the dashed line is the input’s own pace. The slope of the curve is the [w: duration w] of a frame, divided by the 16.7 ms that it lasts in the input.",
-    "The last figure shows where the duration of one style comes from. Each dot is a neighbour k at distance d, whose frame lasted wₖ. A nearer neighbour has a greater [g: weight gₖ]; how fast g falls is the [h: bandwidth h], the mean distance of all K. vₖ is the weight from lesson 5. The mean by both weights is the level line.",
-    "The other lines blend the styles m: yᵐ is the pose of a style, wᵐ its duration, and both are blended by the same weights. Last, the engine evens out frames at which the neighbours lag behind the input or run ahead of it, so w differs a little from their mean.",
+    "Drag the point: its position sets the weights [s: s] of old and childlike. Neutral gets the rest, so that the sum is 1. In the hatched part, weights are below 0 or above 1: styles are exaggerated.",
+    "The curve gives the time in the blend for each time in the input; the dashed line is the input’s own pace. The slope of the curve is the [w: duration w] of a frame, divided by the 16.7 ms that it lasts in the input.",
+    "The last figure shows where the duration of one style comes from. Each dot is a neighbour k at distance d, whose frame lasted wₖ. A nearer neighbour has a greater [g: weight gₖ]; how fast g falls is the [h: bandwidth h], the mean distance of all K. vₖ is the weight from lesson 5. The horizontal line is the mean with both weights.",
+    "The other lines blend the styles m: yᵐ is the pose of a style, wᵐ its duration, and both are blended with the same weights. Finally the engine corrects frames where the neighbours run ahead of or behind the input, so w is not exactly their mean.",
   ],
   symbols: {
     w: { symbol: "w", name: "duration of the frame" },
@@ -24,22 +25,22 @@ export const time: LessonText = {
     h: { symbol: "h", name: "bandwidth: mean distance, in σ" },
     s: { symbol: "sₘ", name: "weights: old, childlike, neutral" },
   },
-  why: "If you blended poses alone, and kept the input’s pace, what would an old walk look like? And durations alone?",
+  why: "If you blended only poses and kept the input’s pace, what would an old walk look like? And if you blended only durations?",
   exercises: {
     A: {
-      task: "With old alone, let the walk take 1.2 times as long as the input, to within 0.005.",
+      task: "With old alone, make the walk take 1.2 times as long as the input, to within 0.005.",
       pass: ({ old, ratio }) => `Yes: with ${old} of old it takes ${ratio} times as long.`,
       near: {
         other: () => "Use old alone: childlike must be 0.",
-        more: ({ length }) => `Close: length now ${length} s. A little more of old.`,
-        less: ({ length }) => `Close: length now ${length} s. A little less of old.`,
+        more: ({ length }) => `Close: length now ${length} s. A little more old.`,
+        less: ({ length }) => `Close: length now ${length} s. A little less old.`,
       },
       refuse: ({ old, ratio }) =>
-        `${old} is the weight, not the delay: all old takes far less than twice as long. Now it is ${ratio} times.`,
+        `${old} is the weight, not the delay: fully old takes far less than twice as long. Now it is ${ratio} times.`,
       no: ({ length, input }) => `Length now ${length} s, for ${input} s of input.`,
       hints: [
         "The delay is linear in the weight: read it at weight 1, and take the part that you need.",
-        "At weight 1 the readout says how many times as long. Divide 0.2 by what that is above 1.",
+        "At weight 1 the readout gives the factor. Divide 0.2 by its part above 1.",
       ],
     },
     B: {
@@ -62,7 +63,7 @@ export const time: LessonText = {
     C: {
       task: "Make the walk take longer than its slowest recorded performance in any style.",
       pass: ({ ratio, longest, longestStyle }) =>
-        `Yes: ${ratio} times, and the slowest recorded one, ${longestStyle}, took ${longest} times. Nobody ever performed that.`,
+        `Yes: ${ratio} times, and the slowest recorded one, ${longestStyle}, took ${longest} times. No recording is this slow.`,
       near: {
         other: () => "Use the neutral walk.",
         further: ({ ratio, longest }) => `Beyond the data, at ${ratio} times. It takes more than ${longest}: further.`,
@@ -70,7 +71,7 @@ export const time: LessonText = {
       refuse: ({ ratio }) =>
         `Within the triangle nothing is slower than its slowest corner: now ${ratio} times. Leave the triangle.`,
       no: ({ ratio }) => `Now ${ratio} times as long.`,
-      hints: ["Weights may exceed 1: then neutral is taken away.", "Drag the point to the right, into the hatching."],
+      hints: ["Weights may exceed 1: then neutral is subtracted.", "Drag the point to the right, into the hatching."],
     },
   },
   sources: [

@@ -2,12 +2,12 @@
 import type { BiasWords } from "../bias";
 
 export const bias: BiasWords = {
-  title: "Was aus dem Band ragt",
-  stage: "Die gehobenen Arme, und was aus ihnen wird",
+  title: "Der Teil außerhalb des Bandes",
+  stage: "Die gehobenen Arme, vorher und nachher",
   knobs: {
     raise: { symbol: "φ", name: "Heben φ, Grad", description: "Wie weit beide Arme der Eingabe gehoben sind" },
     reach: { symbol: "κ", name: "Reichweite κ", description: "Halbe Breite des Bandes, in Standardabweichungen" },
-    keep: { symbol: "ρ", name: "Anteil ρ", description: "Wie viel von dem zurückkehrt, was herausragt" },
+    keep: { symbol: "ρ", name: "Anteil ρ", description: "Anteil des Bias, der wieder addiert wird" },
   },
   axis: (joint) => `${joint}, Drehung von seinem Mittel, °`,
   input: "Eingabe",
@@ -18,12 +18,12 @@ export const bias: BiasWords = {
     x: "x, die Eingabe",
     mean: "μ, Mittel der Nachbarn",
     deviation: "σ der Nachbarn",
-    bias: "Δx, was herausragt",
+    bias: "Δx, der Bias",
     y: "y, die Ausgabe",
   },
   read: (low, high) => `Band von ${low}° bis ${high}°`,
   said: (x, low, high, bias, y) =>
-    `Die Eingabe steht bei ${x}°, das Band reicht von ${low}° bis ${high}°: ${bias}° ragen heraus, und die Ausgabe steht bei ${y}°.`,
+    `Die Eingabe steht bei ${x}°, das Band reicht von ${low}° bis ${high}°: ${bias}° liegen außerhalb, und die Ausgabe steht bei ${y}°.`,
   elevations: ["Figur", "Oberarme gegen die Senkrechte, °"],
   posed: (style, time, raise) =>
     `Bei ${time} s: die Eingabe mit um ${raise}° gehobenen Armen, und ihre Fassung im Stil „${style}“.`,

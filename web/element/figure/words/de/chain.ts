@@ -3,8 +3,8 @@ import type { ChainWords } from "../chain";
 
 export const chain: ChainWords = {
   chain: "Die Zustände eines linken und eines rechten Schritts",
-  path: "Der Weg durch die Zustände",
-  gait: "Der Gehende dieses Modells",
+  path: "Der Verlauf durch die Zustände",
+  gait: "Der Gang dieses Modells",
   knobs: {
     pose: { symbol: "σ² ×", name: "Varianz der Pose", description: "Multipliziert σ² jedes Zustands." },
     velocity: {
@@ -41,7 +41,7 @@ export const chain: ChainWords = {
   read: (farthest, deviations, jerk) => `|c − μ| ≤ ${farthest}°, ${deviations} σ · Ruck ${jerk} ×`,
   walked: (left, right, cadence) => `links ${left} s · rechts ${right} s · ${cadence} Schritte in der Minute`,
   said: (joint, farthest, deviations, jerk) =>
-    `${joint}: Die Kurve ist höchstens ${farthest}° von einem Mittel entfernt, ${deviations} Standardabweichungen, und ruckt ${jerk}-mal so stark wie die des Modells.`,
+    `${joint}: Die Kurve ist höchstens ${farthest}° von einem Mittel entfernt, ${deviations} Standardabweichungen, und ihr Ruck ist das ${jerk}-Fache der Kurve des Modells.`,
   walks: (style, share) => `Ein Gang, der ${share} des Wegs von neutral zu ${style} geht.`,
   walker: "Gang",
   columns: ["Zeit, s", "μ, °", "σ, °", "c, °"],

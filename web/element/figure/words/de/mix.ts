@@ -3,7 +3,7 @@ import type { MixWords } from "../mix";
 
 export const mix: MixWords = {
   title: "Die nächsten Klassen",
-  reading: "Als was die Eingabe gelesen wird",
+  reading: "Als was die Eingabe erkannt wird",
   delta: { symbol: "δ", name: "Breite δ", description: "Wie langsam ein Gewicht mit dem Abstand fällt" },
   weight: "Gewicht λ",
   actions: { walk: "Gehen", run: "Laufen", jump: "Springen", punch: "Schlagen", kick: "Treten" },

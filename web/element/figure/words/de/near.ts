@@ -18,7 +18,7 @@ export const near: NearWords = {
     },
     k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Fenster benutzt werden." },
   },
-  move: "Ort der Anfrage",
+  move: "Position der Anfrage",
   moved: (x, z) => `x ${x} m, z ${z} m`,
   restore: "Zurücksetzen",
   window: "Bilder s eines Fensters",

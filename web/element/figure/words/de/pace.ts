@@ -2,7 +2,7 @@
 import type { PaceWords } from "../pace";
 
 export const pace: PaceWords = {
-  blend: "Gewichte der Stile",
+  blend: "Stilgewichte",
   clock: "Zeit der Mischung",
   paced: "Dieselbe Sekunde",
   votes: "Wie lange die Nachbarn brauchten",
@@ -28,12 +28,12 @@ export const pace: PaceWords = {
   blended: (old, childlike, neutral, ratio) =>
     `Mit alt ${old}, kindlich ${childlike} und neutral ${neutral} dauert der Gang ${ratio}-mal so lang.`,
   clocked: (time, output, length, ratio) =>
-    `Was die Eingabe bei ${time} s tut, tut die Mischung bei ${output} s. Das Ganze dauert ${length} s, ${ratio}-mal so lang.`,
-  walking: (time, behind) => `Bei ${time} s tut die Mischung, was die Eingabe bei ${behind} s tat.`,
+    `${time} s der Eingabe entsprechen ${output} s der Mischung. Die Mischung dauert ${length} s, ${ratio}-mal so lang.`,
+  walking: (time, behind) => `Bei ${time} s entspricht die Mischung der Eingabe bei ${behind} s.`,
   ended: (time) => `Bei ${time} s ist die Mischung zu Ende.`,
   mean: (ms, bandwidth) => `w ${ms} ms · h ${bandwidth}`,
   voted: (style, count, ms, bandwidth) =>
-    `Im Stil „${style}“ sagen ${count} Nachbarn, dass das Bild ${ms} ms dauert; die Bandbreite h ist ${bandwidth}.`,
+    `Im Stil „${style}“ sagen ${count} Nachbarn eine Dauer von ${ms} ms voraus; die Bandbreite h ist ${bandwidth}.`,
   blendName: "Mischung",
   shares: ["Stil", "Gewicht"],
   times: ["Eingabe, s", "Ausgabe, s"],

@@ -11,13 +11,13 @@ export const pose: PoseWords = {
     z: { symbol: "w z", name: "w um z", description: "Dreht das Gelenk von seinem Mittel weg um seine z-Achse, Grad." },
     heading: {
       symbol: "drehen",
-      name: "Den Gehenden drehen",
+      name: "Figur drehen",
       description: "Dreht den ganzen Gang um die Senkrechte, Grad.",
     },
     phi: {
       symbol: "φ",
       name: "Eigene Achsen φ",
-      description: "Dreht die eigenen Achsen des Gelenks um x, Grad. Jedes Skelett legt sie frei fest.",
+      description: "Dreht die eigenen Achsen des Gelenks um x, Grad. Sie sind eine Konvention jedes Skeletts.",
     },
   },
   restore: "Zurücksetzen",
@@ -36,7 +36,7 @@ export const pose: PoseWords = {
   jumps: (raw, jump) => `größter Sprung: log R ${raw} rad · w ${jump} rad`,
   posed: (joint, angle, x, y, z) => `${joint}: ${angle}° vom Mittel gedreht, ${x}° um x, ${y}° um y, ${z}° um z.`,
   listed: (changed, of, heading, limbs) =>
-    `Der Gehende ist um ${heading}° gedreht, ${limbs === "1" ? "1 Glied ist" : `${limbs} Glieder sind`} gebeugt: ${changed} von ${of} Zahlen sind anders als die der Eingabe.`,
+    `Die Figur ist um ${heading}° gedreht, ${limbs === "1" ? "1 Glied ist" : `${limbs} Glieder sind`} gebeugt: ${changed} von ${of} Zahlen sind anders als die der Eingabe.`,
   plotted: (joint, phi, raw, jump) =>
     `${joint}, die eigenen Achsen um ${phi}° gedreht: Von Bild zu Bild springt log R um höchstens ${raw} rad, w um ${jump} rad.`,
   components: ["Gelenk", "x, °", "y, °", "z, °"],

@@ -4,12 +4,12 @@ import type { WarpWords } from "../warp";
 export const warp: WarpWords = {
   title: "Welche Augenblicke einander entsprechen",
   paths: { linear: "linear", dtw: "DTW", imw: "IMW", own: "deiner", exact: "wahr" },
-  path: "Pfad, der gelesen wird",
+  path: "Pfad am Zeiger",
   neutral: "neutraler Schritt, ms",
   styled: (style) => `Schritt „${style}“, ms`,
   anchor: (n) => `Knick ${n}`,
   place: (x, y) => `${x} ms mit ${y} ms`,
-  lead: ["Kosten", "· neben der Wahrheit"],
+  lead: ["Kosten", "· Fehler"],
   cost: (ratio) => `${ratio} ×`,
   off: (ms) => `· ${ms} ms`,
   sides: ["L", "R"],
@@ -17,6 +17,6 @@ export const warp: WarpWords = {
   said: (path, time, tau, cost, neutral, style, feet) =>
     `Pfad ${path}: ${time} ms des neutralen Schritts (${neutral}) mit ${tau} ms im Stil „${style}“ (${feet}). Unterschied c ${cost}.`,
   walkers: "Das Paar am Zeiger",
-  columns: ["Stil", "Zeit, ms", "steht auf"],
+  columns: ["Stil", "Zeit, ms", "am Boden"],
   paired: (time, neutral, tau, style, feet) => `neutral ${time} ms: ${neutral}; ${style} ${tau} ms: ${feet}`,
 };

@@ -2,12 +2,12 @@
 import type { BiasWords } from "../bias";
 
 export const bias: BiasWords = {
-  title: "What sticks out of the band",
-  stage: "The raised arms, and what becomes of them",
+  title: "The part outside the band",
+  stage: "The raised arms, before and after",
   knobs: {
     raise: { symbol: "φ", name: "Raise φ, degrees", description: "How far both arms of the input are raised" },
     reach: { symbol: "κ", name: "Reach κ", description: "Half the width of the band, in standard deviations" },
-    keep: { symbol: "ρ", name: "Share ρ", description: "How much of what sticks out returns" },
+    keep: { symbol: "ρ", name: "Share ρ", description: "Share of the bias that is added back" },
   },
   axis: (joint) => `${joint}, turn from its mean, °`,
   input: "input",
@@ -18,12 +18,12 @@ export const bias: BiasWords = {
     x: "x, the input",
     mean: "μ, mean of the neighbours",
     deviation: "σ of the neighbours",
-    bias: "Δx, what sticks out",
+    bias: "Δx, the bias",
     y: "y, the output",
   },
   read: (low, high) => `band from ${low}° to ${high}°`,
   said: (x, low, high, bias, y) =>
-    `The input is at ${x}°, the band from ${low}° to ${high}°: ${bias}° stick out, and the output is at ${y}°.`,
+    `The input is at ${x}°, the band from ${low}° to ${high}°: ${bias}° are outside, and the output is at ${y}°.`,
   elevations: ["walker", "upper arms from straight down, °"],
   posed: (style, time, raise) => `At ${time} s: the input with its arms raised by ${raise}°, and its ${style} version.`,
 };

@@ -29,7 +29,7 @@ export const chain: ChainWords = {
   read: (farthest, deviations, jerk) => `|c − μ| ≤ ${farthest}°, ${deviations} σ · jerk ${jerk} ×`,
   walked: (left, right, cadence) => `left ${left} s · right ${right} s · ${cadence} steps a minute`,
   said: (joint, farthest, deviations, jerk) =>
-    `The ${joint}: the curve is ${farthest}° from a mean at most, ${deviations} deviations, and jerks ${jerk} times as much as the model's own.`,
+    `The ${joint}: the curve is ${farthest}° from a mean at most, ${deviations} standard deviations, and its jerk is ${jerk} times that of the model.`,
   walks: (style, share) => `A walk that is ${share} of the way from neutral to ${style}.`,
   walker: "walk",
   columns: ["time, s", "μ, °", "σ, °", "c, °"],

@@ -2,12 +2,12 @@
 import type { FeetWords } from "../feet";
 
 export const feet: FeetWords = {
-  title: "When a foot stands, and how it slides",
+  title: "When a foot is planted, and how it slides",
   soles: "The sole from above",
   leg: "A leg from the side",
   foot: "Foot",
   sides: { left: "left foot", right: "right foot" },
-  hold: "Hold standing feet",
+  hold: "Hold planted feet",
   ankle: "Ankle",
   time: "time, s",
   speed: "slide, cm/s",
@@ -20,8 +20,8 @@ export const feet: FeetWords = {
   slid: (cm) => `${cm} cm in this stance`,
   reached: (d, gamma) => `d ${d} m · γ ${gamma}°`,
   said: (time, foot, stands, speed, held) =>
-    `At ${time} s the ${foot} ${stands ? "stands" : "is lifted"} and moves at ${speed} cm/s, ${held ? "held" : "not held"}.`,
-  seen: (foot, cm, held) => `While the ${foot} stands, ${held ? "held" : "not held"}, it slides by ${cm} cm.`,
+    `At ${time} s the ${foot} ${stands ? "is planted" : "is lifted"} and moves at ${speed} cm/s, ${held ? "held" : "not held"}.`,
+  seen: (foot, cm, held) => `While the ${foot} is planted, ${held ? "held" : "not held"}, it slides by ${cm} cm.`,
   bent: (d, gamma, bend) =>
     `The ankle is ${d} m from the hip: the angle γ is ${gamma}°, so the knee is bent by ${bend}°.`,
   columns: ["time, s", "slide, cm/s", "P"],

@@ -3,7 +3,7 @@ import type { MixWords } from "../mix";
 
 export const mix: MixWords = {
   title: "The nearest classes",
-  reading: "What the input is read as",
+  reading: "What the input is recognised as",
   delta: { symbol: "δ", name: "Width δ", description: "How slowly a weight falls with the distance" },
   weight: "weight λ",
   actions: { walk: "walk", run: "run", jump: "jump", punch: "punch", kick: "kick" },

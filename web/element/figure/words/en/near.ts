@@ -10,7 +10,7 @@ export const near: NearWords = {
     z: { symbol: "z", name: "Move z", description: "Moves the whole query along z on the ground, metres." },
     k: { symbol: "K", name: "Neighbours K", description: "How many of the nearest windows are used." },
   },
-  move: "Place of the query",
+  move: "Position of the query",
   moved: (x, z) => `x ${x} m, z ${z} m`,
   restore: "Put back",
   window: "Frames s of a window",

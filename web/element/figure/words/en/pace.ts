@@ -2,7 +2,7 @@
 import type { PaceWords } from "../pace";
 
 export const pace: PaceWords = {
-  blend: "Weights of the styles",
+  blend: "Style weights",
   clock: "Time of the blend",
   paced: "The same second",
   votes: "How long the neighbours took",
@@ -24,12 +24,12 @@ export const pace: PaceWords = {
   blended: (old, childlike, neutral, ratio) =>
     `With old ${old}, childlike ${childlike} and neutral ${neutral} the walk takes ${ratio} times as long.`,
   clocked: (time, output, length, ratio) =>
-    `What the input does at ${time} s, the blend does at ${output} s. The whole takes ${length} s, ${ratio} times as long.`,
-  walking: (time, behind) => `At ${time} s the blend does what the input did at ${behind} s.`,
+    `${time} s of the input correspond to ${output} s of the blend. The blend takes ${length} s, ${ratio} times as long.`,
+  walking: (time, behind) => `At ${time} s the blend corresponds to the input at ${behind} s.`,
   ended: (time) => `At ${time} s the blend has ended.`,
   mean: (ms, bandwidth) => `w ${ms} ms · h ${bandwidth}`,
   voted: (style, count, ms, bandwidth) =>
-    `In the style ${style}, ${count} neighbours say that the frame lasts ${ms} ms; the bandwidth h is ${bandwidth}.`,
+    `In the style ${style}, ${count} neighbours predict that the frame lasts ${ms} ms; the bandwidth h is ${bandwidth}.`,
   blendName: "blend",
   shares: ["style", "weight"],
   times: ["input, s", "output, s"],

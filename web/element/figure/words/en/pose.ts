@@ -17,7 +17,7 @@ export const pose: PoseWords = {
     phi: {
       symbol: "φ",
       name: "Own axes φ",
-      description: "Turns the joint's own axes about x, degrees. Each skeleton chooses them freely.",
+      description: "Turns the joint's own axes about x, degrees. They are a convention of each skeleton.",
     },
   },
   restore: "Put back",
