@@ -35,9 +35,7 @@ it("needs no WebGL: text, tables and exercises are there, and other views lead t
     await visit(page, "view=learn&lesson=style&beat=4&task=C&joint=head");
     await eventually(() => verdict(page, "C")).toMatch(/^✓ ?Yes: head, by 32\.01 cm/);
     const stage = page.locator('strut-figure[data-name="stage"]');
-    await eventually(() => stage.locator(".picture .message").textContent()).toMatch(
-      /^This browser cannot draw in 3D/,
-    );
+    await eventually(() => stage.locator(".picture .message").textContent()).toMatch(/^This browser cannot draw in 3D/);
     await stage.locator("summary").click();
     await eventually(() => stage.locator("td").count()).toBeGreaterThan(20);
     await visit(page, "view=walk");

@@ -7,7 +7,7 @@ export interface Licence {
   readonly title: string;
   /** Names of its authors. */
   readonly authors: readonly string[];
-  /** Address of the terms. */
+  /** URL of the terms. */
   readonly url?: string;
   /** Whether the author must be named. */
   readonly credit: boolean;

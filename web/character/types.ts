@@ -88,7 +88,7 @@ export interface CharacterMotion {
    * 87 numbers per frame.
    * @param body the body on which the poses are defined, 21 × xyz; by default that of `Character.setBody`, and without
    * a character the motion's own
-   * @throws StrutError `bad-input` if this is not a body, `bad-file` if the bones are beyond all numbers
+   * @throws StrutError `bad-input` if this is not a body, `bad-file` if the bones are out of range
    */
   poses(body?: ArrayLike<number>): Float32Array;
   /** The text of a BVH file of the motion on its own body, for `Strut.openMotion`. @throws StrutError `bad-file` */

@@ -78,7 +78,7 @@ const controls: Attribute<readonly Control[]> = {
     return words.length === 0 ? CONTROLS : CONTROLS.filter((control) => words.includes(control));
   },
   write: (value) => (value.length === 0 ? null : value.length === CONTROLS.length ? "" : value.join(" ")),
-  doc: `Controls that visitors can use: all of them if it has no value, or some of ${CONTROLS.join(" ")}.`,
+  doc: `Controls for visitors: all of them if the attribute has no value, or some of ${CONTROLS.join(" ")}.`,
 };
 
 /** The table. */
@@ -90,7 +90,7 @@ export const ATTRIBUTES = {
   styles,
   state: text("", "Playground state: the part of a playground link after #. Other attributes override it."),
   controls,
-  autoplay: flag("Starts playback when it becomes visible, unless the visitor prefers reduced motion."),
+  autoplay: flag("Starts playback when the player becomes visible, unless the visitor prefers reduced motion."),
   once: flag("Stops at the end instead of looping."),
   frame: number(0, 0, 1e7, "The first input frame to play."),
   speed: number(1, 0.1, 4, "Playback speed, 0.1 to 4."),
@@ -100,8 +100,8 @@ export const ATTRIBUTES = {
     "Disables zooming. Without it the wheel zooms while the picture has the focus, or with Ctrl or Cmd held.",
   ),
   theme: choice(PLAYER_THEMES, "Colour theme; auto follows the page."),
-  loading: choice(LOADING, "Whether it loads when it comes near the visible area, or at once."),
-  alt: text("", "Text for screen readers; by default it describes the motion and the styles."),
+  loading: choice(LOADING, "When the player loads: near the visible area, or at once."),
+  alt: text("", "Text for screen readers; by default, a description of the motion and the styles."),
 } as const;
 
 /** Names of the attributes. */

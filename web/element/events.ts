@@ -6,7 +6,7 @@ export type FrameDetail = Pick<LiveFrame, "inputFrame" | "timeOut" | "planted" |
 
 /** The events of a player by their names. */
 export interface StrutPlayerEventMap {
-  /** The figure is displayed. */
+  /** The character is displayed. */
   ready: Event;
   /** Progress of loading, 0 to 1. */
   progress: CustomEvent<{ label: string; fraction: number }>;
@@ -18,7 +18,7 @@ export interface StrutPlayerEventMap {
   play: Event;
   /** Playback was paused. */
   pause: Event;
-  /** An operation failed; the displayed figure stays. */
+  /** An operation failed; the displayed character stays. */
   error: CustomEvent<{ error: unknown }>;
 }
 

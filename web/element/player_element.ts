@@ -60,7 +60,7 @@ type Properties = { -readonly [K in Plain as PropertyName<K>]: ValueOf<K> };
 /** Without a document, as on a server, the class can be imported but not used. */
 const ElementBase = (globalThis.HTMLElement ?? class {}) as new () => PlayerTarget & Properties;
 
-/** `<strut-player>`: a figure that moves in a style, live. */
+/** `<strut-player>`: a character animated in a style, live. */
 export class StrutPlayer extends ElementBase {
   static readonly observedAttributes: readonly string[] = ATTRIBUTE_NAMES;
 
@@ -139,7 +139,7 @@ export class StrutPlayer extends ElementBase {
 
   // --- public API ---
 
-  /** Resolves when the figure is displayed; rejects if it cannot be loaded. */
+  /** Resolves when the character is displayed; rejects if it cannot be loaded. */
   get ready(): Promise<void> {
     return this.#ready.promise;
   }

@@ -22,30 +22,30 @@ export const EVENTS: readonly (Described & { detail: string })[] = [
   },
   { name: "play", detail: "", doc: "Playback started." },
   { name: "pause", detail: "", doc: "Playback was paused." },
-  { name: "error", detail: "{ error: unknown }", doc: "Something failed; what was on the stage stays." },
+  { name: "error", detail: "{ error: unknown }", doc: "An operation failed; the displayed character stays." },
 ];
 
 export const PARTS: readonly Described[] = [
   { name: "stage", doc: "The picture and everything drawn over it." },
   { name: "poster", doc: "The button that is shown until the character is drawn." },
-  { name: "styles", doc: "The polygon of styles." },
+  { name: "styles", doc: "The style polygon." },
   { name: "bar", doc: "The bar under the stage." },
-  { name: "play", doc: "The button that plays and pauses." },
-  { name: "seek", doc: "The slider of time." },
+  { name: "play", doc: "The play button." },
+  { name: "seek", doc: "The time slider." },
   { name: "clock", doc: "The time." },
-  { name: "ghost", doc: "The button that moves the input." },
-  { name: "fullscreen", doc: "The button that fills the screen." },
+  { name: "ghost", doc: "The button that places or hides the input." },
+  { name: "fullscreen", doc: "The full-screen button." },
   { name: "link", doc: "The link to Strut." },
   { name: "vertex", doc: "A corner of the polygon." },
   { name: "handle", doc: "The point in the polygon." },
-  { name: "credit", doc: "Who made the character, where that is to be said." },
-  { name: "message", doc: "The sentence that says what went wrong." },
+  { name: "credit", doc: "The credit of the character's author, if its licence requires one." },
+  { name: "message", doc: "The error message." },
 ];
 
 export const PROPERTIES: readonly Described[] = [
   { name: "--strut-signal", doc: "Colour of the polygon and of planted feet." },
   { name: "--strut-input", doc: "Colour of the input's name." },
-  { name: "--strut-weight", doc: "Colour of what loads." },
+  { name: "--strut-weight", doc: "Colour of the loading progress." },
   { name: "--strut-ink", doc: "Colour of text and handles." },
   { name: "--strut-panel", doc: "Background of the bar." },
   { name: "--strut-stage", doc: "Background of the stage." },
@@ -54,9 +54,9 @@ export const PROPERTIES: readonly Described[] = [
 ];
 
 export const SLOTS: readonly Described[] = [
-  { name: "poster", doc: "A picture of your own that is shown until the figure is drawn." },
-  { name: "controls", doc: "Controls of your own at the end of the bar." },
-  { name: "fallback", doc: "What is shown where nothing can be drawn." },
+  { name: "poster", doc: "Your own picture, shown until the character is drawn." },
+  { name: "controls", doc: "Your own controls at the end of the bar." },
+  { name: "fallback", doc: "Content shown if the character cannot be drawn." },
 ];
 
 export const METHODS: readonly Described[] = [

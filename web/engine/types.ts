@@ -70,7 +70,7 @@ export interface FileRead {
   up: UpAxis;
   /** Whether +Y was used unchanged, the axis was guessed from the body, or the user specified it. */
   upFrom: "as-is" | "guessed" | "said";
-  /** Whether left and right are exchanged because the file is a mirror image. */
+  /** Whether left and right are swapped because the file is a mirror image. */
   mirrored: boolean;
   /** Whether the sides are as named, were guessed from the body, or the user specified them. */
   sidesFrom: "as-is" | "guessed" | "said";
@@ -179,11 +179,11 @@ export interface StylizeOptions {
   k: number;
   /** Ridge regularisation, in units of K. */
   lambda: number;
-  /** ρ: share of the bias that is given back, 0–1. */
+  /** ρ: share of the bias that is added back, 0–1. */
   rho: number;
   /** κ: deviations beyond which the input counts as bias. */
   kappa: number;
-  /** δ: sharpness of the mixture. */
+  /** δ: width of the mixture; higher mixes more classes. */
   delta: number;
   /** η: how much of the tempo of a walk or a run is the style's; 0 keeps the input's, 1 ignores it. */
   tempo: number;
@@ -191,7 +191,7 @@ export interface StylizeOptions {
   coherence: boolean;
   /** Whether the output has its own timing. */
   timing: boolean;
-  /** Whether planted feet are held. */
+  /** Whether planted feet are held in place. */
   footplant: boolean;
   /** Method that predicts a pose from the neighbours. */
   method: Method | TrainedMethod;

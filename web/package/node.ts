@@ -13,7 +13,8 @@ export { StrutError, type StrutErrorCode } from "../engine/errors";
 export type * from "./public";
 
 /**
- * Loads the engine. Call `dispose()` when it is no longer needed: it watches over calls for some seconds.
+ * Loads the engine. Call `dispose()` when it is no longer needed: until then, its watchdog may keep Node running for
+ * some seconds.
  * @throws StrutError `unsupported` if this Node lacks WebAssembly with SIMD, `cancelled`
  */
 export async function loadStrut({ assets, signal }: LoadOptions = {}): Promise<Strut> {

@@ -16,7 +16,7 @@ const MAX_RECORDED_SECS = 3600;
 export interface LiveOptions extends Partial<StylizeOptions> {
   /** Buffering delay of frames, so that late ones arrive in time: adapted to their jitter, or 0 to 200 milliseconds. */
   readonly delay?: "auto" | number;
-  /** Whether the figure is pulled to the performer's position, or goes where its steps lead. */
+  /** Whether the character is pulled to the performer's position, or moves freely with its own steps. */
   readonly place?: "follow" | "free";
 }
 

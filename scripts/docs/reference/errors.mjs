@@ -83,8 +83,8 @@ export function errorsPage() {
   );
   return `# Errors
 
-Every error has a code for programs and a sentence for people, which says what was expected. A hint says what to do, where there is
-something to do.
+Every error has a code for programs, and a message for people that names what was expected. A hint gives the next step, if there is
+one.
 
 | Code | Meaning | JavaScript | Python | Manifests of batches |
 | --- | --- | --- | --- | --- |

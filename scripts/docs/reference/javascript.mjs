@@ -15,7 +15,7 @@ const ENTRIES = [
   {
     name: "strut-motion/inline",
     file: "inline.ts",
-    about: "Everything in one file, for notebooks and modules without an address.",
+    about: "Everything in one file, for notebooks and modules without a URL.",
   },
   { name: "strut-motion/streams", file: "streams.ts", about: "Sources of live poses, for `Strut.live`." },
   { name: "strut-motion/three", file: "three.ts", about: "Rigged characters of three.js." },

@@ -36,7 +36,7 @@ export interface LiveStats extends BufferStats {
 export interface LiveSetup {
   /** Buffering delay of frames, seconds; `undefined` adapts it to their jitter. */
   delaySecs: number | undefined;
-  /** Whether the figure is pulled to the performer's position, or goes where its steps lead. */
+  /** Whether the character is pulled to the performer's position, or moves freely with its own steps. */
   follows: boolean;
   options: Partial<StylizeOptions>;
 }

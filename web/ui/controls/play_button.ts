@@ -1,4 +1,4 @@
-/** The button that plays and pauses. */
+/** The play button. */
 import { strings } from "../strings";
 import { button } from "./buttons";
 import { icon } from "./icons";

@@ -11,7 +11,7 @@ export interface FeetState {
   /** Frame of the input. */
   at: number;
   foot: Side;
-  /** Whether planted feet are held. */
+  /** Whether planted feet are held in place. */
   hold: boolean;
   /** Position of the ankle relative to the hip, metres: forwards and upwards. */
   x: number;
