@@ -32,7 +32,7 @@ export async function benchmarkInNode(
   const [cpu] = cpus();
   const machine = `${cpu?.model.trim() ?? process.arch}, ${cpus().length} threads, ${platform()}, Node ${process.versions.node}`;
   const engines = await instances();
-  onProgress("Making a database", 0);
+  onProgress("Generating a database", 0);
   return benchmark(engines, makeWorkload(engines.simd.glue, source), { machine, onProgress });
 }
 

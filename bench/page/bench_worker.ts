@@ -32,7 +32,7 @@ self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEve
     const instances = await loadInstances(async (url) => WebAssembly.compile(await (await fetch(url)).arrayBuffer()));
     const share = card ? 1 - CARD_SHARE : 1;
     const onProgress = (what: string, done: number) => post({ kind: "progress", what, done: share * done });
-    onProgress("Making a database", 0);
+    onProgress("Generating a database", 0);
     const { bytes, queries } = makeWorkload(instances.simd.glue, { frames });
     const workload = { bytes, queries: queries.slice(0, motions) };
     const report = benchmark(instances, workload, { machine, onProgress });
@@ -50,5 +50,5 @@ self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEve
 /** Returns the message of a GPU failure; other errors are thrown again. */
 function stopped(thrown: unknown): string {
   if (thrown instanceof Error || !(thrown as { message?: string }).message) throw thrown;
-  return `The graphics processor stopped: ${(thrown as { message: string }).message}`;
+  return `The GPU stopped responding: ${(thrown as { message: string }).message}`;
 }
