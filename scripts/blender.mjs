@@ -42,7 +42,7 @@ async function testIn(version, python, wheel) {
 await main(async () => {
   const asked = process.argv.slice(2);
   const unknown = asked.find((version) => !VERSIONS.includes(version));
-  if (unknown) throw new Sentence(`There is no bpy ${unknown} here; there are ${VERSIONS.join(", ")}.`);
+  if (unknown) throw new Sentence(`Unknown version of bpy: ${unknown}. Known: ${VERSIONS.join(", ")}.`);
   const python = await setupPython("Blender extension");
   if (!python) throw new Sentence("The Blender extension needs Python 3.11 with its module venv.");
   // bpy's wheels of these versions require this Python.

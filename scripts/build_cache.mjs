@@ -101,7 +101,7 @@ export function keepBuilt(key, part, folder, { kind = "builds", filter = () => t
     renameSync(copy, place);
     forgetOld(cache, KEPT[kind]);
   } catch (error) {
-    console.warn(`  not kept for other clones: ${error.message}`);
+    console.warn(`  not cached for other clones: ${error.message}`);
   }
 }
 

@@ -17,7 +17,7 @@ await main(async () => {
   const names = process.argv.slice(2);
   const folders = BUNDLERS.map(({ folder }) => folder);
   const unknown = names.find((name) => !folders.includes(name));
-  if (unknown) throw new Sentence(`There is no consumer '${unknown}'; there are ${folders.join(", ")}.`);
+  if (unknown) throw new Sentence(`Unknown consumer '${unknown}'. Known: ${folders.join(", ")}.`);
   if (!existsSync(join(root, "dist", "package"))) throw new Sentence("Run 'npm run package' first.");
   const chosen = BUNDLERS.filter(({ folder }) => names.length === 0 || names.includes(folder));
   const consumer = installPackage();

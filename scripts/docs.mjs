@@ -26,7 +26,7 @@ async function checkDocs() {
   const { generatedFaults } = await import("./docs/generated.mjs");
   const { faults, report } = sizes();
   const all = [...(await generatedFaults(COMMAND)), ...linkFaults(), ...faults];
-  if (all.length > 0) throw new Sentence(`the documentation is not as it should be:\n  ${all.join("\n  ")}`);
+  if (all.length > 0) throw new Sentence(`the documentation has faults:\n  ${all.join("\n  ")}`);
   return report;
 }
 
@@ -44,7 +44,7 @@ await main(async () => {
   const isCheck = process.argv.includes("--check");
   if (!isCheck) {
     const { writeGenerated } = await import("./docs/generated.mjs");
-    await step("Writing what is generated", () => writeGenerated(COMMAND));
+    await step("Writing the generated parts", () => writeGenerated(COMMAND));
   }
   const { writeDocs } = await import("./docs/site.mjs");
   await step("Writing the documentation", writeDocs);

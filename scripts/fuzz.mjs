@@ -45,7 +45,7 @@ const CARGO_ARGS = ["--profile", "fuzz", "--package", "strut-fuzz", "--features"
  */
 async function build(env) {
   const host = /^host: (.+)$/m.exec((await output(env.RUSTC ?? "rustc", ["-vV"], { env })) ?? "")?.[1];
-  if (!host) throw new Sentence("rustc does not say for which machine it compiles.");
+  if (!host) throw new Sentence("rustc does not report its host target.");
   const folder = join(env.CARGO_TARGET_DIR ?? process.env.CARGO_TARGET_DIR ?? join(RUST, "target"), "fuzz");
   const program = join(folder, "program", "strut-fuzz");
   const key = await sourcesHash(env, { files: [fileURLToPath(import.meta.url)], texts: [host] });
@@ -135,10 +135,10 @@ await main(async () => {
     allowPositionals: true,
   });
   const minutes = Number(values.minutes ?? DEFAULT_MINUTES);
-  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  if (!(minutes > 0)) throw new Sentence(`Invalid minutes '${values.minutes}'. Expected a number above 0.`);
   const known = targets();
   const unknown = positionals.find((name) => !known.has(name));
-  if (unknown) throw new Sentence(`There is no target '${unknown}'; there are ${[...known.keys()].join(", ")}.`);
+  if (unknown) throw new Sentence(`Unknown target '${unknown}'. Known: ${[...known.keys()].join(", ")}.`);
   checkNode();
   const rust = await setupRust();
   await setupCxx();
@@ -169,13 +169,13 @@ await main(async () => {
   if (failed.length > 0)
     throw new Sentence(`${failed.map(({ name }) => name).join(", ")} failed; the inputs are in rust/fuzz/corpus.`);
   if (values.keep)
-    await step("Keeping what reaches most code", async () => {
+    await step("Keeping the inputs that cover most code", async () => {
       for (const name of chosen) await keep(built, name);
     });
-  if (values.lines) await step("Counting lines that the inputs reach", () => countLines(rust, built, chosen));
+  if (values.lines) await step("Counting the lines that the inputs cover", () => countLines(rust, built, chosen));
   if (positionals.length > 0) return;
   await setupPackages();
-  await step("Fuzzing what the page reads", () =>
+  await step("Fuzzing the parsers of the page", () =>
     run(process.execPath, [join(root, "node_modules", "vitest", "vitest.mjs"), "run", "tests/fuzz"], {
       env: { STRUT_FUZZ_RUNS: String(Math.round(PAGE_RUNS * minutes)) },
     }),

@@ -15,7 +15,8 @@ async function setupLlvmTools(env, host) {
   const tool = (name) => join(sysroot, "lib", "rustlib", host, "bin", name);
   const tools = { profdata: tool("llvm-profdata"), cov: tool("llvm-cov") };
   if (Object.values(tools).every((path) => existsSync(path))) return tools;
-  if (!findProgram("rustup")) throw new Sentence("Lines are counted with the compiler's LLVM tools, which rustup has.");
+  if (!findProgram("rustup"))
+    throw new Sentence("Counting lines needs the LLVM tools of the compiler. Install rustup, then run this again.");
   await run("rustup", ["component", "add", "llvm-tools"]);
   return tools;
 }

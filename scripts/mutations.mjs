@@ -123,7 +123,7 @@ function fails(spec, title) {
 async function isNoticed({ file, from, to, spec, title }) {
   const path = join(root, file);
   const source = readFileSync(path, "utf8");
-  if (source.split(from).length !== 2) throw new Sentence(`${file} has not, or not once: ${from}`);
+  if (source.split(from).length !== 2) throw new Sentence(`${file} must contain this text exactly once: ${from}`);
   writeFileSync(
     path,
     source.replace(from, () => to),
@@ -140,7 +140,8 @@ await main(async () => {
   const asked = process.argv.slice(2).map(Number);
   const chosen = MUTATIONS.filter((_, i) => asked.length === 0 || asked.includes(i + 1));
   const changed = await output("git", ["status", "--porcelain", ...new Set(chosen.map(({ file }) => file))]);
-  if (changed) throw new Sentence(`Commit these first, as they are changed and put back:\n${changed}`);
+  if (changed)
+    throw new Sentence(`Commit these files first, because the mutations change and restore them:\n${changed}`);
   const [dist, kept] = [join(root, "dist"), mkdtempSync(join(tmpdir(), "strut-dist-"))];
   cpSync(dist, kept, { recursive: true });
   const unnoticed = [];
@@ -155,5 +156,5 @@ await main(async () => {
     cpSync(kept, dist, { recursive: true });
     rmSync(kept, { recursive: true });
   }
-  if (unnoticed.length > 0) throw new Sentence(`No test notices the loss of: ${unnoticed.join("; ")}.`);
+  if (unnoticed.length > 0) throw new Sentence(`No test fails without: ${unnoticed.join("; ")}.`);
 });

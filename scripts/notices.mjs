@@ -73,7 +73,7 @@ export async function writeNotices(env) {
   const refused = parts.filter(({ licence }) => !isAllowed(licence));
   if (refused.length > 0) {
     const list = refused.map(({ name, licence }) => `${name} (${licence || "no licence"})`).join(", ");
-    throw new Sentence(`These may not be shipped under their licences: ${list}.`);
+    throw new Sentence(`The licences of these packages do not allow shipping them: ${list}.`);
   }
   const version = JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version;
   const notices = noticesOf(parts);
@@ -104,7 +104,7 @@ async function crates(env) {
   const edges = ["--edges", "normal,no-proc-macro", "--target", TARGET, "--all-features"];
   const tree = await cargo(["tree", "--package", CRATE, ...edges, "--prefix", "none", "--format", "{p}"]);
   const metadata = await cargo(["metadata", "--format-version", "1", "--all-features", "--filter-platform", TARGET]);
-  if (tree === undefined || metadata === undefined) throw new Sentence("cargo does not say what is built.");
+  if (tree === undefined || metadata === undefined) throw new Sentence("cargo did not report the dependencies.");
   const used = new Set(tree.split("\n").map((line) => line.split(" ").slice(0, 2).join(" ")));
   return JSON.parse(metadata)
     .packages.filter(({ source, name, version }) => source && used.has(`${name} v${version}`))

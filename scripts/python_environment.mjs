@@ -39,7 +39,7 @@ export async function setupPython(what) {
   const reason = "Python 3.11 or newer with its module venv was not found";
   if (process.env.STRUT_PYTHON === "required" || process.env.CI === "true")
     throw new Sentence(`${reason}. Install it, then run this again.`);
-  console.log(`▸ ${what}: left out, as ${reason}.`);
+  console.log(`▸ ${what}: skipped, because ${reason}.`);
   return undefined;
 }
 

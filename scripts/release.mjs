@@ -41,7 +41,7 @@ function check(tag) {
 async function build(kinds, out) {
   const unknown = kinds.find((kind) => !(kind in ARTEFACTS));
   if (unknown !== undefined)
-    throw new Sentence(`"${unknown}" is no artefact; ${Object.keys(ARTEFACTS).join(", ")} are.`);
+    throw new Sentence(`"${unknown}" is not an artefact. Artefacts: ${Object.keys(ARTEFACTS).join(", ")}.`);
   mkdirSync(out, { recursive: true });
   for (const kind of kinds) await step(`Building ${kind}`, () => ARTEFACTS[kind](out));
   const files = readdirSync(out).filter((name) => name !== "SHA256SUMS");

@@ -32,7 +32,7 @@ export async function buildSite(options) {
     await writePackage(options);
     await writeEmbedPage();
   });
-  await step("Listing what is of others", () => writeNotices(environments.rust));
+  await step("Listing third-party licences", () => writeNotices(environments.rust));
   // A clean checkout installs its imports only after this file is read.
   await step("Writing the documentation", async () => (await import("./docs/site.mjs")).writeDocs());
   return environments;

@@ -110,7 +110,7 @@ async function fixedPose(page) {
       const { state, upToDate, analysed, frame } = window.strut;
       return JSON.stringify({ upToDate, analysed, inputFrame: frame?.inputFrame, state });
     });
-    throw new Sentence(`The page did not come to the state in which it is measured; it is in ${shown}.`);
+    throw new Sentence(`The page did not reach the state to be measured; its state is ${shown}.`);
   }
   return page.evaluate(() => [...window.strut.frame.pose]);
 }
@@ -232,7 +232,7 @@ await main(async () => {
     },
   });
   const [minutes, seed] = [Number(values.minutes), Number(values.seed)];
-  if (!(minutes > 0)) throw new Sentence(`The minutes are '${values.minutes}'; a number above 0 was expected.`);
+  if (!(minutes > 0)) throw new Sentence(`Invalid minutes '${values.minutes}'. Expected a number above 0.`);
   console.log(`machine          ${cpus().length} × ${cpus()[0].model}, seed ${seed}`);
   const site = await serveBuiltSite();
   const browser = await puppeteer.launch({

@@ -7,7 +7,7 @@ await main(async () => {
   const { values } = parseArgs({ options: { port: { type: "string", default: "5173" } } });
   const port = Number(values.port);
   if (!Number.isInteger(port) || port < 1 || port > 65535)
-    throw new Sentence(`The port is '${values.port}'; a number from 1 to 65535 was expected.`);
+    throw new Sentence(`Invalid port '${values.port}'. Expected a number from 1 to 65535.`);
   await buildSite({ mode: "quick" });
   console.log(`\nStrut is at http://localhost:${port}  (Ctrl+C stops it)\n`);
   process.on("SIGINT", () => {});

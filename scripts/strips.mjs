@@ -106,7 +106,7 @@ function seedOf({ quiz, seed }) {
   if (seed === undefined) return randomInt(SEEDS);
   if (!quiz) throw new Sentence("--seed is for --quiz: other strips are not shuffled.");
   if (!/^\d+$/.test(seed) || Number(seed) >= SEEDS)
-    throw new Sentence(`'${seed}' is no seed, a whole number from 0 to ${SEEDS - 1}.`);
+    throw new Sentence(`Invalid seed '${seed}'. Expected a whole number from 0 to ${SEEDS - 1}.`);
   return Number(seed);
 }
 
@@ -122,13 +122,14 @@ await main(async () => {
   });
   const actions = values.actions.split(",");
   const unknown = actions.find((action) => !(action in ACTIONS));
-  if (unknown !== undefined) throw new Sentence(`'${unknown}' is none of ${Object.keys(ACTIONS).join(", ")}.`);
+  if (unknown !== undefined)
+    throw new Sentence(`Unknown action '${unknown}'. Known: ${Object.keys(ACTIONS).join(", ")}.`);
   const seed = seedOf(values);
   const folder = mkdtempSync(join(tmpdir(), "strut-strips-"));
   const ours = values.ours ?? folder;
   const perform = ["demo-db", "-o", join(folder, "demo.strutdb"), "--bvh", folder];
   if (!values.ours)
-    await step("Performing the built-in motions", () =>
+    await step("Generating the built-in motions", () =>
       run(process.execPath, [join(root, "scripts", "strut.mjs"), ...perform]),
     );
   mkdirSync(OUTPUT, { recursive: true });

@@ -192,7 +192,7 @@ export async function buildPackages(env, { mode, bench, installed }) {
   const quick = outdated(wanted("quick"), "quick");
   if (quick.length > 0) await step("Building the engine for WebAssembly", () => buildQuick(env, quick, stamp));
   if (read(MOTIONS_STAMP) !== stamp)
-    await step("Performing the built-in motions", async () => {
+    await step("Generating the built-in motions", async () => {
       const sizes = await writeMotions();
       writeFileSync(MOTIONS_STAMP, stamp);
       return sizes;

@@ -113,6 +113,6 @@ function strayFiles(sections) {
 export function readMap() {
   const sections = SECTIONS.map(({ title, pages }) => ({ title, pages: pages.map(pageOf) }));
   const stray = strayFiles(sections);
-  if (stray.length > 0) throw new Sentence(`scripts/docs/map.mjs does not name ${stray.join(", ")}.`);
+  if (stray.length > 0) throw new Sentence(`scripts/docs/map.mjs does not list ${stray.join(", ")}.`);
   return sections;
 }

@@ -25,7 +25,7 @@ const cargoOf = (rust) => rust.CARGO ?? "cargo";
 async function hostTarget(rust) {
   const version = await output(rust.RUSTC ?? "rustc", ["-vV"], { env: rust });
   const target = /^host: (.*)$/m.exec(version ?? "")?.[1];
-  if (!target) throw new Sentence("rustc does not say for what machine it compiles.");
+  if (!target) throw new Sentence("rustc does not report its host target.");
   return target;
 }
 

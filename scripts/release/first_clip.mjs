@@ -127,8 +127,7 @@ export async function tryArtefacts(artefacts) {
     run(strut, stylized(input, expected), { cwd: folder });
     const same = (room, label) => {
       const written = digest(join(room, "out.bvh"));
-      if (written !== digest(expected))
-        throw new Sentence(`What ${label} writes differs from what the command writes.`);
+      if (written !== digest(expected)) throw new Sentence(`The output of ${label} differs from that of the command.`);
       return written.slice(0, 16);
     };
     for (const [i, { label, pattern, styles }] of TRIED.entries()) {

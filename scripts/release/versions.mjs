@@ -70,7 +70,7 @@ export function newestChanges(root = projectRoot) {
 /** Raises the version everywhere and gives the changelog's unreleased section its version and date (`2026-11-27`). */
 export function raiseVersion(version, date, root = projectRoot) {
   if (!new RegExp(`^${SEMVER}$`).test(version))
-    throw new Sentence(`"${version}" is no version; one is such as 1.2.3 or 1.2.3-rc.1.`);
+    throw new Sentence(`"${version}" is not a version such as 1.2.3 or 1.2.3-rc.1.`);
   const changes = read(root, "CHANGELOG.md");
   if (!/^## Unreleased$/m.test(changes)) throw new Sentence('CHANGELOG.md has no section "## Unreleased" to release.');
   for (const place of PLACES)

@@ -127,7 +127,7 @@ function section({ title, source, metadata, header }) {
 /** Returns the page as Markdown. Throws a message if a tensor is not described, or a described one does not exist. */
 export function filesPage() {
   const faults = FORMATS.flatMap(tensorFaults);
-  if (faults.length > 0) throw new Sentence(`the formats are not as they are described:\n  ${faults.join("\n  ")}`);
+  if (faults.length > 0) throw new Sentence(`the formats differ from their descriptions:\n  ${faults.join("\n  ")}`);
   const container = moduleDoc(rustSource("strut-formats/src/container/mod.rs"));
   return `# File formats
 
