@@ -158,7 +158,7 @@ test("models that are no bodies are refused in words", async () => {
   const circle = changed(MIXAMO, (d) => {
     d.nodes[5]!.children = [0];
   });
-  expect((await refusal(circle)).message).toBe("The nodes of this model are no tree.");
+  expect((await refusal(circle)).message).toBe("The nodes of this model do not form a tree.");
   const oneBone = changed(MIXAMO, (d) => {
     const joints = d.skins[0]!.joints as number[];
     for (const node of d.nodes) if (joints.includes(d.nodes.indexOf(node))) delete node.children;

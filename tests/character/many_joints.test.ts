@@ -88,6 +88,6 @@ test("a model whose nodes lie in one another without end is refused in words", a
   document.nodes.push({});
   await expect(loadCharacter(glbOf(document, binary).buffer)).rejects.toMatchObject({
     code: "bad-file",
-    message: "The nodes of this model are no tree, or a very deep one.",
+    message: "The nodes of this model do not form a tree, or it is too deep.",
   });
 });

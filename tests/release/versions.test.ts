@@ -56,6 +56,6 @@ test("raising it leaves one version, a dated changelog, and a tag that fits", ()
 
 test("what is no version is refused, and nothing is written", () => {
   const before = versionedFiles().map(read);
-  expect(() => raiseVersion("next", "2031-05-06", folder)).toThrow(/"next" is no version/);
+  expect(() => raiseVersion("next", "2031-05-06", folder)).toThrow(/"next" is not a version/);
   expect(versionedFiles().map(read)).toEqual(before);
 });

@@ -137,7 +137,7 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
   for (const [i, { children }] of nodes.entries())
     for (const child of Array.isArray(children) ? (children as unknown[]) : []) {
       const index = Number(child);
-      if (!(index in parents) || parents[index] !== -1) throw broken("The nodes of this model are no tree.");
+      if (!(index in parents) || parents[index] !== -1) throw broken("The nodes of this model do not form a tree.");
       parents[index] = i;
     }
   // In a cycle no node is without a parent, and following parents never ends.
@@ -146,10 +146,10 @@ function checkNodes(nodes: readonly Record<string, unknown>[]): void {
     const path: number[] = [];
     let above = i;
     for (; above >= 0 && depth[above] === 0; above = parents[above]!)
-      if (path.push(above) > MAX_DEPTH) throw broken("The nodes of this model are no tree, or a very deep one.");
+      if (path.push(above) > MAX_DEPTH) throw broken("The nodes of this model do not form a tree, or it is too deep.");
     let deep = above < 0 ? 0 : depth[above]!;
     for (const node of path.reverse()) depth[node] = ++deep;
-    if (deep > MAX_DEPTH) throw broken("The nodes of this model are no tree, or a very deep one.");
+    if (deep > MAX_DEPTH) throw broken("The nodes of this model do not form a tree, or it is too deep.");
   }
 }
 

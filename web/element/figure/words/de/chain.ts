@@ -42,7 +42,7 @@ export const chain: ChainWords = {
   walked: (left, right, cadence) => `links ${left} s · rechts ${right} s · ${cadence} Schritte in der Minute`,
   said: (joint, farthest, deviations, jerk) =>
     `${joint}: Die Kurve ist höchstens ${farthest}° von einem Mittel entfernt, ${deviations} Standardabweichungen, und ihr Ruck ist das ${jerk}-Fache der Kurve des Modells.`,
-  walks: (style, share) => `Ein Gang, der ${share} des Wegs von neutral zu ${style} geht.`,
+  walks: (style, share) => `Ein Gang mit einem Anteil von ${share} des Stils „${style}“; der Rest ist neutral.`,
   walker: "Gang",
   columns: ["Zeit, s", "μ, °", "σ, °", "c, °"],
   durations: ["Zustand", "links, s", "rechts, s"],

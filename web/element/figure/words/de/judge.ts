@@ -2,7 +2,7 @@
 import type { JudgeWords } from "../judge";
 
 export const judge: JudgeWords = {
-  title: "Was die Verfahren erreichen",
+  title: "Ergebnisse der Verfahren",
   methods: "Verfahren",
   names: { nn: "NN", knn: "KNN", lar: "LAR", mar: "MAR", gar: "GAR", lti: "LTI", gp: "GP" },
   columns: { pose: "Fehler ē, mm", acceleration: "Beschleunigung, × Eingabe", content: "Inhalt" },

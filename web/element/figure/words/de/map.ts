@@ -5,11 +5,11 @@ import type { MapWords } from "../map";
 const counted = (count: string, one: string, many: string) => `${count} ${count === "1" ? one : many}`;
 
 export const map: MapWords = {
-  som: "Komponenten und was sie kennen",
+  som: "Komponenten und ihre Gebiete",
   learning: "Fehler nach jedem Durchgang",
   pad: "Zieh die Füße auseinander",
   posed: "Die Pose zu diesen Variablen",
-  update: "Die Stichprobe und was die Abbildungen vorhersagen",
+  update: "Die Stichprobe und die Vorhersage der Abbildungen",
   keys: "Ein Zyklus aus Schlüsselbildern",
   temperature: { symbol: "T", name: "Temperatur T", description: "Wie weich Komponenten sich eine Pose teilen." },
   steps: { one: "1 Schritt", ten: "10", pass: "Durchgang", all: "alle", restart: "Von vorn" },

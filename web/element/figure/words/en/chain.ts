@@ -30,7 +30,7 @@ export const chain: ChainWords = {
   walked: (left, right, cadence) => `left ${left} s · right ${right} s · ${cadence} steps a minute`,
   said: (joint, farthest, deviations, jerk) =>
     `The ${joint}: the curve is ${farthest}° from a mean at most, ${deviations} standard deviations, and its jerk is ${jerk} times that of the model.`,
-  walks: (style, share) => `A walk that is ${share} of the way from neutral to ${style}.`,
+  walks: (style, share) => `A walk with a share of ${share} of the style ${style}; the rest is neutral.`,
   walker: "walk",
   columns: ["time, s", "μ, °", "σ, °", "c, °"],
   durations: ["state", "left, s", "right, s"],

@@ -2,7 +2,7 @@
 import type { JudgeWords } from "../judge";
 
 export const judge: JudgeWords = {
-  title: "What the methods achieve",
+  title: "Results of the methods",
   methods: "Methods",
   names: { nn: "NN", knn: "KNN", lar: "LAR", mar: "MAR", gar: "GAR", lti: "LTI", gp: "GP" },
   columns: { pose: "error ē, mm", acceleration: "acceleration, × input", content: "content" },

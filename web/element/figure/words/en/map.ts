@@ -5,11 +5,11 @@ import type { MapWords } from "../map";
 const counted = (count: string, noun: string) => `${count} ${noun}${count === "1" ? "" : "s"}`;
 
 export const map: MapWords = {
-  som: "Components and what they know",
+  som: "Components and their regions",
   learning: "Error after each pass",
   pad: "Drag the feet apart",
   posed: "The pose of these variables",
-  update: "The sample, and what the maps predict",
+  update: "The sample, and the maps’ prediction",
   keys: "A cycle from keys",
   temperature: { symbol: "T", name: "Temperature T", description: "How softly components share in a pose." },
   steps: { one: "1 update", ten: "10", pass: "a pass", all: "all", restart: "Begin again" },
