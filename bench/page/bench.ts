@@ -40,7 +40,7 @@ document
     html(
       "p",
       {},
-      "A procedural database in 48 classes and motion that it does not hold are made in this page. The engine styles it, compiled with SIMD and without; so do the loops one would write down from the paper, in Rust and in JavaScript, which must come to the same result. It takes a few minutes; leave the tab in front.",
+      "This page makes a procedural database of 48 classes, and motion that is not in the database. The engine styles this motion, compiled with and without SIMD. Plain loops after the paper, in Rust and in JavaScript, do the same and must give the same result. This takes a few minutes; keep the tab in the foreground.",
     ),
     html("div", { class: "controls" }, html("label", {}, "Database", size), start, cancel, copy),
     progress,
@@ -84,7 +84,7 @@ function confirmCopy(): void {
 }
 
 function denyCopy(): void {
-  error.textContent = "The browser does not let this page use the clipboard.";
+  error.textContent = "The browser does not allow this page to use the clipboard.";
 }
 
 start.onclick = () => {

@@ -50,5 +50,5 @@ self.onmessage = async ({ data: { frames, machine, motions, card } }: MessageEve
 /** Returns the message of a GPU failure; other errors are thrown again. */
 function stopped(thrown: unknown): string {
   if (thrown instanceof Error || !(thrown as { message?: string }).message) throw thrown;
-  return `The graphics processor stopped: ${(thrown as { message: string }).message}`;
+  return `The GPU stopped responding: ${(thrown as { message: string }).message}`;
 }

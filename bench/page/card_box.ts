@@ -29,14 +29,14 @@ export function cardBox(software: boolean): CardBox {
     html(
       "p",
       {},
-      "The paper compared every window of the database on a graphics card. Where there is one, Measure does so too: one window at a time and 256 together, with upload and readback, beside Strut's search on the processor. Both must find the same neighbours to the bit.",
+      "The paper compared every window of the database on a GPU. If there is a GPU, Measure does the same, for one query at a time and for 256 together, including upload and readback. Strut's search on the CPU is measured beside it. Both must find bit-identical neighbours.",
     ),
     sentence,
     results,
     html(
       "p",
       { class: "caption" },
-      "To add a card to docs/performance.md: measure 79,829 frames, press “Copy as JSON”, and send that in an issue with the name of the card, its driver and the date.",
+      "To add a GPU to docs/performance.md: measure 79,829 frames, press “Copy as JSON”, and send the result in an issue with the name of the GPU, its driver and the date.",
     ),
   );
   const box: CardBox = {
@@ -64,18 +64,17 @@ export function cardBox(software: boolean): CardBox {
 /** Returns the reason why nothing can be measured. */
 function absence(found: Card | undefined): string {
   return found
-    ? "In this browser a program plays the graphics processor. Its times would tell nothing of a card: the processor is measured alone."
-    : "This browser gives pages no graphics processor: the processor is measured alone. A browser with WebGPU and a card can measure both.";
+    ? "This browser emulates a GPU in software, so its times are not meaningful. Only the CPU is measured."
+    : "This browser has no GPU for pages, so only the CPU is measured. A browser with WebGPU and a GPU can measure both.";
 }
 
 function agreement({ adapter, identical, sets, candidates_per_neighbour }: GraphicsComparison): string {
   const count = (n: number) => n.toLocaleString("en");
-  return `${adapter}: ${count(identical)} of ${count(sets)} sets of neighbours are Strut's to the bit, with ${candidates_per_neighbour.toFixed(2)} candidates a neighbour.`;
+  return `${adapter}: ${count(identical)} of ${count(sets)} sets of neighbours are bit-identical to Strut's, with ${candidates_per_neighbour.toFixed(2)} candidates per neighbour.`;
 }
 
 function times(report: Report, { software }: GraphicsComparison): HTMLElement[] {
-  if (software)
-    return [html("p", {}, "A program plays this graphics processor: its times would tell nothing of a card.")];
+  if (software) return [html("p", {}, "This GPU is emulated in software, so its times are not meaningful.")];
   const strut = medianOf(report, "wasm-simd", "batch", "search")!;
   const paper = PAPER_MS.search!;
   const line = (name: string, ms: number) => [
@@ -86,8 +85,8 @@ function times(report: Report, { software }: GraphicsComparison): HTMLElement[] 
   ];
   return [
     ...table(
-      "Search of every class from a cold start, milliseconds a window",
-      ["By", "Median", "Strut is faster", "Than the paper"],
+      "Search of every class from a cold start, milliseconds per query",
+      ["Search by", "Median", "Strut is faster by", "Faster than the paper by"],
       [
         line("Strut", strut),
         line("Card, one window", medianOf(report, "gpu-brute", "all", "search")!),
@@ -95,6 +94,6 @@ function times(report: Report, { software }: GraphicsComparison): HTMLElement[] 
       ],
       "Strut",
     ),
-    html("p", { class: "caption" }, `The last column: how many times faster than the paper's search of ${paper} ms.`),
+    html("p", { class: "caption" }, `The last column compares with the search of the paper, ${paper} ms.`),
   ];
 }

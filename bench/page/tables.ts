@@ -49,7 +49,7 @@ export function tables(report: Report): HTMLElement[] {
   const stages = [...new Set(ours.map((row) => row.stage))];
   return [
     ...table(
-      "Strut, milliseconds a frame: median and 95th percentile",
+      "Strut, milliseconds per frame: median and 95th percentile",
       ["Stage", ...modes, "Paper"],
       stages.map((stage) => [
         stageName(stage),
@@ -79,10 +79,10 @@ export function tables(report: Report): HTMLElement[] {
     html(
       "p",
       { class: "caption" },
-      "The plain loops leave out features, blending and feet, which Strut's frame includes.",
+      "Strut's frame also includes features, blending and feet, which the plain loops omit.",
     ),
     ...table(
-      "Neighbours of the plain loops that are Strut's",
+      "Neighbours that the plain loops and Strut both find",
       ["Engine", "Sets", "Identical", "Tied", "Furthest apart"],
       ENGINES.filter((engine) => report.agreement.some((a) => a.engine === engine)).map((engine) => {
         const of = report.agreement.filter((a) => a.engine === engine);

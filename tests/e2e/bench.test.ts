@@ -77,7 +77,9 @@ test("it measures every engine in every mode, and the yardsticks agree with Stru
   expect(report.gpu!.candidates_per_neighbour).toBeLessThan(1.2);
   expect(report.gpu!.adapter).toMatch(/swiftshader/i);
   expect(report.rows.filter(({ engine, mode }) => engine === "gpu-brute" || mode === "batch")).toEqual([]);
-  await eventually(() => box(page).textContent()).toContain("3,072 of 3,072 sets of neighbours are Strut's to the bit");
+  await eventually(() => box(page).textContent()).toContain(
+    "3,072 of 3,072 sets of neighbours are bit-identical to Strut's",
+  );
 
   const overflow = () => page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
   await screenshot(page, "bench");
@@ -99,8 +101,8 @@ test("where a page has no graphics processor, or a program plays it, a sentence 
     expect(loaded.filter((url) => url.includes("gpu"))).toEqual([]);
     await of.context().close();
   };
-  await says(await (await browser.newContext()).newPage(), /a program plays the graphics processor/);
+  await says(await (await browser.newContext()).newPage(), /emulates a GPU in software/);
   const without = await (await browser.newContext()).newPage();
   await without.addInitScript(() => Object.defineProperty(navigator, "gpu", { value: undefined }));
-  await says(without, /gives pages no graphics processor: the processor is measured alone/);
+  await says(without, /has no GPU for pages, so only the CPU is measured/);
 });
