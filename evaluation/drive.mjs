@@ -162,8 +162,8 @@ to 59 m/s².
 
 - **First degree of the styled hips, built-in**: median 4 frames, target 3; bandai-namco-2 reaches 3. It was 3 while transitions
   began with a jump.
-- **Planted feet of the neutral figure**: on the built-in circle, the eight and the recorded controls they slide by 1.2, 1.1 and
-  1.1 cm/s, target 1, because the figure is pulled back to its driven position.
+- **Planted feet of the neutral figure**: they slide by 1.2 cm/s on the built-in circle, and by 1.1 on the eight and with the
+  recorded controls, target 1. The cause is that the figure is pulled back to its driven position.
 - **bandai-namco-2, run**: planted feet slide by 4.5 cm/s, target 1 (styled 1.5, target 2). Its neutral runs are straight, of
   2.5 s; on the circle they are turned by 29°/s all the time. On a straight line the same feet slide by 0.2 cm/s.
 - **bandai-namco-2, a minute**: *active* 2.3 and *youthful* 2.1 cm/s, target 2, because of the same runs.

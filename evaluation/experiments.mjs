@@ -29,13 +29,14 @@ export const experiments = [
     findings: `The timing error of \`mar\` depends on the action. It is 20.5 ms for walks, 24.0 for runs, 33.8 for turns to the left and 51.3 for
 turns to the right. The floors, means of three other takes, are 19.3, 13.5, 23.6 and 21.5 ms.
 
-In turns to the right, two styles are far above the floor: elderly with 95.2 ms and exhausted with 103.5 ms. The other four styles
-have 20 to 40 ms. The errors of these two styles are similar if action and style are known (82.5 and 102.3 ms), and with every
-method (the smallest are those of nn, 79.9 and 100.0 ms). The reason is that their first takes are slower than the others.
-Exhausted turns to the right last 248 and 170 frames in takes 1 and 2, and 110 to 120 frames in the other six. With four folds,
-the floor consists of the first three other takes, which are also slow, but a method mixes all seven. Over all eight folds (the
-table of η below, at 0.5) both styles are near the floor: elderly has 58.7 ms (floor 62.8), exhausted 82.3 ms (floor 79.2). So is
-the mean of all pairs, with 29.0 ms and 2.18 cm; three other takes have 27.0 ms and 2.21 cm.`,
+In turns to the right, two styles are far above the floor: elderly with 95.2 ms and exhausted with 103.5 ms. The other four
+styles have 20 to 40 ms. The errors of these two styles are similar if action and style are known: 82.5 and 102.3 ms. They are
+also similar with every method; the smallest are those of nn, 79.9 and 100.0 ms. The reason is that their first takes are
+slower than the others. Exhausted turns to the right last 248 and 170 frames in takes 1 and 2, and 110 to 120 frames in the
+other six. With four folds, the floor consists of the first three other takes, which are also slow, but a method mixes all
+seven. Over all eight folds (the table of η below, at 0.5) both styles are near the floor: elderly has 58.7 ms (floor 62.8),
+exhausted 82.3 ms (floor 79.2). So is the mean of all pairs, with 29.0 ms and 2.18 cm; three other takes have 27.0 ms and 2.21
+cm.`,
   },
   {
     id: "labels",
@@ -98,9 +99,10 @@ in the masculine wave.
 - \`exhausted\` turns, left and right: the takes form two groups. Takes 1–4 cover 0.4 to 1.0 of the distance to the others; takes 5–8,
   which stagger, cover 1.1 to 1.6. In left turns the heads of the two groups sway sideways by 1.3 and 3.2 cm (standard
   deviations). The head of the output sways by 1.0 cm. \`strut build-db\` reports both groups.
-- \`masculine\` wave: the content differs. In the neutral style the hands wave 12 or 13 times, at 2 Hz and 20 cm wide; in the
-  masculine style 5 or 6 times, at 0.75 Hz and 55 cm wide. The output keeps the 12 to 14 waves of the input, at most 29 to 40 cm
-  wide. Real takes are not synchronous either: at equal canonical time, the correlation of their hands is 0.0 to 0.3.
+- \`masculine\` wave: the content differs. In the neutral style the hands wave 12 or 13 times, at 2 Hz and 20 cm wide. In the
+  masculine style they wave 5 or 6 times, at 0.75 Hz and 55 cm wide. The output keeps the 12 to 14 waves of the input, at most
+  29 to 40 cm wide. Real takes are not synchronous either: at equal canonical time, the correlation of their hands is 0.0 to
+  0.3.
 - \`exhausted\` walk: swaying that is not synchronous with the steps. The head sways by 1.9 cm, of which 1.0 cm recurs with every
   step; the rest differs from cycle to cycle. The output sways by 0.8 cm, nearly all of it in step.
 - \`exhausted\` wave: both causes. Hands wave 5 times, 40 cm wide, at 0.75 Hz. The feet shift relative to the hips by 8 to 18 cm,
