@@ -37,11 +37,11 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
   return [
     `## ${title}`,
     `${thousands(frames)} frames in ${classes} classes; ${report.machine}; \`${command}\`.`,
-    "Strut (WASM with SIMD), milliseconds, beside the paper's Table 2, whose search ran on a GPU:",
+    "Times of Strut (WASM with SIMD) in milliseconds, and those of the paper's Table 2, whose search ran on a GPU:",
     markdown(stageTable(report, "wasm-simd")),
-    "Speed-up over the same engine without SIMD, and over the plain loops:",
+    "This is how many times faster it is than the same engine without SIMD, and than the plain loops:",
     markdown(ratioTable(report)),
-    "The plain loops find the engine's neighbours; a set is *tied* if it differs only in windows that are as far away as the last one, apart from rounding. The table gives the largest differences of a predicted joint angle (radians), of a frame's duration and of the likelihood of a contact:",
+    "The plain loops must find the same neighbours as the engine. A set is *tied* if it differs only in windows that are, within rounding, as distant as the last neighbour. The other columns have the largest difference of a predicted joint angle (radians), of a frame's duration and of the likelihood of a contact:",
     markdown(agreementTable(report)),
     MEMORY,
     markdown(memoryTable(report.memory)),
@@ -50,13 +50,13 @@ function wasmSection(title: string, { command, report }: Measured<Report>): stri
 
 /** Text above the table of memory. */
 const MEMORY =
-  "WASM memory with the database open, after one clip has been styled with one style and with three, and after a clip of every class has been styled (targets are computed when they are first read, and kept):";
+  "The table has the WASM memory with the database open, after styling one clip with one style and with three, and after styling a clip of every class. Targets are computed when they are first read, and kept.";
 
 function largeSection({ command, report }: Measured<LargeReport>): string[] {
   const { frames, file_mb, open_ms, first_open_ms, memory, frame } = report;
   return [
     "## A large database in WebAssembly",
-    `${thousands(frames)} procedural frames, a file of ${file_mb.toFixed(0)} MB; the same machine; \`${command}\`. It opens in ${milliseconds(open_ms)} ms (the first time ${milliseconds(first_open_ms)}), once its bytes are in memory.`,
+    `${thousands(frames)} procedural frames, a file of ${file_mb.toFixed(0)} MB; the same machine; \`${command}\`. With its bytes in memory, it opens in ${milliseconds(open_ms)} ms (the first time in ${milliseconds(first_open_ms)} ms).`,
     MEMORY,
     markdown(memoryTable([memory])),
     markdown([
@@ -81,15 +81,15 @@ function cardsSection(cards: readonly Card[]): string[] {
       `${thousands(card.identical)} of ${thousands(card.sets)}`,
     ]);
   return [
-    "## Every window on a GPU",
-    "The paper compared every window on a GPU. `strut bench --gpu` does the same, one window at a time (*all*) and 256 together (*batch*). In the same run it measures the engine's search from a cold start on one thread. It checks that the sets of neighbours are identical, and names the GPU and its driver. In a browser, the box *GPU* of `bench.html` does the same after the other engines, with WebGPU.",
+    "## Comparison with every window on a GPU",
+    "The paper compared every window on a GPU. `strut bench --gpu` does the same, for one query at a time (*all*) and for 256 together (*batch*). In the same run it measures the engine's search from a cold start on one thread. It checks that the sets of neighbours are bit-identical, and prints the name of the GPU and its driver. In a browser, the box *GPU* of `bench.html` does the same with WebGPU, after the other engines.",
     rows.length
       ? markdown([
-          ["card", "frames", "all, ms", "batch, ms a window", "engine faster: all", "batch", "identical sets"],
+          ["GPU", "frames", "all, ms", "batch, ms per query", "engine faster: all", "batch", "identical sets"],
           ...rows,
         ])
-      : "No GPU has been measured yet. An emulated GPU shows whether the kernels are right, but not how fast they are; the tests run on Chromium's (`cargo test -p strut-motion-gpu`), and its times are not reported.",
-    "To add a GPU, run `npm run bench -- --gpu --json card.json` on it. Put `gpu` and the medians of the rows of `gpu-brute` in that file, with the date, into `bench/cards.ts`. `npm run bench -- --write` puts them here. Or open `bench.html` there, measure 79,829 frames, and send the result of *Copy as JSON* in an issue, with the date and the driver, which browsers do not report.",
+      : "No GPU has been measured yet. An emulated GPU shows whether the kernels are correct, but not how fast they are. The tests run on Chromium's (`cargo test -p strut-motion-gpu`), and its times are not shown.",
+    "To add a GPU, run `npm run bench -- --gpu --json card.json` on its machine. Copy `gpu` and the medians of the rows `gpu-brute` from that file into `bench/cards.ts`, with the date. `npm run bench -- --write` then updates this page. Or open `bench.html` on that machine, measure 79,829 frames, and send the result of *Copy as JSON* in an issue. Add the driver, which browsers do not report, and the date.",
   ];
 }
 
@@ -103,12 +103,12 @@ export function document(
 ): string {
   const parts = [
     "# Performance",
-    `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread; compare them within a table, not between machines.`,
-    "*Labelled*: action and style of the input are known, so that one class is searched. *Unlabelled*: every class is searched, and those that cannot affect the result are left out of the regression. *All*: every class takes part. A *cold search* does not use the previous frame. A *first search* has only one frame, which counts as standing still; a database of moving people has nothing similar. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/engine/bench/naive.rs`) search, regress, and find durations and contacts. The engine's frame includes features, blending and feet too, so the ratios of whole frames are slightly understated.",
+    `Written by \`npm run bench -- --write\` on ${date}. Times are medians and 95th percentiles of single frames on one thread. Compare them within a table, not between machines.`,
+    "*Labelled*: the action and the style of the input are known, so only one class is searched. *Unlabelled*: every class is searched, but classes of negligible weight are excluded from the regression. *All*: every class is included. A *cold search* does not use the previous frame. A *first search* has only one frame, which counts as standing still; a database of moving people has nothing similar. The plain loops (`bench/naive.ts` and `rust/strut-wasm/src/engine/bench/naive.rs`) do the search, the regression, the durations and the contacts. The engine's frame also includes features, blending and feet, so the ratios of whole frames are slightly too low.",
     ...wasmSection("In WebAssembly", procedural),
     ...(recorded ? wasmSection("In WebAssembly, on recorded motion", recorded) : []),
     ...largeSection(large),
-    "## Natively, by the size of the database",
+    "## Native times by size of the database",
     `${native.report.machine}; \`${native.command}\`. Medians in milliseconds.`,
     markdown(growthTable(native.report.rows)),
     ...cardsSection(CARDS),

@@ -84,8 +84,7 @@ export async function benchmarkGraphics(
     identical,
     candidates_per_neighbour: yardstick.candidatesPerNeighbour(),
   };
-  if (identical < comparison.sets)
-    throw new Error(`The graphics processor found other neighbours: ${JSON.stringify(comparison)}`);
+  if (identical < comparison.sets) throw new Error(`The GPU found different neighbours: ${JSON.stringify(comparison)}`);
   const row = (engine: Row["engine"], mode: Row["mode"], samples: number[]): Row => {
     const measured = { stage: "search", mode, engine, frames, classes, ...summarise(samples) };
     report.rows.push(measured);

@@ -121,71 +121,72 @@ const MINUTE = `time,gait,heading,face,action
 const NOTES = `
 ## How it is steered
 
-A clip that is found seldom does exactly what was asked. The difference is added to its root; the feet are planted afterwards.
+A chosen clip rarely moves exactly as requested. The difference is added to its root, and the feet are planted afterwards.
 
-- **Heading**: the turn rate that the clip lacks to the heading asked in 1/3 s, with what is left of the last transition, at
-  most 60°/s. Before, it was 2/3 of that, with the clip's turn rate of the moment. This left a steady offset inside curves
-  (circle, r = 2: 3.7 cm, then 1.5) and made more searches change the clip (bandai-namco-2, eight: 3.4 transitions/s, then 2.4).
-  Counting what is left of the transition brings the first degree of a turn from 3 to 2 frames, and from 6 to 3 or 4 in the styled
-  hips. A character that sets out or turns on the spot is steered fully. One that stands is not steered: its feet do not leave
-  the ground.
-- **Place**: a lasting offset from the path is integrated (half-life 5 s). The character aims at the other side of the path, by
-  0.7 of the integral a second. For *angry* on the circle the offset fell from 5.2 to 1.7 cm.
-- **Speed**: the root goes at most 10 % faster or slower than its clip, towards the speed asked in the end. With 15 % towards
-  the spring's way instead, running bandai-namco-2 slides more (planted 7–8 cm/s) and stops take 0.2 s longer.
-- **Takes**: a row of a take costs 1.5 more for a character that goes, and nothing more for one that is to stand. Before, it
-  cost that in both cases, and a halt that had begun was left for another step. Built-in stops took 1.52 s and 1.05 m at worst,
-  then 1.17 s and 0.64 m; the median fell from 1.05 to 0.90 s.
-- **Transitions**: the search finds the row that is most like the present one, so the row after it comes next, at the speed that
-  was shown. Before, the found row was shown once more, with the difference a frame further gone than it should be: at each
-  transition every joint leapt by what its speed changes in a frame. The 99th percentile of the acceleration after transitions
-  fell from 45 to 41 m/s² (bandai-namco-2: 70 to 55), the slide of styled running feet from 5.2 to 1.5 cm/s, the error on the
-  square from 6.3 to 5.9 cm.
-- **Styling**: the stylizer is told that its input is neutral. Untold, it mixed a jump of several styles' jumps, and hands jerked. The
-  99.9th percentile of the joints' acceleration in a minute fell by 15 to 48 %.
-- **Jumps from a run** start at the run's next take-off and use the flight of the nearest jump. The root keeps its velocity until
-  the landing; then the run continues. With the built-in motions the take-off comes 0.06 and 0.13 s after the key, where the
-  character used to brake for a second. The flight takes 0.45 s at 2.4 m/s and rises by 27 cm; after the landing the speed is at
-  least 2.0 m/s. From a walk, and for kicks and punches, the character stops first. A clip offers moves only between two rests:
-  the recorded jumps of \`xia\` and \`cmu\` end without one.
-- **Feet**: where two planted feet pull the root apart, it gives way no faster than it moves. Before, hips leapt by 4 m/s in a
-  half-turn into a run (400 m/s²; the most now is in the table).
-- **The planted figure**, which the ghost shows, is drawn back to where it is driven by at most a tenth of its speed. Before, it
-  wandered off by up to 1.5 m.
+- **Heading**: the clip is turned so that it reaches the requested heading in 1/3 s, at most by 60°/s. The calculation includes
+  the turn that remains from the last transition. Before, 2/3 of the missing turn rate was added, computed from the clip's
+  current turn rate alone. This left a constant offset inside curves: 3.7 cm on the circle with r = 2, now 1.5. It also caused
+  more transitions: 3.4 per second on the eight with bandai-namco-2, now 2.4. The first degree of a turn came after 3 frames,
+  now 2; of the styled hips after 6, now 3 or 4. A character that starts or turns on the spot is steered by the full amount. A
+  standing character is not steered, because its feet do not leave the ground.
+- **Position**: a constant offset from the path is integrated over time (half-life 5 s). The character then aims at the other
+  side of the path, by 0.7 times the integral per second. For *angry* on the circle, the offset fell from 5.2 to 1.7 cm.
+- **Speed**: the root moves at most 10 % faster or slower than its clip, towards the requested final speed. With 15 % towards
+  the trajectory of the spring, feet slid more in runs of bandai-namco-2 (planted 7–8 cm/s), and stops took 0.2 s longer.
+- **Takes**: a row of a built-in take has an additional cost of 1.5 while the character moves, and none when it should stand.
+  Before, the cost was added in both cases, so a stop that had begun could be abandoned for another step. With the built-in
+  motions, the worst stop fell from 1.52 s and 1.05 m to 1.17 s and 0.64 m, the median from 1.05 to 0.90 s.
+- **Transitions**: the search finds the row that is most similar to the current one, so the row after it is shown next, with the
+  current velocity. Before, the found row itself was shown, and the difference had decayed one frame too far. At each transition
+  every joint jumped by the change of its velocity in one frame. The correction reduced the 99th percentile of the acceleration
+  after transitions from 45 to 41 m/s² (bandai-namco-2: 70 to 55). The slide of styled feet in runs fell from 5.2 to 1.5 cm/s, and
+  the error on the square from 6.3 to 5.9 cm.
+- **Styling**: the stylizer knows that its input is neutral. Without this label, it mixed the jumps of several styles, and the
+  hands jerked. With it, the 99.9th percentile of the joints' acceleration in a minute fell by 15 to 48 %.
+- **Jumps from a run** start at the run's next take-off and use the flight of the nearest jump. The root keeps its velocity
+  until the landing; then the run continues. With the built-in motions, the take-off comes 0.06 and 0.13 s after the key;
+  before, the character braked for a second. The flight takes 0.45 s at 2.4 m/s and rises by 27 cm. After the landing the
+  speed is at least 2.0 m/s. For a jump from a walk, and for kicks and punches, the character stops first. Only actions
+  between two rests are found in a clip; the recorded jumps of \`xia\` and \`cmu\` end without a rest.
+- **Feet**: if two planted feet pull the root in different directions, the root is corrected no faster than it moves. Before, the
+  hips jumped by 4 m/s in a half-turn into a run (400 m/s²; the table has the present maximum).
+- **The planted figure**, which the ghost shows, is pulled back to its driven position, by at most a tenth of its speed. Before,
+  it drifted away by up to 1.5 m.
 
-Three things were tried and left out. Steering by 75 or 90°/s changes nothing on paths and nothing of the first degree. Inertia with a
-half-life of 0.12 s, tried before transitions began at the speed that was shown, gave no smaller peaks after them. With a turn rate that decays in 0.07 s, the first degree of the
-styled hips comes a frame later, and peaks rise to 59 m/s².
+Three variants were tried and rejected. Steering by 75 or 90°/s changes neither the error on paths nor the first degree of a turn.
+Inertia with a half-life of 0.12 s did not reduce the peaks after transitions; this was measured before transitions began with the
+current velocity. With a turn rate that decays in 0.07 s, the first degree of the styled hips comes a frame later, and peaks rise
+to 59 m/s².
 
-## What is missed
+## Targets that are not met
 
-- **First degree of the styled hips, built-in**: 4 frames of 3 in the median; 3 on bandai-namco-2. It was 3 as long as a
-  transition began with a leap.
-- **Planted feet of the neutral figure**: built-in circle, eight and log 1.2, 1.1 and 1.1 cm/s of 1, as it is drawn back to its
-  place.
-- **bandai-namco-2, run**: planted 4.5 cm/s of 1 (styled 1.5 of 2). Its neutral runs are straight ones of 2.5 s, stretches of which
-  are steered round by 29°/s all the time. On a straight line the same feet slide by 0.2 cm/s when planted.
-- **bandai-namco-2, a minute**: *active* 2.3 and *youthful* 2.2 cm/s of 2, for the same runs.
+- **First degree of the styled hips, built-in**: median 4 frames, target 3; bandai-namco-2 reaches 3. It was 3 while transitions
+  began with a jump.
+- **Planted feet of the neutral figure**: they slide by 1.2 cm/s on the built-in circle, and by 1.1 on the eight and with the
+  recorded controls, target 1. The cause is that the figure is pulled back to its driven position.
+- **bandai-namco-2, run**: planted feet slide by 4.5 cm/s, target 1 (styled 1.5, target 2). Its neutral runs are straight, of
+  2.5 s; on the circle they are turned by 29°/s all the time. On a straight line the same feet slide by 0.2 cm/s.
+- **bandai-namco-2, a minute**: *active* 2.3 and *youthful* 2.1 cm/s, target 2, because of the same runs.
 
-## Beside orangeduck's motion matching
+## Comparison with orangeduck's motion matching
 
-[Its published code](https://github.com/orangeduck/Motion-Matching) (\`controller.cpp\`), point by point.
+[Its published code](https://github.com/orangeduck/Motion-Matching) (\`controller.cpp\`) is compared point by point.
 
 | | orangeduck | Strut |
 | --- | --- | --- |
-| what follows the stick | a simulated body, critically damped, half-life 0.27 s; the character is drawn to it (half-lives 0.1 and 0.2 s, by at most half of its own speed) and kept within 0.15 m and 90° of it | the character itself: the same springs say what is asked from where it is, and its clip is steered; nothing is ahead of it |
-| a change of control | searched for at once where it is sudden (change of velocity above 50 m/s², of direction above 50 rad/s), at most every 0.1 s | at once where velocity changes by 0.3 m/s or the heading by 15°, at most every 0.05 s |
-| otherwise | every 0.1 s; only the present frame's neighbourhood costs nothing | every 0.17 s; another row must be better by a margin, and rows left lately are barred |
-| speeds | 1.75 and 4 m/s, other ones aside and back | those of the clips: 1.2 and 2.5 m/s, other bodies and styles |
+| what follows the stick | a simulated body, critically damped, half-life 0.27 s; the character is pulled to it (half-lives 0.1 and 0.2 s, by at most half of its own speed) and kept within 0.15 m and 90° of it | the character itself: the same springs compute the requested trajectory from its position, and its clip is steered; there is no simulated body |
+| search after a change of control | at once if it is sudden (change of velocity above 50 m/s², of direction above 50 rad/s), at most every 0.1 s | at once if the velocity changes by 0.3 m/s or the heading by 15°, at most every 0.05 s |
+| search otherwise | every 0.1 s; the rows near the current frame are preferred | every 0.17 s; another row must be better by a margin, and recently left rows are excluded |
+| speeds | 1.75 and 4 m/s, different sideways and backwards | those of the clips: 1.2 and 2.5 m/s, different for other bodies and styles |
 | features | feet, hips' velocity, three instants 20 frames apart: 27 numbers | the same, of instants at 20, 40 and 60 frames, in fixed units |
 | search | bounding boxes over 16 and 64 rows | the same, exact to the bit |
-| transition | inertialised, half-life 0.1 s | the same, and the root's velocity apart |
-| feet | locked at contact, unlocked beyond 0.2 m, half-life 0.1 s, two-bone IK | held by the stylizer's foot planting, at most 0.2 m or the root gives way, critically damped return |
+| transition | inertialised, half-life 0.1 s | the same; the velocity of the root is treated separately |
+| feet | locked at contact, unlocked beyond 0.2 m, half-life 0.1 s, two-bone IK | held by the stylizer's footplant; beyond 0.2 m the root is moved; critically damped return |
 | along a path | none | closed loop on the styled character |
-| styles | none: the clips are what is seen | any mixture, after the driver |
+| styles | none: the clips are shown unchanged | any mixture, applied after the driver |
 
-Its character answers a stick sooner, as a simulated body leads and the character may be drawn to it. Strut's character goes
-where its feet carry it; its speed is changed by a tenth at most.
+orangeduck's character responds sooner to a stick, because the simulated body leads and pulls the character. Strut's character
+moves as its steps do; its speed is changed by at most a tenth.
 `;
 
 /** Runs the experiments with a command and writes the report. */
@@ -264,7 +265,7 @@ function report(neutral, styled, minutes, logs) {
     }),
   );
   const played = table(
-    ["motions", "style", "skate styled, cm/s", "acceleration of the styled hips: p99.9, most, m/s²"],
+    ["motions", "style", "skate styled, cm/s", "acceleration of the styled hips: p99.9, maximum, m/s²"],
     minutes.map(({ set, style, skate, hips_acceleration: { p999, most } }) => [
       set,
       style,
@@ -275,30 +276,34 @@ function report(neutral, styled, minutes, logs) {
   const responses = table(["", ...logs.map(({ set }) => set)], rowsOf(logs));
   return `# Driving
 
-A character that goes where a user steers: neutral clips by motion matching, the stylizer on top (\`strut drive\`, **Drive it
-yourself** in Play). Written by \`npm run evaluate -- drive\`; the paths and the log of controls are in \`evaluation/drive.mjs\`.
+Driving moves a character where the user steers it, with \`strut drive\` or **Drive it yourself** in Play. Motion matching
+chooses neutral clips, and the stylizer styles them. \`npm run evaluate -- drive\` writes this page; the paths and the recorded
+controls are in \`evaluation/drive.mjs\`.
 
 ## Along paths
 
-Distance of the styled hips from the path, from two seconds on. Neutral style; built-in motions and the neutral clips of
-bandai-namco-2, both with the built-in takes (standing, turns on the spot, halts, changes of gait).
+The table has the distance of the styled hips from the path (*off*), without the first two seconds, in the neutral style. The
+motions are the built-in ones or the neutral clips of bandai-namco-2. Both are used with the built-in takes: standing, turns on
+the spot, stops, changes of gait.
 
 ${paths}
 
-Every style, closed loop: the styled character is the one that follows.
+Here the styled character itself follows the path, in a closed loop, in every style:
 
 ${closed}
 
-## What comes of controls
+## Response to controls
 
-Stops, turns and changes of gait asked for at different moments of the stride; median and worst. A stop counts until the root
-is slower than 0.1 m/s, a heading as reached within 15° (10° on the spot), a speed at 90 % of the change.
+Stops, turns and changes of gait are requested at different moments of the stride. Values are medians, with the worst value in
+parentheses. A stop ends when the root is slower than 0.1 m/s. A heading is reached within 15° (10° on the spot), a speed at
+90 % of the change.
 
 ${responses}
 
 ## A minute in every style
 
-The same log of controls in every style: walks, turns about, runs, turns on the spot, a jump, a kick, a punch, stands.
+The same recorded controls are used in every style: walks, half-turns, runs, turns on the spot, a jump, a kick, a punch, and
+standing.
 
 ${played}
 ${NOTES}`;
@@ -346,13 +351,13 @@ function rowsOf(logs) {
     rows("skate: driven, planted, styled, cm/s", (l) =>
       [l.skate.driven, l.skate.planted, l.skate.styled].map(cm).join(", "),
     ),
-    rows("planted figure from where it is driven, at most, m", (l) => l.wander_m.toFixed(2)),
+    rows("distance of the planted figure from its driven position, at most, m", (l) => l.wander_m.toFixed(2)),
     rows(
-      "acceleration of the styled hips: p99.9, most, m/s²",
+      "acceleration of the styled hips: p99.9, maximum, m/s²",
       ({ hips_acceleration: { p999, most } }) => `${p999.toFixed(0)}, ${most.toFixed(0)}`,
     ),
     rows(
-      "the driver, natively, µs a frame: median, p95",
+      "time of the driver, native, µs per frame: median, p95",
       (l) => `${l.driver_us.median.toFixed(1)}, ${l.driver_us.p95.toFixed(0)}`,
     ),
   ];

@@ -77,14 +77,20 @@ async function section({ id, title, question, args, curves, findings = "" }) {
 
 const INTRODUCTION = `# Evaluation
 
-Written by \`npm run evaluate\`; every table comes from the command above it. Pose error is the mean distance of 20 joints (hips
-and heading removed) over whole gait cycles of the held-out take, before feet are planted. Timing error is the mean difference
-of the time since the cycle began. Velocity error is the mean difference of joint velocities per second of input. Input
-unchanged is what doing nothing gives; the floors are what other real takes of the target style give. Skate is the mean speed of
-the point a foot turns on while the finished motion's own contact labels show it planted. Methods are nn, the nearest neighbour;
-knn, the mean of the K nearest; lar, one local autoregression; and mar, the mixture of autoregressive models. Global methods are
-gar, a global autoregression; lti, a linear time-invariant system (Hsu et al. 2005); and gp, a Gaussian process (Ikemoto et al.
-2009). The method lti-dof has an lti for each degree of freedom.`;
+Written by \`npm run evaluate\`; every table comes from the command above it.
+
+| Term | Meaning |
+| --- | --- |
+| pose error | mean distance of 20 joints, with hips and heading aligned, over whole gait cycles of the held-out take, before the footplant |
+| timing error | mean difference of the time since the beginning of the cycle |
+| velocity error | mean difference of the joint velocities per second of input |
+| input unchanged | errors of the input without styling |
+| floor | errors of other real takes of the target style |
+| skate | mean speed of the point about which a foot turns, while the finished motion's own contacts show it planted |
+| nn, knn | the nearest neighbour; the mean of the K nearest |
+| lar, mar | one local autoregression; the mixture of autoregressive models |
+| gar, lti, gp | methods trained on all frames: an autoregression; a linear time-invariant system (Hsu et al. 2005); a Gaussian process (Ikemoto et al. 2009) |
+| lti-dof | one lti for each degree of freedom |`;
 
 await main(async () => {
   const args = process.argv.slice(2);
@@ -124,7 +130,7 @@ await main(async () => {
       await writeFile(join(pictures, "joint-curve.svg"), await jointCurve(trial));
       await writeFile(join(pictures, "time-warp.svg"), await timeWarp(trial));
     }
-    const machine = `Measured on ${cpus().length} × ${cpus()[0]?.model.trim() ?? "unknown processor"}; times are processor time and hold for it only.`;
+    const machine = `Measured on ${cpus().length} × ${cpus()[0]?.model.trim() ?? "unknown processor"}; times are CPU times of this machine.`;
     const bars = "![Errors by method and data set](evaluation/error-bars.svg)";
     const sections = await Promise.all(done.map(section));
     await writeFile(

@@ -94,6 +94,6 @@ function times(report: Report, { software }: GraphicsComparison): HTMLElement[] 
       ],
       "Strut",
     ),
-    html("p", { class: "caption" }, `The last column: how many times faster than the paper's search of ${paper} ms.`),
+    html("p", { class: "caption" }, `The last column compares with the search of the paper, ${paper} ms.`),
   ];
 }

@@ -83,8 +83,8 @@ export function errorsPage() {
   );
   return `# Errors
 
-Every error has a code for programs, and a message for people that names what was expected. A hint gives the next step, if there is
-one.
+Every error has a code for programs, and a message of one sentence that states what was expected. If you can solve the problem,
+a hint explains how.
 
 | Code | Meaning | JavaScript | Python | Manifests of batches |
 | --- | --- | --- | --- | --- |
@@ -96,7 +96,7 @@ ${rows.join("\n")}
 | --- | --- |
 | JavaScript | a \`StrutError\` with \`code\`, \`message\` and \`hint\`; calls reject with it |
 | Python | a \`strut.StrutError\` with \`code\`, \`message\` and \`hint\`; \`OSError\` where the system cannot read or write |
-| Command line | \`error: \` and the sentence on the standard error; exit code 1, or 2 for wrong usage |
-| Batches | \`status\`, \`code\` and \`message\` of a line of the manifest |
+| Command line | \`error: \` and the message on the standard error; exit code 1, or 2 for wrong usage |
+| Batches | \`status\`, \`code\` and \`message\` in a line of the manifest |
 `;
 }
