@@ -10,12 +10,13 @@ import { importCircles, webModules } from "./web_modules.mjs";
 /** Which crates each crate may depend on. */
 const CRATES = {
   "strut-core": [],
+  "strut-evaluation": ["strut-core"],
   "strut-formats": ["strut-core"],
   "strut-demo": ["strut-core"],
   "strut-gpu": ["strut-core"],
-  "strut-wasm": ["strut-core", "strut-formats", "strut-demo", "strut-gpu"],
-  "strut-tasks": ["strut-core", "strut-formats", "strut-demo"],
-  "strut-cli": ["strut-tasks", "strut-core", "strut-formats", "strut-demo", "strut-gpu"],
+  "strut-wasm": ["strut-core", "strut-evaluation", "strut-formats", "strut-demo", "strut-gpu"],
+  "strut-tasks": ["strut-core", "strut-evaluation", "strut-formats", "strut-demo"],
+  "strut-cli": ["strut-tasks", "strut-core", "strut-evaluation", "strut-formats", "strut-demo", "strut-gpu"],
   "strut-python": ["strut-tasks", "strut-core", "strut-formats", "strut-demo"],
   fuzz: ["strut-core", "strut-formats", "strut-demo"],
   xtask: [],

@@ -12,12 +12,12 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
-use strut_core::hsmm::evaluation::{
-    ContextTree, GaitStatistics, Peaks, Reconstruction, horizon_error, recognise, recursion_error, stopping_peaks,
-    transition_peaks,
-};
 use strut_core::hsmm::{
     HORIZON, LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, WeightsError, train,
+};
+use strut_evaluation::walk::{
+    ContextTree, GaitStatistics, Peaks, Reconstruction, horizon_error, recognise, recursion_error, stopping_peaks,
+    transition_peaks,
 };
 use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;

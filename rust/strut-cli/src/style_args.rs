@@ -1,7 +1,8 @@
 //! Styling options, which several commands share.
 
 use clap::Args;
-use strut_core::transfer::{Method, Options};
+use strut_core::transfer::Options;
+use strut_evaluation::baselines::method_named;
 use strut_tasks::Outcome;
 use strut_tasks::search::Search;
 use strut_tasks::stylize::{METHODS, StyleSettings, Switch};
@@ -69,7 +70,7 @@ impl StyleArgs {
             coherence: self.coherence == Switch::On,
             timing: self.timing == Switch::On,
             footplant: self.footplant == Switch::On,
-            method: Method::from_name(&self.method).unwrap_or_default(),
+            method: method_named(&self.method).unwrap_or_default(),
             ..Options::DEFAULT
         };
         let settings = StyleSettings {

@@ -14,11 +14,11 @@ use strut_core::math::Vec3;
 use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
 use strut_core::retarget::to_humanoid;
-use strut_core::somn::evaluation::{Observed, pose_error};
 use strut_core::somn::{
     DragCharacter, Interpolation, Key, KeyStyleModel, KeyStyling, Measure, Method, Mode, Options, RATE_HZ, Recording,
     Synthesis, train,
 };
+use strut_evaluation::key_style::{Observed, pose_error};
 use strut_formats::corpus::Clip;
 use strut_formats::key_style_model;
 

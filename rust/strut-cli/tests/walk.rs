@@ -5,13 +5,13 @@ mod common;
 use common::{assert_refused, mocap, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
-use strut_core::hsmm::evaluation::{GaitStatistics, Reconstruction, recognise, recursion_error};
 use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, train};
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::kinematics::world_from_local;
 use strut_core::math::Vec3;
 use strut_core::parallel::Sequential;
 use strut_core::retarget::to_humanoid;
+use strut_evaluation::walk::{GaitStatistics, Reconstruction, recognise, recursion_error};
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::corpus::Clip;
 

@@ -1,12 +1,12 @@
 //! A small synthetic database for tests: bodies whose legs and arms swing as sines.
 
-use crate::database::{Clip, Database, DatabaseParts};
-use crate::humanoid::{Pose, Proportions, Role};
-use crate::kinematics::{Soles, world_from_local};
-use crate::math::float_funcs::sin;
-use crate::math::{Quat, Vec3};
-use crate::pose_vector::{HeadingFilter, Placement, PoseChart, point_cloud};
 use std::f32::consts::TAU;
+use strut_core::database::{Clip, Database, DatabaseParts};
+use strut_core::humanoid::{Pose, Proportions, Role};
+use strut_core::kinematics::{Soles, world_from_local};
+use strut_core::math::float_funcs::sin;
+use strut_core::math::{Quat, Vec3};
+use strut_core::pose_vector::{HeadingFilter, Placement, PoseChart, point_cloud};
 
 pub(crate) const RATE_HZ: f32 = 60.0;
 

@@ -5,16 +5,16 @@
 //! reductions have a fixed order, nothing contracts to FMA.
 #![deny(unsafe_code)]
 
+// The fixtures are shared with `strut-motion-evaluation`.
+#[cfg(test)]
+extern crate self as strut_core;
+
 pub mod autoregression;
-#[cfg(feature = "baselines")]
-mod baselines;
 pub mod catalogue;
 pub mod contact;
 pub mod crowd;
 pub mod database;
 pub mod driving;
-#[cfg(feature = "baselines")]
-pub mod evaluation;
 #[cfg(test)]
 mod fixtures;
 pub mod hsmm;

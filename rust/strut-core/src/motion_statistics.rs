@@ -4,7 +4,7 @@
 //! spread of the takes of a class, which is unintended variation.
 
 use crate::humanoid::JOINTS;
-use crate::math::partition::mean_of;
+use crate::math::stats::mean_of;
 use crate::metrics::Points;
 
 /// Coordinates of all joints.

@@ -207,7 +207,6 @@ impl RootPath {
     }
 
     /// Foot, point and position of the contact with the ground, in the world; `None` before the first frame.
-    #[cfg(any(test, feature = "baselines"))]
     pub(crate) fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.last.map(|(foot, point, points)| (foot, point, points[foot][point] + self.root()))
     }

@@ -16,7 +16,7 @@ pub(crate) fn mean_rotations<'a>(poses: impl Iterator<Item = &'a Pose> + Clone) 
 }
 
 /// Converts rotations to exponential maps about a reference.
-pub(crate) fn row_of(reference: &[Quat; JOINTS], rotations: &[Quat; JOINTS]) -> RotationRow {
+pub fn row_of(reference: &[Quat; JOINTS], rotations: &[Quat; JOINTS]) -> RotationRow {
     let mut row = [0.0; ROTATION_DIMS];
     for j in 0..JOINTS {
         let v = exp_map::log(reference[j].inv_mul(rotations[j]));

@@ -10,8 +10,9 @@ use std::ops::ControlFlow;
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::parallel::Sequential;
 use strut_core::pose_vector::HeadingFilter;
-use strut_core::search::{ClassSearch, Index, QueryWindow};
+use strut_core::search::{Index, QueryWindow};
 use strut_demo::benchmark::{Query, hold_out};
+use strut_evaluation::search::ClassSearch;
 use strut_gpu::{Context, Searcher};
 
 const K: usize = 40;

@@ -5,6 +5,7 @@ use std::fmt;
 use std::num::NonZero;
 use std::str::FromStr;
 use strut_core::search::Index;
+use strut_evaluation::search::with_kd_trees;
 use strut_formats::quotation;
 
 /// Default number of candidates of a kd-tree.
@@ -27,7 +28,7 @@ impl Search {
     pub fn of(self, index: Index) -> Index {
         match self {
             Self::Exact => index,
-            Self::KdTree { candidates } => index.with_kd_trees(candidates),
+            Self::KdTree { candidates } => with_kd_trees(index, candidates),
         }
     }
 }

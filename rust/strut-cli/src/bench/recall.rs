@@ -7,8 +7,9 @@ use std::num::NonZero;
 use std::time::Instant;
 use strut_core::catalogue::Catalogue;
 use strut_core::pose_vector::HeadingFilter;
-use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
+use strut_core::search::{Index, Neighbours, QueryWindow};
 use strut_demo::benchmark::Query;
+use strut_evaluation::search::{ClassSearch, Recall};
 use strut_tasks::search::Search;
 
 /// Number of neighbours per class.

@@ -11,8 +11,8 @@ use strut_core::contact::label;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
-use strut_core::somn::evaluation::{Observed, pose_error};
 use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Row, Style, Synthesis};
+use strut_evaluation::key_style::{Observed, pose_error};
 
 /// Distances between keys, frames.
 const EVERY: [usize; 6] = [4, 8, 10, 12, 15, 20];

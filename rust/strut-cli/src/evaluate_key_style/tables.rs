@@ -5,11 +5,11 @@ use crate::failure::{Failure, Outcome};
 use std::fmt::Write;
 use std::sync::Arc;
 use std::time::Instant;
-use strut_core::somn::evaluation::{Baseline, Observed, largest_change, pose_error, third_difference};
 use strut_core::somn::{
     DragCharacter, EM_RIDGE, KeyStyleModel, Learning, MAX_AXES, Mode, Options, PoseSpace, RATE_HZ, Recording, Row,
     Style, Synthesis, train,
 };
+use strut_evaluation::key_style::{Baseline, Observed, largest_change, pose_error, third_difference};
 
 /// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames between two of these
 /// styles.

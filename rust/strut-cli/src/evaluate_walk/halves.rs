@@ -1,9 +1,9 @@
 //! Prediction of the second half of a take from its first half.
 
 use std::fmt::Write;
-use strut_core::hsmm::evaluation::Reconstruction;
 use strut_core::hsmm::{LabelledClip, Options, Side, Track, TrainError, WalkModel, steps_of, train};
 use strut_core::humanoid::Proportions;
+use strut_evaluation::walk::Reconstruction;
 use strut_tasks::threads::ThreadPool;
 use strut_tasks::walks::Walk;
 

@@ -3,8 +3,8 @@
 use super::mixture::{STEPS, weights};
 use std::fmt::Write;
 use std::sync::Arc;
-use strut_core::hsmm::evaluation::{Bearing, GaitStatistics, bearing, strengths};
 use strut_core::hsmm::{RuntimeWalkModel, WalkModel, WeightsError};
+use strut_evaluation::walk::{Bearing, GaitStatistics, bearing, strengths};
 
 /// Measured intensities.
 const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];

@@ -130,8 +130,7 @@ impl QuantisedRows {
     }
 
     /// All rows.
-    #[cfg(feature = "baselines")]
-    pub(crate) fn to_vec(&self) -> Vec<PoseRow> {
+    pub fn to_vec(&self) -> Vec<PoseRow> {
         self.parts.iter().flatten().enumerate().map(|(row, _)| self.get(row)).collect()
     }
 }

@@ -61,8 +61,7 @@ impl TargetTable {
     ///
     /// # Panics
     /// If the class does not exist.
-    #[cfg(feature = "baselines")]
-    pub(crate) fn class_has_target(&self, class: usize) -> bool {
+    pub fn class_has_target(&self, class: usize) -> bool {
         let mut rows = self.catalogue.classes()[class].rows.clone();
         rows.any(|row| self.catalogue.counterparts(row, self.style).next().is_some())
     }

@@ -59,7 +59,7 @@ pub fn two_manners(db: &Database) -> Vec<TwoManners> {
 }
 
 /// Statistics of the clips of every class, in the database's order.
-pub(crate) fn statistics_of_takes(db: &Database) -> Vec<Vec<MotionStatistics>> {
+pub fn statistics_of_takes(db: &Database) -> Vec<Vec<MotionStatistics>> {
     let statistics = |clip: usize| motion_statistics(&db.point_cloud[db.clips[clip].rows()]);
     db.classes().iter().map(|class| class.clips.clone().map(statistics).collect()).collect()
 }

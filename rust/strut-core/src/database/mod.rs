@@ -7,19 +7,15 @@ pub mod build;
 mod manners;
 mod offline;
 mod parts;
-#[cfg(feature = "baselines")]
 mod residual;
 mod statistics;
 mod validation;
 mod without_clips;
 
 pub use crate::registration::MAX_COUNTERPARTS;
-#[cfg(feature = "baselines")]
-pub(crate) use manners::statistics_of_takes;
-pub use manners::{TwoManners, two_manners};
+pub use manners::{TwoManners, statistics_of_takes, two_manners};
 pub use offline::Database;
 pub use parts::{Class, Clip, DatabaseParts, PointCloud};
-#[cfg(feature = "baselines")]
 pub use residual::residuals;
 pub(crate) use statistics::{RowSquares, RowSums, StepSums};
 pub use validation::{DatabaseError, MAX_FRAMES};

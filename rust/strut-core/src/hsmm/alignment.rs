@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// One side's states, prepared for comparison with frames.
 #[derive(Clone, Debug)]
-pub(super) struct States<'a> {
+pub struct States<'a> {
     means: &'a [Observation; STATES],
     inverse_variances: [Observation; STATES],
     /// Logarithms of the Gaussians' normalisation factors.
@@ -49,7 +49,7 @@ impl<'a> States<'a> {
 
     /// Returns the most likely durations of the states of a step, and the log-likelihood of the step; `None` if it has fewer
     /// frames than there are states.
-    pub(super) fn align(&self, step: &[Observation]) -> Option<([usize; STATES], f64)> {
+    pub fn align(&self, step: &[Observation]) -> Option<([usize; STATES], f64)> {
         let frames = step.len();
         if frames < STATES {
             return None;

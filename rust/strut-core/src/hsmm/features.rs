@@ -11,7 +11,7 @@ use crate::rotation_row::RotationRow;
 use crate::rotation_row::mean_rotations;
 use thiserror::Error;
 
-pub(super) use crate::rotation_row::row_of;
+pub use crate::rotation_row::row_of;
 
 /// Least travelled distance from which a heading can be computed, metres.
 const LEAST_WAY: f32 = 0.3;

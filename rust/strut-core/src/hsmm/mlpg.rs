@@ -10,11 +10,17 @@ use crate::math::lanes::Lane;
 use std::ops::{Add, Div, Mul, Sub};
 
 /// The scalar type of a trajectory: one degree of freedom, or four in parallel.
-pub(super) trait Number:
+pub trait Number:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     /// Converts a constant.
     fn of(value: f32) -> Self;
+}
+
+impl Number for f32 {
+    fn of(value: f32) -> Self {
+        value
+    }
 }
 
 impl Number for f64 {
@@ -31,25 +37,27 @@ impl Number for Lane {
 
 /// A mean and its weight: the inverse of its variance.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Term<T> {
-    pub(super) mean: T,
-    pub(super) weight: T,
+pub struct Term<T> {
+    /// The mean.
+    pub mean: T,
+    /// Its weight.
+    pub weight: T,
 }
 
 /// The quadratic terms in which cₜ appears: its pose, and the velocity and the acceleration of the frame before.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct FrameTerms<T> {
+pub struct FrameTerms<T> {
     /// Term of cₜ.
-    pub(super) pose: Term<T>,
+    pub pose: Term<T>,
     /// Term of (cₜ − cₜ₋₂) / 2.
-    pub(super) velocity: Term<T>,
+    pub velocity: Term<T>,
     /// Term of cₜ − 2cₜ₋₁ + cₜ₋₂.
-    pub(super) acceleration: Term<T>,
+    pub acceleration: Term<T>,
 }
 
 /// The optimal value of a frame as a function of the two before it: cₜ = q (r − α cₜ₋₂ − β cₜ₋₁).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Choice<T> {
+pub struct Choice<T> {
     alpha: T,
     beta: T,
     q: T,
@@ -58,7 +66,7 @@ pub(super) struct Choice<T> {
 
 impl<T: Number> Choice<T> {
     /// Returns the value after cₜ₋₂ and cₜ₋₁.
-    pub(super) fn after(&self, [before, last]: [T; 2]) -> T {
+    pub fn after(&self, [before, last]: [T; 2]) -> T {
         self.q * (self.r - self.alpha * before - self.beta * last)
     }
 }
@@ -66,7 +74,7 @@ impl<T: Number> Choice<T> {
 /// Least cost of the frames from t on, as a function of a = cₜ₋₂ and b = cₜ₋₁:
 /// J(a, b) = A a² + 2B ab + C b² − 2D a − 2E b and a constant. After the last frame it is zero.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct CostToGo<T> {
+pub struct CostToGo<T> {
     aa: T,
     ab: T,
     bb: T,
@@ -79,7 +87,7 @@ impl<T: Number> CostToGo<T> {
     /// function of it and of the frame before; minimising over the frame gives the same form (dynamic programming, as in
     /// linear-quadratic control).
     #[inline]
-    pub(super) fn with(&self, frame: &FrameTerms<T>) -> (Self, Choice<T>) {
+    pub fn with(&self, frame: &FrameTerms<T>) -> (Self, Choice<T>) {
         let (p, v, g) = (frame.pose.weight, frame.velocity.weight, frame.acceleration.weight);
         let (quarter, pull) = (v * T::of(0.25), v * frame.velocity.mean * T::of(0.5));
         let (twice, bend) = (g + g, g * frame.acceleration.mean);
@@ -100,11 +108,11 @@ impl<T: Number> CostToGo<T> {
 }
 
 /// State of one frame: the indices of its side and its state.
-pub(super) type FrameState = (usize, usize);
+pub type FrameState = (usize, usize);
 
 /// A system with five diagonals and its right-hand side; reuses its memory.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Banded<T> {
+pub struct Banded<T> {
     /// The main diagonal and the two next to it; entry t couples t with t, t + 1 and t + 2.
     diagonals: [Vec<T>; 3],
     right: Vec<T>,
@@ -112,7 +120,7 @@ pub(super) struct Banded<T> {
 
 impl<T: Number> Banded<T> {
     /// Clears the system and sets its number of frames.
-    pub(super) fn begin(&mut self, frames: usize) {
+    pub fn begin(&mut self, frames: usize) {
         for values in self.diagonals.iter_mut().chain([&mut self.right]) {
             values.clear();
             values.resize(frames, T::default());
@@ -129,8 +137,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Adds the term of cₜ near a mean.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn pose(&mut self, t: usize, of: Term<T>) {
+    pub fn pose(&mut self, t: usize, of: Term<T>) {
         self.weigh_pose(t, of.weight);
         self.pull_pose(t, of);
     }
@@ -144,8 +151,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Adds the term of (cₜ₊₁ − cₜ₋₁) / 2 near a mean.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn velocity(&mut self, t: usize, of: Term<T>) {
+    pub fn velocity(&mut self, t: usize, of: Term<T>) {
         self.weigh_velocity(t, of.weight);
         self.pull_velocity(t, of);
     }
@@ -164,8 +170,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Adds the term of cₜ₊₁ − 2cₜ + cₜ₋₁ near a mean.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn acceleration(&mut self, t: usize, of: Term<T>) {
+    pub fn acceleration(&mut self, t: usize, of: Term<T>) {
         self.weigh_acceleration(t, of.weight);
         self.pull_acceleration(t, of);
     }
@@ -187,8 +192,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Adds the terms that couple the trajectory to the known values c₋₁ and c₋₂: deltas of frames −1 and 0.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
+    pub fn after(&mut self, [before, last]: [T; 2], velocities: [Term<T>; 2], accelerations: [Term<T>; 2]) {
         // (c₀ − c₋₂) / 2 and (c₁ − c₋₁) / 2.
         for (t, (of, known)) in velocities.iter().zip([before, last]).enumerate() {
             self.couple(t, t, of.weight * T::of(0.25));
@@ -208,13 +212,13 @@ impl<T: Number> Banded<T> {
 
     /// Computes the trajectory for the states of all frames and terms by (side, state, part). The first and the last frame
     /// have no deltas.
-    pub(super) fn through(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
+    pub fn through(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
         self.weigh(states, |side, state, part| term(side, state, part).weight);
         self.through_weighed(states, term)
     }
 
     /// Resets the system to the weights of the terms of all frames, for trajectories through any means.
-    pub(super) fn weigh(&mut self, states: &[FrameState], weight: impl Fn(usize, usize, Stream) -> T) {
+    pub fn weigh(&mut self, states: &[FrameState], weight: impl Fn(usize, usize, Stream) -> T) {
         self.begin(states.len());
         for (t, &(side, state)) in states.iter().enumerate() {
             self.weigh_pose(t, weight(side, state, Stream::Static));
@@ -227,11 +231,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Computes the trajectory for terms whose weights are those of the last [`Banded::weigh`].
-    pub(super) fn through_weighed(
-        &mut self,
-        states: &[FrameState],
-        term: impl Fn(usize, usize, Stream) -> Term<T>,
-    ) -> &[T] {
+    pub fn through_weighed(&mut self, states: &[FrameState], term: impl Fn(usize, usize, Stream) -> Term<T>) -> &[T] {
         self.right.fill(T::default());
         for (t, &(side, state)) in states.iter().enumerate() {
             self.pull_pose(t, term(side, state, Stream::Static));
@@ -244,8 +244,7 @@ impl<T: Number> Banded<T> {
     }
 
     /// Solves for the trajectory. The matrix is positive definite if every frame's pose has a weight.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn solve(&mut self) -> &[T] {
+    pub fn solve(&mut self) -> &[T] {
         self.factorise();
         self.substitute()
     }

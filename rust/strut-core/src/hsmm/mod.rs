@@ -9,8 +9,6 @@
 mod adaptation;
 mod alignment;
 mod curve;
-#[cfg(any(test, feature = "baselines"))]
-pub mod evaluation;
 mod features;
 mod joint_range;
 mod landmarks;
@@ -36,6 +34,16 @@ pub use training::{LabelledClip, Options, TrainError, TrainProgress, Trainer, tr
 pub use walker::{
     HORIZON, MAX_TRANSITIONS, MAX_TURN, MAX_WEIGHT, RuntimeWalkModel, STEP_FRAMES, STRIDE, Walker, WeightsError,
 };
+/// Parts of training and synthesis, for evaluations of them (`strut-motion-evaluation`).
+#[doc(hidden)]
+pub mod parts {
+    pub use super::alignment::States;
+    pub use super::features::row_of;
+    pub use super::mlpg::{Banded, Choice, CostToGo, FrameState, FrameTerms, Number, Term};
+    pub use super::model::Stream;
+    pub use super::refinement::{Chain, chains};
+    pub use super::statistics::{Sample, SharedVariances, Statistics, states, states_of};
+}
 pub use walks::{WALK, walk_of, walking_action, walks_among};
 
 /// Frames per second of every walk that is modelled (`docs/methods/hsmm.md` §2).

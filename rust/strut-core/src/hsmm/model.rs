@@ -14,15 +14,18 @@ pub type Observation = [RotationRow; 3];
 
 /// The parts of an [`Observation`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stream {
+pub enum Stream {
+    /// c.
     Static,
+    /// Δc.
     Delta,
+    /// Δ²c.
     DeltaDelta,
 }
 
 impl Stream {
     /// All parts in order.
-    pub(super) const ALL: [Self; 3] = [Self::Static, Self::Delta, Self::DeltaDelta];
+    pub const ALL: [Self; 3] = [Self::Static, Self::Delta, Self::DeltaDelta];
 }
 
 /// The foot that swings in a step; the other one supports.

@@ -8,8 +8,6 @@ use super::model::{SIDES, STATES, Stream, StyleMeans};
 use super::statistics::{Sample, SharedVariances, states, states_of};
 use crate::math::linear::solve_positive_definite;
 use crate::rotation_row::ROTATION_DIMS;
-#[cfg(any(test, feature = "baselines"))]
-use crate::rotation_row::RotationRow;
 
 /// Number of means of one degree of freedom.
 const MEANS: usize = SIDES * STATES * Stream::ALL.len();
@@ -20,13 +18,15 @@ const RIDGE: f64 = 3.0;
 const ROUNDS: usize = 3;
 
 /// A run of consecutive steps: its first frame, and the state of every frame from there.
-pub(super) struct Chain {
-    pub(super) begin: usize,
-    pub(super) states: Vec<FrameState>,
+pub struct Chain {
+    /// First frame.
+    pub begin: usize,
+    /// State of each frame.
+    pub states: Vec<FrameState>,
 }
 
 /// Aligns a sample's steps to their most likely states; consecutive steps form a chain.
-pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVariances) -> Vec<Chain> {
+pub fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVariances) -> Vec<Chain> {
     let sides = states_of(means, shared);
     let mut chains: Vec<Chain> = Vec::new();
     for step in &sample.steps {
@@ -41,21 +41,6 @@ pub(super) fn chains(sample: &Sample, means: &StyleMeans, shared: &SharedVarianc
         }
     }
     chains
-}
-
-/// The trajectory of a style for a sequence of states.
-#[cfg(any(test, feature = "baselines"))]
-pub(super) fn generate(states: &[FrameState], means: &StyleMeans, shared: &SharedVariances) -> Vec<RotationRow> {
-    let (mut rows, mut system) = (vec![[0.0; ROTATION_DIMS]; states.len()], Banded::default());
-    for d in 0..ROTATION_DIMS {
-        let term = |side: usize, state: usize, part: Stream| Term {
-            mean: means.means[side][state][part as usize][d],
-            weight: 1.0 / shared.variances[side][state][part as usize][d],
-        };
-        let values = system.through(states, term);
-        rows.iter_mut().zip(values).for_each(|(row, v)| row[d] = *v);
-    }
-    rows
 }
 
 /// Returns the refined means of a style from its samples.

@@ -13,16 +13,20 @@ const LEAST_DURATION_VARIANCE: f64 = 0.25;
 
 /// A clip prepared for training.
 #[derive(Debug)]
-pub(super) struct Sample {
-    pub(super) style: usize,
-    pub(super) rows: Vec<RotationRow>,
-    pub(super) observations: Vec<Observation>,
-    pub(super) steps: Vec<Step>,
+pub struct Sample {
+    /// Index of the style.
+    pub style: usize,
+    /// Degrees of freedom of every frame.
+    pub rows: Vec<RotationRow>,
+    /// Degrees of freedom, Δ and Δ² of every frame.
+    pub observations: Vec<Observation>,
+    /// Steps of the walk.
+    pub steps: Vec<Step>,
 }
 
 impl Sample {
     /// Creates the sample of a clip of style number `style`.
-    pub(super) fn new(style: usize, track: &Track, reference: &[Quat; JOINTS]) -> Self {
+    pub fn new(style: usize, track: &Track, reference: &[Quat; JOINTS]) -> Self {
         let rows = track.rows(reference);
         Self { style, observations: observations(&rows), rows, steps: steps_of(track) }
     }
@@ -30,25 +34,32 @@ impl Sample {
 
 /// Variances common to all styles.
 #[derive(Clone, Debug)]
-pub(super) struct SharedVariances {
-    pub(super) variances: Box<PerState<Observation>>,
-    pub(super) duration_variances: PerState<f64>,
+pub struct SharedVariances {
+    /// Variances of every state's observations.
+    pub variances: Box<PerState<Observation>>,
+    /// Variances of every state's duration, frames².
+    pub duration_variances: PerState<f64>,
 }
 
 /// Statistics over the frames and durations of aligned steps.
 #[derive(Debug)]
-pub(super) struct Statistics {
-    pub(super) frames: PerState<f64>,
-    pub(super) values: Box<PerState<Observation>>,
-    pub(super) squares: Box<PerState<Observation>>,
+pub struct Statistics {
+    /// Number of frames in every state.
+    pub frames: PerState<f64>,
+    /// Sums of the observations.
+    pub values: Box<PerState<Observation>>,
+    /// Sums of their squares.
+    pub squares: Box<PerState<Observation>>,
     /// Number of steps.
-    pub(super) steps: [f64; SIDES],
-    pub(super) durations: PerState<f64>,
+    pub steps: [f64; SIDES],
+    /// Sums of the durations of every state, frames.
+    pub durations: PerState<f64>,
     squared_durations: PerState<f64>,
 }
 
 impl Statistics {
-    pub(super) fn zero() -> Self {
+    /// Statistics of no step.
+    pub fn zero() -> Self {
         let zero = Box::new([[[[0.0; ROTATION_DIMS]; 3]; STATES]; SIDES]);
         Self {
             frames: [[0.0; STATES]; SIDES],
@@ -60,7 +71,8 @@ impl Statistics {
         }
     }
 
-    pub(super) fn add(&mut self, side: usize, step: &[Observation], durations: &[usize; STATES]) {
+    /// Adds a step with the durations of its states.
+    pub fn add(&mut self, side: usize, step: &[Observation], durations: &[usize; STATES]) {
         self.steps[side] += 1.0;
         let mut rest = step;
         for (state, &duration) in durations.iter().enumerate() {
@@ -97,7 +109,8 @@ impl Statistics {
         sums
     }
 
-    pub(super) fn merge(&mut self, other: &Self) {
+    /// Adds other statistics.
+    pub fn merge(&mut self, other: &Self) {
         let pairs = [
             (self.frames.as_flattened_mut(), other.frames.as_flattened()),
             (flattened_mut(&mut self.values), flattened(&other.values)),
@@ -189,12 +202,12 @@ pub(super) fn mean_variances<'a>(of: impl Iterator<Item = &'a SharedVariances> +
 }
 
 /// All states.
-pub(super) fn states() -> impl Iterator<Item = (usize, usize)> {
+pub fn states() -> impl Iterator<Item = (usize, usize)> {
     (0..SIDES).flat_map(|side| (0..STATES).map(move |state| (side, state)))
 }
 
 /// The states of both sides, prepared for comparison with frames.
-pub(super) fn states_of<'a>(means: &'a StyleMeans, shared: &SharedVariances) -> [States<'a>; SIDES] {
+pub fn states_of<'a>(means: &'a StyleMeans, shared: &SharedVariances) -> [States<'a>; SIDES] {
     std::array::from_fn(|side| {
         let (durations, variances) = (means.durations[side], shared.duration_variances[side]);
         States::new(&means.means[side], &shared.variances[side], durations, variances)

@@ -1,4 +1,3 @@
-use super::evaluation::horizon_error;
 use super::*;
 use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
 use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
@@ -173,12 +172,6 @@ fn the_style_that_is_asked_for_is_walked() {
     let [upright, bent, half, average] = [[1.0, 0.0], [0.0, 1.0], [0.5, 0.5], [0.0, 0.0]].map(|w| lean(&w));
     assert!((upright - NEUTRAL.lean).abs() < 0.01 && (bent - BENT.lean).abs() < 0.01, "{upright} {bent}");
     assert!((half - 0.5 * (upright + bent)).abs() < 0.01 && (average - half).abs() < 0.01);
-}
-
-#[test]
-fn looking_ahead_gives_the_trajectory_of_the_whole_walk() {
-    let [mean, greatest] = horizon_error(&MODEL, &Arc::new(RuntimeWalkModel::new(&MODEL)), 0).unwrap();
-    assert!(mean < 0.1 && greatest < 1.0, "{mean} {greatest}");
 }
 
 #[test]
@@ -410,13 +403,6 @@ fn transitions_are_not_heaped_up() {
     walker.advance();
     walker.set_styles(&[1.0, 0.0]).unwrap();
     assert!(walker.plan_transition(4, 2, [&[0.0, 1.0]; SIDES]).is_ok());
-}
-
-#[test]
-fn the_statistics_of_no_step_are_those_of_one() {
-    let runtime = Arc::new(RuntimeWalkModel::new(&MODEL));
-    let of = |steps: u64| super::evaluation::GaitStatistics::of(&MODEL, &runtime, &[1.0, 0.0], steps).unwrap();
-    assert_eq!(of(0), of(1));
 }
 
 #[test]

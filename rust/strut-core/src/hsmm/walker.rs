@@ -201,8 +201,7 @@ impl Walker {
     }
 
     /// Foot, point of its sole, and place in the world of the ground contact.
-    #[cfg(any(test, feature = "baselines"))]
-    pub(super) fn contact(&self) -> Option<(usize, usize, Vec3)> {
+    pub fn contact(&self) -> Option<(usize, usize, Vec3)> {
         self.root.contact()
     }
 

@@ -10,6 +10,7 @@ pub(crate) mod order;
 pub(crate) mod partition;
 mod quat;
 pub mod random;
+pub mod stats;
 
 pub use glam::{Vec2, Vec3};
 pub use order::sort_by_number;

@@ -2,6 +2,8 @@
 //! direction of their largest variance, and divided such that the sum of squares between the groups is largest, which is the
 //! objective of two-means.
 
+use super::stats::mean_of;
+
 /// Rounds of power iteration. If two directions have almost the same variance, either divides the points equally well.
 const ROUNDS: usize = 32;
 
@@ -75,16 +77,6 @@ fn principal_direction<const D: usize>(centred: &[[f64; D]]) -> Option<[f64; D]>
 fn unit<const D: usize>(v: [f64; D]) -> Option<[f64; D]> {
     let length = dot(&v, &v).sqrt();
     (length > 0.0 && length.is_finite()).then(|| v.map(|v| v / length))
-}
-
-/// The mean of points; 0 without any.
-pub(crate) fn mean_of<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
-    let share = 1.0 / points.len().max(1) as f64;
-    let mut mean = [0.0; D];
-    for point in points {
-        mean.iter_mut().zip(point).for_each(|(sum, v)| *sum += v * share);
-    }
-    mean
 }
 
 fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {

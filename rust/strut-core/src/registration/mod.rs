@@ -8,7 +8,6 @@
 //! ([`script`]) replaces all of this.
 
 mod addition;
-#[cfg(feature = "baselines")]
 mod comparison;
 mod dtw;
 mod example;
@@ -27,7 +26,6 @@ mod timeline;
 mod warp;
 
 pub use addition::Addition;
-#[cfg(feature = "baselines")]
 pub use comparison::{Compared, Comparison, Stretch};
 pub use example::Example;
 pub use job::Job;

@@ -1,17 +1,16 @@
 //! Search index of all windows of a database.
 
 use super::block::{BLOCK, Probe, SquaredDistances};
-#[cfg(feature = "baselines")]
-use super::kd_trees::KdTrees;
 use super::leaves::{Leaves, Margins};
 use super::metric::{CentredWindow, LENGTH, MAX_WINDOW, Metric, QueryWindow, WINDOW};
 use super::neighbours::{Neighbour, Neighbours};
 use super::points::Feet;
+use super::subspace::{COORDINATES, REAL};
 use super::windows::Windows;
 use crate::database::Database;
 use crate::math::order::sort_pairs;
-#[cfg(feature = "baselines")]
-use std::num::NonZero;
+use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Search index of all windows of a database.
 #[derive(Clone, Debug)]
@@ -25,11 +24,18 @@ pub struct Index {
     pub(super) rows: Vec<[u32; BLOCK]>,
     /// Position of each row's window in `rows`; [`NO_ROW`] if none ends at the row.
     pub(super) slots: Vec<u32>,
-    #[cfg(feature = "baselines")]
-    pub(super) kd_trees: Option<KdTrees>,
+    /// Replaces the exact search by the full-body metric.
+    pub(super) candidates: Option<Arc<dyn CandidateSource>>,
 }
 
 pub(super) const NO_ROW: u32 = u32::MAX;
+
+/// An approximate search: chooses the windows that are compared with a query.
+pub trait CandidateSource: Debug + Send + Sync {
+    /// Calls `visit` with the rows at which the candidates of some classes end, for a query with these
+    /// [coordinates](Index::coordinates).
+    fn for_each_candidate(&self, coordinates: &[f32; COORDINATES], classes: &[usize], visit: &mut dyn FnMut(u32));
+}
 
 /// Working memory of a query; keep one for each stream of queries.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +58,11 @@ pub struct Query<'a> {
 }
 
 impl Index {
+    /// Number of coordinates of a window.
+    pub const COORDINATES: usize = COORDINATES;
+    /// Number of real coordinates, which come first; the others are pairs of real and imaginary parts.
+    pub const REAL_COORDINATES: usize = REAL;
+
     /// Builds the index of a database.
     pub fn build(db: &Database) -> Self {
         Self::with_window(db, WINDOW)
@@ -62,13 +73,30 @@ impl Index {
         Self::fitted(Windows::new(db, length.clamp(1, MAX_WINDOW)))
     }
 
-    /// The same windows with approximate search: in each class only the `candidates` nearest windows of a kd-tree in 15
-    /// dimensions are compared. Only queries by [`Metric::FullBody`] differ. Unlike the exact search, this allocates.
-    #[cfg(feature = "baselines")]
+    /// The same windows with an approximate search: only the candidates of `source` are compared. Only queries by
+    /// [`Metric::FullBody`] differ.
     #[must_use]
-    pub fn with_kd_trees(self, candidates: NonZero<usize>) -> Self {
-        let trees = KdTrees::new(&self.windows, self.leaves[Metric::FullBody as usize].subspace(), candidates);
-        Self { kd_trees: Some(trees), ..self }
+    pub fn with_candidates(self, source: Arc<dyn CandidateSource>) -> Self {
+        Self { candidates: Some(source), ..self }
+    }
+
+    /// Coordinates of the window that ends at a row, by the full-body metric, metres. The first
+    /// [`Index::REAL_COORDINATES`] are real; the others are real and imaginary parts of complex coordinates, whose common
+    /// phase does not matter.
+    ///
+    /// # Panics
+    /// If the row does not exist.
+    pub fn coordinates(&self, row: usize) -> [f32; COORDINATES] {
+        let subspace = self.leaves[Metric::FullBody as usize].subspace();
+        subspace.project(&self.windows.centred(row, Metric::FullBody)).coordinates
+    }
+
+    /// Rows at which the windows of a class end, ascending.
+    ///
+    /// # Panics
+    /// If the class does not exist.
+    pub fn windows_of_class(&self, class: usize) -> impl Iterator<Item = usize> + '_ {
+        self.windows.of_class(class)
     }
 
     /// Number of frames of a window.
@@ -173,12 +201,10 @@ impl Index {
         scratch: &mut Scratch,
         out: &mut Neighbours,
     ) {
-        #[cfg(feature = "baselines")]
-        if let (Some(trees), Metric::FullBody) = (&self.kd_trees, query.metric) {
+        if let (Some(source), Metric::FullBody) = (&self.candidates, query.metric) {
             out.begin(k);
-            let leaves = &self.leaves[Metric::FullBody as usize];
-            trees
-                .for_each_candidate(leaves.subspace(), query.window, classes, |row| self.look_at::<S>(query, row, out));
+            let at = self.leaves[Metric::FullBody as usize].subspace().project(query.window).coordinates;
+            source.for_each_candidate(&at, classes, &mut |row| self.look_at::<S>(query, row, out));
             return;
         }
         let Scratch { found, done, candidates } = scratch;

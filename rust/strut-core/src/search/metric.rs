@@ -23,7 +23,7 @@ use crate::pose_vector::{HeadingFilter, Placement, heading_free_positions};
 /// Default number of frames of a window (s; at 60 Hz they span 67 ms). The results hardly depend on it from 1 to 15.
 pub const WINDOW: usize = 5;
 /// Greatest number of frames of a window; only experiments use other values than the default.
-pub const MAX_WINDOW: usize = if cfg!(feature = "baselines") { 15 } else { WINDOW };
+pub const MAX_WINDOW: usize = if cfg!(any(test, feature = "long-windows")) { 15 } else { WINDOW };
 
 /// Number of frames of a window: the compile-time constant `S`, for which loops are unrolled, or `frames` if `S` is
 /// [`ANY`].

@@ -6,11 +6,8 @@
 
 mod atlas;
 mod block;
-#[cfg(any(test, feature = "baselines"))]
 mod brute_force;
 mod index;
-#[cfg(feature = "baselines")]
-mod kd_trees;
 mod lanes;
 mod leaves;
 mod metric;
@@ -20,16 +17,13 @@ mod packed;
 mod plan;
 mod points;
 mod principal;
-#[cfg(feature = "baselines")]
 mod profile;
 mod raw;
-#[cfg(feature = "baselines")]
-mod recall;
 mod subspace;
 mod windows;
 
 pub use atlas::{Atlas, AtlasView, NearestOfLine, nearest_placement};
-pub use index::{Index, Query, Scratch};
+pub use index::{CandidateSource, Index, Query, Scratch};
 pub use metric::{MAX_WINDOW, Metric, QueryWindow, WINDOW};
 pub use neighbours::{Neighbour, Neighbours};
 pub use packed::{
@@ -39,11 +33,8 @@ pub use packed::{
 pub use plan::{Plan, PlanError, PlanSource};
 pub use points::JOINT_WEIGHTS;
 pub(crate) use points::{FEET_ROLES, Feet};
-#[cfg(feature = "baselines")]
 pub use profile::Profile;
 pub use raw::RawPoints;
-#[cfg(feature = "baselines")]
-pub use recall::{ClassSearch, Recall};
 pub(crate) use windows::{Places, Windows};
 
 #[cfg(test)]

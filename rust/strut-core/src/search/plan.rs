@@ -226,8 +226,7 @@ impl Index {
             rows: Vec::with_capacity(leaves),
             slots: vec![NO_ROW; windows.rows()],
             windows,
-            #[cfg(feature = "baselines")]
-            kd_trees: None,
+            candidates: None,
         }
     }
 

@@ -7,8 +7,7 @@ use crate::humanoid::JOINTS;
 use crate::math::Vec3;
 use crate::pose_vector::{HEADING_RATE, HeadingFilter, Placement, VELOCITY_Z};
 use proptest::prelude::*;
-use std::num::NonZero;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Searches classes by the metric; returns the neighbours found by brute force.
 fn both(
@@ -148,7 +147,7 @@ proptest! {
     }
 
     #[test]
-    fn kd_trees_find_all_windows_if_all_are_candidates(
+    fn a_search_among_all_windows_finds_what_brute_force_finds(
         classes in prop::collection::vec((kind(), 1usize..90), 1..5),
         query in (kind(), 0usize..200), k in 1usize..50,
     ) {
@@ -156,7 +155,9 @@ proptest! {
         let mut window = QueryWindow::default();
         window.push(&cloud(query.0, query.1, &walk), Placement::default());
         let all: Vec<usize> = (0..classes.len()).collect();
-        let index = Index::build(&db).with_kd_trees(NonZero::new(90).unwrap());
+        let index = Index::build(&db);
+        let source = All((0..classes.len()).map(|class| index.windows_of_class(class).collect()).collect());
+        let index = index.with_candidates(Arc::new(source));
         let (mut scratch, mut out) = (Scratch::default(), Neighbours::default());
         let expected = both(&index, &window, Metric::FullBody, &all, k, &mut scratch, &mut out);
         prop_assert_eq!(out.as_slice(), expected.as_slice());
@@ -217,39 +218,14 @@ proptest! {
     }
 }
 
-/// Share of the 20 nearest windows of an unseen walk that kd-trees find with this number of candidates in each class.
-fn recall_of_kd_trees(candidates: usize) -> f64 {
-    let exact = Index::build(&fixtures::database());
-    let trees = exact.clone().with_kd_trees(NonZero::new(candidates).unwrap());
-    recall(&exact, &trees, 20)
-}
+/// All windows of each class as candidates.
+#[derive(Debug)]
+struct All(Vec<Vec<usize>>);
 
-/// Share of the `k` nearest windows of an unseen walk that another search finds.
-fn recall(exact: &Index, other: &Index, k: usize) -> f64 {
-    let db = fixtures::database();
-    let (mut window, mut filter) = (QueryWindow::default(), HeadingFilter::default());
-    let mut searches = [ClassSearch::default(), ClassSearch::default()];
-    let mut recall = Recall::default();
-    for pose in &fixtures::walk(&Gait { period: 58.0, lean: 0.2, turn: 0.2, ..NEUTRAL }, 120, 0.1).poses {
-        window.follow(pose, &db.proportions, db.rate_hz, &mut filter);
-        let [nearest, found] = &mut searches;
-        recall.add(nearest.find(exact, &window, k), found.find(other, &window, k));
+impl CandidateSource for All {
+    fn for_each_candidate(&self, _: &[f32; Index::COORDINATES], classes: &[usize], visit: &mut dyn FnMut(u32)) {
+        classes.iter().flat_map(|&class| &self.0[class]).for_each(|&row| visit(row as u32));
     }
-    recall.share()
-}
-
-#[test]
-fn the_exact_search_finds_all_that_is_nearest() {
-    let exact = Index::build(&fixtures::database());
-    assert_eq!(recall(&exact, &exact, 20), 1.0);
-    assert_eq!(Recall::default().share(), 1.0, "where there is nothing to find");
-}
-
-#[test]
-fn kd_trees_find_nearly_all_windows_with_as_many_candidates() {
-    // The measured values were 0.922 and 0.999.
-    let recall = [20, 40].map(recall_of_kd_trees);
-    assert!(recall[0] > 0.9 && recall[1] > 0.995, "{recall:?}");
 }
 
 #[test]

@@ -60,7 +60,6 @@ impl Windows {
     }
 
     /// Windows of another length in the same rows.
-    #[cfg(feature = "baselines")]
     pub(super) fn with_length(&self, length: usize) -> Self {
         Self { length, ..self.clone() }
     }

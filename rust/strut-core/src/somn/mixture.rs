@@ -93,7 +93,7 @@ pub(super) fn normalise_weights(components: &mut [Component]) {
 
 /// A component's region of styles, prepared for evaluation: `g(u) = a N(u; m, S)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Gate {
+pub struct Gate {
     centre: Style,
     /// The lower Cholesky factor of the covariance, with the inverse of its diagonal.
     factor: [Style; MAX_AXES],
@@ -123,7 +123,7 @@ impl Gate {
     }
 
     /// Gates of all components; `None` if a covariance is invalid.
-    pub(super) fn all(components: &[Component], axes: usize) -> Option<Vec<Self>> {
+    pub fn all(components: &[Component], axes: usize) -> Option<Vec<Self>> {
         components.iter().map(|component| Self::new(component, axes, 0.0)).collect()
     }
 
@@ -163,8 +163,7 @@ pub(super) fn posteriors(
 }
 
 /// Log-density of a pose given its style.
-#[cfg(any(test, feature = "baselines"))]
-pub(super) fn log_likelihood(mixture: (&[Component], &[Gate]), variance: f64, x: &Row, u: &Style) -> f64 {
+pub fn log_likelihood(mixture: (&[Component], &[Gate]), variance: f64, x: &Row, u: &Style) -> f64 {
     let mut shares = vec![0.0; mixture.0.len()];
     let joint = posteriors(mixture, variance, x, u, &mut shares);
     let mut gates: Vec<f64> = mixture.1.iter().map(|gate| gate.log(u)).collect();

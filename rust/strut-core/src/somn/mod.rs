@@ -11,8 +11,6 @@
 mod diagnosis;
 mod drag_character;
 mod em;
-#[cfg(feature = "baselines")]
-pub mod evaluation;
 mod expression;
 mod flight;
 mod frame;
@@ -40,6 +38,12 @@ pub use model::{ClipSpan, KeyStyleModel};
 pub use named_measures::{NamedMeasure, Unit};
 pub use pose_space::{DIMS, PoseSpace, Row};
 pub use recording::{Recording, RecordingError};
+/// Parts of training, for evaluations of it (`strut-motion-evaluation`).
+#[doc(hidden)]
+pub mod parts {
+    pub use super::mixture::{Gate, log_likelihood};
+    pub use super::pose_space::angles;
+}
 pub use spline::Interpolation;
 pub use synthesis::{BLUR, Mode, ModeError, Synthesis, TEMPERATURE};
 pub use training::{EM_RIDGE, Learning, MAX_COMPONENTS, Options, SEED, TrainError, TrainProgress, Trainer, train};

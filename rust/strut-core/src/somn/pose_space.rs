@@ -73,6 +73,6 @@ impl PoseSpace {
 }
 
 /// Angles between the joints of two poses, degrees.
-pub(super) fn angles(a: &[Quat; JOINTS], b: &[Quat; JOINTS]) -> impl Iterator<Item = f64> {
+pub fn angles(a: &[Quat; JOINTS], b: &[Quat; JOINTS]) -> impl Iterator<Item = f64> {
     a.iter().zip(b).map(|(a, b)| f64::from(a.inv_mul(*b).angle().to_degrees()))
 }

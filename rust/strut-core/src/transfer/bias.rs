@@ -36,7 +36,7 @@ pub(super) struct Bias {
 }
 
 impl Bias {
-    /// No bias, for the baselines.
+    /// No bias, for other methods than MAR.
     pub(super) const NONE: Self = Self { input: [0.0; ROW], output: [0.0; ROW], largest: 0.0 };
 
     /// Δx = xₜ − clamp(xₜ, μ ± κσ), with σ at least a share of the global deviation `sigma`.

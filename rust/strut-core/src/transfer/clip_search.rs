@@ -184,9 +184,7 @@ mod tests {
     #[test]
     fn frames_found_in_portions_are_styled_as_in_one_by_every_method() {
         let poses = poses(60.0);
-        for name in ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"] {
-            // Without the feature `baselines` only some methods exist.
-            let Some(method) = Method::from_name(name) else { continue };
+        for method in [Method::Mar, Method::LocalAr, Method::NearestNeighbour, Method::Knn] {
             assert_same(Options { method, ..Options::DEFAULT }, &poses, 16);
         }
     }

@@ -101,7 +101,6 @@ impl InputStream {
     }
 
     /// xₜ; `None` before the first frame.
-    #[cfg(feature = "baselines")]
     pub(super) fn last_row(&self) -> Option<&PoseRow> {
         self.last.as_ref().map(|(row, _)| row)
     }

@@ -11,7 +11,7 @@ use super::output::Predicted;
 use super::phase_lock::{PhaseLock, SeenPhase};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
-use super::trained::Trained;
+use super::trained::{Trained, Training};
 use crate::catalogue::{ExampleRows, TargetTable};
 use crate::math::float_funcs::half_life_share;
 use crate::math::order::sort_pairs;
@@ -19,7 +19,7 @@ use crate::pose_vector::{PoseRow, ROW};
 use crate::search::{Metric, Neighbour, Neighbours, QueryWindow, Scratch};
 use std::sync::Arc;
 
-/// A term of the mixture: one class, or for the baselines all allowed classes together.
+/// A term of the mixture: one class, or for other methods than MAR all allowed classes together.
 #[derive(Clone, Debug)]
 struct Component {
     classes: Vec<usize>,
@@ -138,14 +138,18 @@ impl Mixture {
     /// Prediction of a style, not started. Creates the style's targets, and trains methods with training.
     pub(super) fn prediction_of(&self, model: &Model, options: &Options, style: usize) -> StylePrediction {
         let classes: Vec<usize> = self.components.iter().flat_map(|c| c.classes.iter().copied()).collect();
+        let table = model.target_table(style);
         StylePrediction {
             style,
             started: false,
             previous: [0.0; ROW],
             now: Predicted { row: [0.0; ROW], step_secs: 0.0, contact: [0.0; 2] },
             filter: ComplementaryFilter::NONE,
-            table: model.target_table(style),
-            trained: Trained::new(model, options, &classes, style),
+            trained: options.method.trained().map(|method| {
+                let (targets, classes) = (&*table, &*classes);
+                Trained::new(method, &Training { model, targets, classes, lambda: options.lambda })
+            }),
+            table,
         }
     }
 
@@ -353,7 +357,6 @@ impl Mixture {
     }
 
     /// Classes of the heaviest component: one for MAR.
-    #[cfg(feature = "baselines")]
     pub(super) fn heaviest_classes(&self) -> &[usize] {
         self.heaviest().map_or(&[], |i| &self.components[i].classes)
     }
@@ -380,7 +383,7 @@ impl Mixture {
     }
 }
 
-/// Returns whether the measures of [`super::coherence`] apply: only to MAR, not to the baselines.
+/// Returns whether the measures of [`super::coherence`] apply: only to MAR.
 fn is_coherent(options: &Options) -> bool {
     options.coherence && options.method == Method::Mar
 }

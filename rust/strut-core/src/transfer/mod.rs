@@ -23,7 +23,6 @@ mod input;
 mod input_guard;
 mod input_stream;
 mod joint_limits;
-#[cfg(feature = "baselines")]
 mod lens;
 mod mar;
 mod mixture;
@@ -50,10 +49,10 @@ pub use footplant::{Footplant, ground_clearance};
 pub use found::{Found, FoundFrame};
 pub use frame::{NoClock, Stage, StageClock, StyledFrame, Trace, TracedNeighbour};
 pub use joint_limits::beyond_anatomy;
-#[cfg(feature = "baselines")]
 pub use lens::{
     ClassDistance, Contacts, Fit, FitSettings, Lens, LensError, QueryChange, Timing, Warps, WeightedNeighbour,
 };
 pub use model::Model;
 pub use options::{MAX_K, Method, Options, OptionsError};
 pub use stylizer::Stylizer;
+pub use trained::{PredictedFrame, Predictor, PredictorInput, TrainedMethod, Training};

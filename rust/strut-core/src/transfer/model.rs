@@ -5,7 +5,8 @@ use super::timing::Scales;
 use crate::catalogue::{Catalogue, QuantisedRows, TargetTable};
 use crate::database::Database;
 use crate::search::Index;
-use std::sync::Arc;
+use std::any::Any;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A catalogue with the target tables of the styles in use. Share it in an [`Arc`] between the characters of a scene: a
 /// table takes up to 12 MB for 80,000 frames.
@@ -14,8 +15,8 @@ pub struct Model {
     catalogue: Arc<Catalogue>,
     tables: TargetTables,
     scales: Scales,
-    #[cfg(feature = "baselines")]
-    baselines: crate::baselines::Baselines,
+    /// See [`Model::extension`].
+    extensions: Mutex<Vec<Arc<dyn Any + Send + Sync>>>,
 }
 
 impl Model {
@@ -29,8 +30,7 @@ impl Model {
         Self {
             scales: Scales::new(catalogue.sigma(), catalogue.step_sigma()),
             tables: TargetTables::default(),
-            #[cfg(feature = "baselines")]
-            baselines: crate::baselines::Baselines::default(),
+            extensions: Mutex::default(),
             catalogue: Arc::new(catalogue),
         }
     }
@@ -59,10 +59,16 @@ impl Model {
         self.tables.of(&self.catalogue, style as u16)
     }
 
-    /// Trained predictors of the [`super::Method`]s that need training.
-    #[cfg(feature = "baselines")]
-    pub(crate) fn baselines(&self) -> &crate::baselines::Baselines {
-        &self.baselines
+    /// The value of a type that is kept as long as the model, created at the first use: what a
+    /// [`TrainedMethod`](super::TrainedMethod) shares among styles and characters.
+    pub fn extension<T: Any + Default + Send + Sync>(&self) -> Arc<T> {
+        let mut extensions = self.extensions.lock().unwrap_or_else(PoisonError::into_inner);
+        let existing = extensions.iter().find_map(|kept| Arc::clone(kept).downcast().ok());
+        existing.unwrap_or_else(|| {
+            let new = Arc::<T>::default();
+            extensions.push(Arc::clone(&new) as Arc<dyn Any + Send + Sync>);
+            new
+        })
     }
 
     pub(super) fn scales(&self) -> &Scales {

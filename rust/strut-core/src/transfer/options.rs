@@ -1,5 +1,6 @@
 //! Options of the transfer, with the reasons for the default values.
 
+use super::trained::TrainedMethod;
 use thiserror::Error;
 
 /// Method that computes a prediction from the neighbours.
@@ -14,32 +15,14 @@ pub enum Method {
     NearestNeighbour,
     /// Inverse-distance mean of the registered targets of the K nearest neighbours of all allowed classes.
     Knn,
-    /// One autoregression for each degree of freedom, fitted to all rows of the allowed classes.
-    #[cfg(feature = "baselines")]
-    GlobalAr,
-    /// A linear time-invariant system for each degree of freedom (Hsu, Pulli, Popović 2005).
-    #[cfg(feature = "baselines")]
-    Lti,
-    /// A linear time-invariant system for the principal components of all degrees of freedom.
-    #[cfg(feature = "baselines")]
-    LtiJoint,
-    /// Gaussian processes from the input to the change of pose (Ikemoto, Arikan, Forsyth 2009).
-    #[cfg(feature = "baselines")]
-    Gp,
+    /// A method of another crate that is trained on all rows of the allowed classes.
+    Trained(&'static TrainedMethod),
 }
 
 impl Method {
-    /// The method of a command-line name.
+    /// The method of a command-line name, apart from methods with training.
     pub fn from_name(name: &str) -> Option<Self> {
         match name {
-            #[cfg(feature = "baselines")]
-            "gar" => Some(Self::GlobalAr),
-            #[cfg(feature = "baselines")]
-            "lti" => Some(Self::LtiJoint),
-            #[cfg(feature = "baselines")]
-            "lti-dof" => Some(Self::Lti),
-            #[cfg(feature = "baselines")]
-            "gp" => Some(Self::Gp),
             "mar" => Some(Self::Mar),
             "lar" => Some(Self::LocalAr),
             "nn" => Some(Self::NearestNeighbour),
@@ -55,37 +38,18 @@ impl Method {
             Self::LocalAr => "lar",
             Self::NearestNeighbour => "nn",
             Self::Knn => "knn",
-            #[cfg(feature = "baselines")]
-            Self::GlobalAr => "gar",
-            #[cfg(feature = "baselines")]
-            Self::Lti => "lti-dof",
-            #[cfg(feature = "baselines")]
-            Self::LtiJoint => "lti",
-            #[cfg(feature = "baselines")]
-            Self::Gp => "gp",
+            Self::Trained(method) => method.name,
         }
     }
 
     /// Returns whether λ is a parameter of the training.
     pub(super) fn trains_with_ridge(self) -> bool {
-        match self {
-            Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => false,
-            #[cfg(feature = "baselines")]
-            _ => self.baseline().is_some_and(crate::baselines::Baseline::has_ridge),
-        }
+        self.trained().is_some_and(|method| method.has_ridge)
     }
 
-    /// Trained predictor that the method runs, if any.
-    #[cfg(feature = "baselines")]
-    pub(super) fn baseline(self) -> Option<crate::baselines::Baseline> {
-        use crate::baselines::Baseline;
-        match self {
-            Self::Mar | Self::LocalAr | Self::NearestNeighbour | Self::Knn => None,
-            Self::GlobalAr => Some(Baseline::GlobalAr),
-            Self::Lti => Some(Baseline::Lti),
-            Self::LtiJoint => Some(Baseline::LtiJoint),
-            Self::Gp => Some(Baseline::Gp),
-        }
+    /// The method's training, if it needs one.
+    pub(super) fn trained(self) -> Option<&'static TrainedMethod> {
+        if let Self::Trained(method) = self { Some(method) } else { None }
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::blend::{StyleBlend, StyleError};
 use super::body_part::BodyPart;
-#[cfg(feature = "baselines")]
 use super::contact_likelihood::RecentFeet;
 use super::contact_likelihood::{VOTERS, Votes, vote};
 use super::found::FoundFrame;
@@ -16,7 +15,6 @@ use super::output::{Cue, Output, Predicted};
 use crate::humanoid::Pose;
 use crate::pose_vector::{Placement, PoseRow};
 use crate::search::Neighbours;
-#[cfg(feature = "baselines")]
 use crate::search::{Neighbour, QueryWindow};
 use std::sync::Arc;
 
@@ -187,7 +185,6 @@ impl Stylizer {
     }
 
     /// Internal state of the last frame's prediction, for [`super::Lens`].
-    #[cfg(feature = "baselines")]
     pub(super) fn inside(&self) -> Inside<'_> {
         Inside {
             mixture: &self.mixture,
@@ -300,7 +297,6 @@ fn predicted(styles: &[StylePrediction]) -> impl Iterator<Item = (usize, &Predic
 }
 
 /// Parts of a [`Stylizer`] from which its last frame was computed.
-#[cfg(feature = "baselines")]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inside<'a> {
     pub(super) mixture: &'a Mixture,

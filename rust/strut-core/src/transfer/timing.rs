@@ -72,7 +72,6 @@ impl Scales {
 /// Gaussian kernel over neighbours; the bandwidth is their mean distance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kernel {
-    #[cfg(feature = "baselines")]
     pub(super) bandwidth: f32,
     /// ½ / bandwidth².
     scale: f32,
@@ -88,12 +87,7 @@ impl Kernel {
         // `f32::min` would be a function call in WebAssembly.
         let nearest = squares().fold(f32::INFINITY, |least, square| if square < least { square } else { least });
         let scale = 0.5 / (bandwidth * bandwidth).max(1e-12);
-        Self {
-            #[cfg(feature = "baselines")]
-            bandwidth,
-            scale,
-            nearest,
-        }
+        Self { bandwidth, scale, nearest }
     }
 
     /// Weight at a squared distance, relative to that of the nearest neighbour, so that the weights of distant input do

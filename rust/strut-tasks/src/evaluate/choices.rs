@@ -1,8 +1,8 @@
 //! Values of the arguments of `strut evaluate`.
 
 use serde::{Deserialize, Serialize};
-use strut_core::evaluation::quality::Mode;
 use strut_core::transfer::BodyPart;
+use strut_evaluation::quality::Mode;
 
 /// Labels of the input that the engine is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

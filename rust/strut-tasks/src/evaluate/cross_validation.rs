@@ -9,10 +9,10 @@ use crate::progress::{Counter, OnProgress};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use std::sync::Arc;
 use strut_core::database::build::SourceClip;
-use strut_core::evaluation::leave_one_out::{LeaveOneOut, Trial};
-use strut_core::evaluation::style_progress::StyleProgress;
-use strut_core::evaluation::truth::Errors;
 use strut_core::transfer::Model;
+use strut_evaluation::leave_one_out::{LeaveOneOut, Trial};
+use strut_evaluation::style_progress::StyleProgress;
+use strut_evaluation::truth::Errors;
 
 /// Number of draws for a fold with randomly chosen takes.
 const DRAWS: u32 = 3;

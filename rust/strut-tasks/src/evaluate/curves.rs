@@ -6,11 +6,11 @@ use super::settings::{Grid, Setting};
 use crate::error::{Outcome, TaskError};
 use serde::Serialize;
 use strut_core::database::build::SourceClip;
-use strut_core::evaluation::leave_one_out::Trial;
-use strut_core::evaluation::truth::Aligned;
 use strut_core::humanoid::Role;
 use strut_core::math::float_funcs::acos;
 use strut_core::metrics::Points;
+use strut_evaluation::leave_one_out::Trial;
+use strut_evaluation::truth::Aligned;
 
 /// One trial with the results of all settings.
 #[derive(Serialize)]

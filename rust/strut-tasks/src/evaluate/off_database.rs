@@ -14,10 +14,10 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError};
 use strut_core::database::build::{MIN_CLIP_FRAMES, SourceClip, build};
-use strut_core::evaluation::quality::quality;
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::retarget::to_humanoid;
 use strut_core::transfer::Model;
+use strut_evaluation::quality::quality;
 use strut_formats::corpus::Clip;
 
 /// Returns all samples: builds × inputs × targets × settings.

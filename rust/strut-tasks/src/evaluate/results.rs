@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use strut_core::database::build::BuildOptions;
-use strut_core::evaluation::quality::Quality;
 use strut_core::transfer::BodyPart;
+use strut_evaluation::quality::Quality;
 use strut_formats::GENERATOR;
 
 /// Values whose standard deviation over the samples is reported.

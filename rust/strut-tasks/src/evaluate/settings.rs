@@ -11,11 +11,12 @@ use std::sync::Arc;
 use strut_core::catalogue::Catalogue;
 use strut_core::database::Database;
 use strut_core::database::build::BuildOptions;
-use strut_core::evaluation::quality::{Styled, style};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::registration::{self, WarpMethod};
 use strut_core::search::{Index, MAX_WINDOW};
-use strut_core::transfer::{MAX_WEIGHT, Method, Model, Options, Stylizer};
+use strut_core::transfer::{MAX_WEIGHT, Model, Options, Stylizer};
+use strut_evaluation::baselines::method_named;
+use strut_evaluation::quality::{Styled, style};
 use strut_formats::quotation;
 
 /// Settings of a database build.
@@ -133,7 +134,7 @@ impl Setting {
     fn options(&self) -> Outcome<Options> {
         let &Self { k, delta, lambda, kappa, rho, tempo, .. } = self;
         let coherence = self.coherence == Switch::On;
-        let method = Method::from_name(&self.method).ok_or_else(|| {
+        let method = method_named(&self.method).ok_or_else(|| {
             TaskError::usage(format_args!(
                 "there is no method '{}'; nn, knn, lar, mar, gar, lti, lti-dof or gp was expected",
                 quotation(&self.method, 40)

@@ -10,11 +10,12 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 use strut_core::retarget::{ReadAs, UpAxis};
-use strut_core::transfer::{Method, Model, Options, Stylizer};
+use strut_core::transfer::{Model, Options, Stylizer};
+use strut_evaluation::baselines::method_named;
 use strut_formats::joints::{JointAssignment, Reading};
 use strut_formats::quotation;
 
-/// Names that [`Method::from_name`] accepts.
+/// Names that [`method_named`] accepts.
 pub const METHODS: [&str; 8] = ["mar", "lar", "nn", "knn", "gar", "lti", "lti-dof", "gp"];
 
 /// On or off.
@@ -191,7 +192,7 @@ impl StyleSettings {
             "timing" => options.timing = parse::<Switch>(name, value)? == Switch::On,
             "footplant" => options.footplant = parse::<Switch>(name, value)? == Switch::On,
             "method" => {
-                let method = Method::from_name(value);
+                let method = method_named(value);
                 options.method = method.ok_or_else(|| TaskError::usage(unknown("method", value, &METHODS)))?;
             }
             "part" => self.parts.push(parse(name, value)?),
@@ -272,7 +273,10 @@ mod tests {
             settings.set(name, value).unwrap();
         }
         let Options { k, rho, timing, method, .. } = settings.options;
-        assert_eq!((k, rho, timing, method, settings.parts.len()), (20, 0.5, false, Method::Knn, 1));
+        assert_eq!(
+            (k, rho, timing, method, settings.parts.len()),
+            (20, 0.5, false, strut_core::transfer::Method::Knn, 1)
+        );
         for (name, value, expected) in [
             ("q", "1", "there is no option 'q'"),
             ("k", "many", "k is 'many': "),

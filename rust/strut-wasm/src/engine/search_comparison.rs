@@ -7,8 +7,9 @@ use std::num::NonZero;
 use std::sync::Arc;
 use strut_core::humanoid::Pose;
 use strut_core::pose_vector::HeadingFilter;
-use strut_core::search::{ClassSearch, Index, Neighbours, QueryWindow, Recall};
+use strut_core::search::{Index, Neighbours, QueryWindow};
 use strut_core::transfer::Model;
+use strut_evaluation::search::{ClassSearch, Recall, with_kd_trees};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Comparison of the two searches on the windows of an input, in portions: [`Self::take`], both searches, and
@@ -50,7 +51,7 @@ impl SearchComparison {
             .ok_or_else(|| EngineError::bad_input(String::from("at least one candidate was expected")))?;
         let model = Arc::clone(database.model());
         Ok(Self {
-            trees: model.index().clone().with_kd_trees(candidates),
+            trees: with_kd_trees(model.index().clone(), candidates),
             model,
             neighbours,
             poses: input.humanoid().poses.clone(),

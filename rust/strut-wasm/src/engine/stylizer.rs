@@ -49,7 +49,7 @@ impl Stylizer {
         action: Option<u16>,
         input_style: Option<u16>,
     ) -> Result<(), EngineError> {
-        let method = Method::from_name(method)
+        let method = method_named(method)
             .ok_or_else(|| EngineError::bad_input(String::from("this package does not have the method")))?;
         // The cast saturates; an invalid count becomes 0 or too large, and is refused.
         let k = k as usize;
@@ -130,6 +130,18 @@ impl Stylizer {
     #[cfg(feature = "bench")]
     pub(crate) fn core_mut(&mut self) -> &mut transfer::Stylizer {
         &mut self.stylizer
+    }
+}
+
+/// The method of a name, if this package has it.
+fn method_named(name: &str) -> Option<Method> {
+    #[cfg(feature = "compare")]
+    {
+        strut_evaluation::baselines::method_named(name)
+    }
+    #[cfg(not(feature = "compare"))]
+    {
+        Method::from_name(name)
     }
 }
 

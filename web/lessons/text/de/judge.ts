@@ -90,7 +90,7 @@ export const judge: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Abschnitt 7: Vergleiche und Auswertung mit zurückgehaltenen Aufnahmen.",
-    "Aufgezeichnete Zahlen sind die aus `docs/evaluation.md`, gelesen, als diese Seite gebaut wurde; `rust/strut-core/src/evaluation/leave_one_out.rs` berechnet sie, über ganze Gangzyklen. Live sind es alle Bilder einer Aufnahme, bevor Füße festgehalten werden.",
+    "Aufgezeichnete Zahlen sind die aus `docs/evaluation.md`, gelesen, als diese Seite gebaut wurde; `rust/strut-evaluation/src/leave_one_out.rs` berechnet sie, über ganze Gangzyklen. Live sind es alle Bilder einer Aufnahme, bevor Füße festgehalten werden.",
     "NN ist der nächste Nachbar, KNN das Mittel der nächsten, LAR eine lokale Gerade, MAR eine Mischung davon, GAR eine Gerade für alles, LTI ein lineares System, GP ein Gauß-Prozess. Das Histogramm ist das von [u: β⊤(u − ū)]: meist nahe 0, also gibt die Gerade dieselbe Antwort wie das Mittel.",
   ],
 };

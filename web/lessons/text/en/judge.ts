@@ -88,7 +88,7 @@ export const judge: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, section 7: comparisons and leave-one-out evaluation.",
-    "Recorded numbers are those of `docs/evaluation.md`, read when this page was built; `rust/strut-core/src/evaluation/leave_one_out.rs` computes them, over whole gait cycles. Live ones are over all frames of one take, before feet are planted.",
+    "Recorded numbers are those of `docs/evaluation.md`, read when this page was built; `rust/strut-evaluation/src/leave_one_out.rs` computes them, over whole gait cycles. Live ones are over all frames of one take, before feet are planted.",
     "NN is the nearest neighbour, KNN the mean of the nearest, LAR one local line, MAR a mixture of them, GAR one line for all, LTI a linear system, GP a Gaussian process. The histogram is that of [u: β⊤(u − ū)]: mostly near 0, so the line gives the same answer as the mean.",
   ],
 };

@@ -8,7 +8,7 @@ mod assemble;
 mod error;
 mod job;
 mod options;
-pub(crate) mod prepare;
+mod prepare;
 mod report;
 mod source;
 
@@ -16,6 +16,7 @@ pub use add_style::{AddStyleError, AddedStyle, Better, Doubt, add_style, add_sty
 pub use error::BuildError;
 pub use job::{Build, Progress, Stage, build};
 pub use options::{BuildOptions, RATES_HZ};
+pub use prepare::{encode, headings};
 pub use report::{ActionReport, BuildReport, ClipReport, Refusal};
 pub use source::{MIN_CLIP_FRAMES, Script, SourceClip};
 

@@ -154,7 +154,7 @@ fn resample(clip: &SourceClip, usual: &SourceClip, rate_hz: f32) -> Result<Resam
 }
 
 /// Smoothed heading of every frame.
-pub(crate) fn headings(motion: &HumanoidMotion) -> Vec<f32> {
+pub fn headings(motion: &HumanoidMotion) -> Vec<f32> {
     let mut filter = HeadingFilter::default();
     let dt = 1.0 / motion.rate_hz;
     motion.poses.iter().map(|p| filter.update(&world_from_local(&motion.proportions, p), dt)).collect()
@@ -177,7 +177,7 @@ fn resampled_times(times: &[f32], from_hz: f32, to_hz: f32) -> Vec<f32> {
 
 /// A clip at the database's rate in the form that registration reads, without a script. `headings` has one entry for
 /// each frame.
-pub(crate) fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, chart: &PoseChart) -> Example {
+pub fn encode(motion: &HumanoidMotion, headings: &[f32], style: u16, chart: &PoseChart) -> Example {
     let mut previous = None;
     let mut pose: Vec<PoseRow> = Vec::with_capacity(motion.poses.len());
     for (p, &heading) in motion.poses.iter().zip(headings) {

@@ -487,7 +487,6 @@ fn standing_of_different_length_is_not_stretched_onto_the_motion() {
 }
 
 #[test]
-#[cfg(feature = "baselines")]
 fn a_clip_unlike_the_others_has_the_greatest_residual() {
     let mut clips = two_styles();
     for (f, pose) in clips[0].motion.poses.iter_mut().enumerate() {
