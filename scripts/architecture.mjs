@@ -43,10 +43,10 @@ const ROOMS = {
   "package/types.ts": ["formats", "streams", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // One live figure, on any page, independent of lessons. The tables of documents are read when the page is built.
-  "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
-  lessons: ["element/figure", "link", "client", "humanoid"],
+  figures: ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
+  lessons: ["figures", "link", "client", "humanoid"],
   // The pages for iframes.
-  embed: ["element/figure", "element"],
+  embed: ["figures", "element"],
   package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
   "app/strings": [],
   "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
@@ -68,7 +68,7 @@ const ROOMS = {
   "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "lessons",
-    "element/figure",
+    "figures",
     "formats",
     "streams",
     "link",

@@ -5,7 +5,7 @@
 
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
-import { Latest } from "../../../element/figure/latest";
+import { Latest } from "../../../figures/latest";
 
 /** Settings of a crowd. */
 export interface Conducted {

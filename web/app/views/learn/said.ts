@@ -1,7 +1,7 @@
 /** Formats measurements in a language. */
-import type { Measure } from "../../../element/figure/kind";
-import { type Language, WORDS } from "../../../element/figure/languages";
-import { figure } from "../../../element/figure/words/words";
+import type { Measure } from "../../../figures/kind";
+import { type Language, WORDS } from "../../../figures/languages";
+import { figure } from "../../../figures/words/words";
 import type { Said } from "../../../lessons/text/text";
 
 /** Decimals of numbers in sentences. */
