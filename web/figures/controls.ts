@@ -1,18 +1,8 @@
 /** Controls shared by several kinds of figures. */
 
-import type { Field } from "../link/fields";
-import type { DialRange } from "../ui/controls/dial";
 import { icon } from "../ui/controls/icons";
-import { Knob } from "../ui/controls/knob";
 import type { Range } from "../ui/controls/range";
-import { Slider } from "../ui/controls/slider";
 import { html } from "../ui/dom";
-import { FRAMES, RATE_HZ } from "./built_in";
-import type { KnobWords } from "./words/knob";
-import { figure, type Words } from "./words/words";
-
-/** The default frame if a link has none. */
-const INSTANT = 160;
 
 /** A list of options. */
 export class Choice<T extends string> {
@@ -62,42 +52,4 @@ export class GuessField {
   set text(text: string) {
     if (!this.#field.matches(":focus")) this.#field.value = text;
   }
-}
-
-/** Called with the changes of a control. */
-type Change<Name extends string> = (patch: Partial<Record<Name, number>>, settled: boolean) => void;
-
-/** A knob for each of some numbers of a state. */
-export function createKnobs<Name extends string>(
-  names: readonly Name[],
-  words: Words,
-  texts: Readonly<Record<Name, KnobWords>>,
-  ranges: Readonly<Record<Name, DialRange>>,
-  fields: Readonly<Record<Name, Pick<Field<number>, "initial">>>,
-  change: Change<Name>,
-): Record<Name, Knob> {
-  const settle = () => change({}, true);
-  const knob = (name: Name) =>
-    new Knob(
-      texts[name],
-      ranges[name],
-      fields[name].initial,
-      {
-        onInput: (value) => change({ [name]: value } as Partial<Record<Name, number>>, false),
-        onSettle: settle,
-        onCancel: settle,
-      },
-      words,
-    );
-  return Object.fromEntries(names.map((name) => [name, knob(name)])) as Record<Name, Knob>;
-}
-
-/** A slider for the examined instant of a built-in input. @param first the first valid frame */
-export function createInstant(words: Words, first: number, change: Change<"at">): Slider {
-  const slider = new Slider(words.playhead, { min: first, max: FRAMES - 1, digits: 0 }, INSTANT, {
-    onInput: (at) => change({ at }, false),
-    onSettle: () => change({}, true),
-  });
-  slider.words = (frame) => `${figure(frame / RATE_HZ, 2, words)} s`;
-  return slider;
 }

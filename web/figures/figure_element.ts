@@ -3,10 +3,10 @@ import type { LearnEngine } from "../client/learn/protocol";
 import { themeOf } from "../element/colours";
 import { button } from "../ui/controls/buttons";
 import { html, setText } from "../ui/dom";
-import type { FigureInstance, Measure } from "./kind";
+import type { Measure, TextFigure } from "./kind";
 import { loadKind } from "./kinds";
 import { LANGUAGES, type Language, WORDS } from "./languages";
-import { joinEngine, leaveEngine } from "./shared";
+import { engines } from "./shared";
 import { figureSheets } from "./sheets";
 import type { Words } from "./words/words";
 
@@ -35,7 +35,7 @@ export class StrutFigure extends HTMLElement {
   readonly #live = html("p", { class: "visually-hidden", role: "status" });
   readonly #table = html("details", { class: "table" });
   #life: AbortController | undefined;
-  #figure: FigureInstance<string> | undefined;
+  #figure: TextFigure | undefined;
   /** Aborts with the figure: another kind or language creates another one. */
   #figureLife: AbortController | undefined;
   #engine: LearnEngine | undefined;
@@ -75,8 +75,9 @@ export class StrutFigure extends HTMLElement {
   connectedCallback(): void {
     this.#life = new AbortController();
     const { signal } = this.#life;
-    this.#engine = joinEngine();
-    signal.addEventListener("abort", leaveEngine, { once: true });
+    const engine = engines.lease();
+    this.#engine = engine.value;
+    signal.addEventListener("abort", engine.release, { once: true });
     const observer = new IntersectionObserver(([entry]) => {
       this.#onScreen = entry!.isIntersecting;
       if (this.#onScreen) void this.ready();

@@ -1,9 +1,10 @@
 /** The 3-D picture of a figure: a viewer on the page's single screen, with marks over it. */
 
-import { joinScreen, leaveScreen, schedule } from "../element/host";
+import { schedule, screens } from "../element/host";
 import type { Drawing } from "../element/schedule";
 import { html, svg } from "../ui/dom";
-import { Viewer, type ViewerOptions } from "../viewer";
+import type { Lease } from "../ui/lingering";
+import { type Screen, Viewer, type ViewerOptions } from "../viewer";
 import type { Words } from "./words/words";
 
 /** Drawing continues for this time after the last change, in which glides and fades end. */
@@ -27,13 +28,21 @@ export class FigureStage implements Drawing {
   /** `undefined` if the browser has no 3-D. */
   readonly viewer: Viewer | undefined;
   readonly #listeners: StageListeners;
+  /** `undefined` if the browser has no 3-D. */
+  readonly #screen: Lease<Screen> | undefined;
   #running = false;
   #lastDraw = 0;
   #drawUntil = 0;
 
   constructor(words: Words, options: Omit<ViewerOptions, "screen">, listeners: StageListeners = {}) {
     this.#listeners = listeners;
-    this.viewer = this.#open(words, options);
+    try {
+      this.#screen = screens.lease();
+      this.viewer = this.#open(options, this.#screen.value);
+    } catch {
+      this.#screen?.release();
+      this.element.replaceChildren(html("p", { class: "message" }, words.noGraphics));
+    }
   }
 
   /** Sets whether it is visible: it draws only then. */
@@ -68,25 +77,18 @@ export class FigureStage implements Drawing {
 
   dispose(): void {
     this.run(false);
-    if (!this.viewer) return;
-    this.viewer.dispose();
-    leaveScreen();
+    this.viewer?.dispose();
+    this.#screen?.release();
   }
 
-  #open(words: Words, options: ViewerOptions): Viewer | undefined {
-    try {
-      const viewer = new Viewer(this.element, { ...options, screen: joinScreen() });
-      for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
-        this.element.addEventListener(type, () => this.invalidate(), { passive: true });
-      // The wheel scrolls the page of the lesson.
-      viewer.zooming = "focused";
-      viewer.onDraw = this.#listeners.drawn;
-      this.element.append(this.overlay);
-      return viewer;
-    } catch {
-      leaveScreen();
-      this.element.replaceChildren(html("p", { class: "message" }, words.noGraphics));
-      return undefined;
-    }
+  #open(options: Omit<ViewerOptions, "screen">, screen: Screen): Viewer {
+    const viewer = new Viewer(this.element, { ...options, screen });
+    for (const type of ["pointerdown", "pointermove", "wheel", "keydown"])
+      this.element.addEventListener(type, () => this.invalidate(), { passive: true });
+    // The wheel scrolls the page of the lesson.
+    viewer.zooming = "focused";
+    viewer.onDraw = this.#listeners.drawn;
+    this.element.append(this.overlay);
+    return viewer;
   }
 }

@@ -20,6 +20,8 @@ export interface FigureParts<State> {
   /** The element in which it is drawn. */
   container: HTMLElement;
   engine: LearnEngine;
+  /** The members of the state, with their defaults. */
+  fields: Fields<State>;
   language: Language;
   words: Words;
   /** Called when the user changed the state; `settled` when the drag has ended. */
@@ -36,8 +38,6 @@ export interface FigureParts<State> {
 export interface FigureInstance<State> {
   /** Sets a state. Resolves when it is displayed. */
   show(state: State): Promise<void>;
-  /** The measures for the exercises, in the current state. */
-  measure(): Promise<Measure>;
   /** A sentence describing the figure. */
   sentence(): string;
   table(): Table;
@@ -55,6 +55,8 @@ export interface FigureInstance<State> {
 export interface FigureKind<State> {
   /** Its state, and the encoding in a link. */
   fields: Fields<State>;
+  /** The measures for the exercises in a state. */
+  measure(engine: LearnEngine, state: State): Promise<Measure>;
   /** Style sheet text that only this kind needs. */
   sheet?: string;
   /** @throws if the browser cannot draw it */
@@ -62,22 +64,31 @@ export interface FigureKind<State> {
 }
 
 /** The element's interface for a figure whose state is text. */
-export type TextParts = Omit<FigureParts<string>, "change"> & { change(state: string, settled: boolean): void };
+export type TextParts = Omit<FigureParts<string>, "change" | "fields"> & {
+  change(state: string, settled: boolean): void;
+};
+
+/** A figure whose state is text. */
+export interface TextFigure extends FigureInstance<string> {
+  /** The measures for the exercises, in the current state. */
+  measure(): Promise<Measure>;
+}
 
 /** A kind as its element sees it: the state is the text of a link, of which a figure changes only its own fields. */
 export interface TextKind {
   sheet: string | undefined;
-  create(parts: TextParts): FigureInstance<string>;
+  create(parts: TextParts): TextFigure;
 }
 
 /** Converts a kind to one whose state is text. */
-export function textKind<State extends object>({ fields, sheet, create }: FigureKind<State>): TextKind {
+export function textKind<State extends object>({ fields, measure, sheet, create }: FigureKind<State>): TextKind {
   return {
     sheet,
     create: ({ change, ...parts }) => {
       let text = "";
       const made = create({
         ...parts,
+        fields,
         change: (patch, settled) => {
           text = withFields(text, fields, { ...readHash(fields, text), ...patch });
           change(text, settled);
@@ -88,7 +99,7 @@ export function textKind<State extends object>({ fields, sheet, create }: Figure
           text = given;
           return made.show(readHash(fields, text));
         },
-        measure: () => made.measure(),
+        measure: () => measure(parts.engine, readHash(fields, text)),
         sentence: () => made.sentence(),
         table: () => made.table(),
         values: () => made.values(),

@@ -49,8 +49,10 @@ function ratioAt({ difference }: Pair, frame: number): number {
 }
 
 /** The measure of a state. */
-export async function measurePair(engine: LearnEngine, state: PairState, pair: Pair): Promise<Measure> {
+export async function measurePair(engine: LearnEngine, state: PairState): Promise<Measure> {
   const { motion, style, pairing, joint } = state;
+  const pair = await sharedPair(engine, motion, style);
+  if (!pair) return {};
   const at = Math.min(state.at, pair.input.frames - 1);
   const means = await styleMeans(engine, motion, "content");
   const nearest = nearestStyle(means);

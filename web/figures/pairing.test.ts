@@ -65,7 +65,7 @@ test("the same second is the frame of the styled walk that is reached then", asy
 test("the mean of a joint is that of its distances in all frames", async () => {
   const pair = (await pairOf(engine, "neutral walk", "old"))!;
   const state: PairState = { motion: "neutral walk", style: "old", pairing: "content", at: 0, joint: "head" };
-  const { jointMean, farthestMean } = await measurePair(engine, state, pair);
+  const { jointMean, farthestMean } = await measurePair(engine, state);
   const means = Array.from({ length: JOINTS }, () => 0);
   const frames = Array.from({ length: 44 }, (_, i) => 20 * i);
   for (const frame of frames)
@@ -107,7 +107,7 @@ test("times are found between the samples", () => {
 test("a measure has the numbers that the figure shows", async () => {
   const pair = (await pairOf(engine, "neutral walk", "old"))!;
   const state: PairState = { motion: "neutral walk", style: "old", pairing: "content", at: 99_999, joint: "head" };
-  const measure = await measurePair(engine, state, pair);
+  const measure = await measurePair(engine, state);
   expect(measure.at, "clamped to the motion").toBe(pair.input.frames - 1);
   expect(measure.content).toBe(pair.difference.content.at(-1));
   expect(measure).toMatchObject({ nearest: "sexy", nearestBySecond: "childlike", farthest: "head" });

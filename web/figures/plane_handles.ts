@@ -2,7 +2,7 @@
 import { setAttributes, svg } from "../ui/dom";
 import { listenToDrags } from "../ui/drag";
 import { placeIn } from "../ui/drawing";
-import { type Axes, valueOfX, valueOfY, xOf, yOf } from "./axes";
+import type { Axes } from "./axes";
 
 /** A position in the units of the axes. */
 export type Place = readonly [x: number, y: number];
@@ -60,9 +60,9 @@ export class PlaneHandles {
     places.forEach((place, which) => {
       const [x, y] = place;
       setAttributes(this.elements[which]!, {
-        transform: `translate(${xOf(axes, x).toFixed(1)} ${yOf(axes, y).toFixed(1)})`,
-        "aria-valuemin": axes.y[0],
-        "aria-valuemax": axes.y[1],
+        transform: `translate(${axes.x(x).toFixed(1)} ${axes.y(y).toFixed(1)})`,
+        "aria-valuemin": axes.up.min,
+        "aria-valuemax": axes.up.max,
         "aria-valuenow": Number(y.toFixed(2)),
         "aria-valuetext": say(place),
       });
@@ -75,10 +75,10 @@ export class PlaneHandles {
     press.preventDefault();
     this.elements[which]!.focus({ preventScroll: true });
     const pressed = placeIn(this.#picture, press);
-    const grip = { x: pressed.x - xOf(axes, before[0]), y: pressed.y - yOf(axes, before[1]) };
+    const grip = { x: pressed.x - axes.x(before[0]), y: pressed.y - axes.y(before[1]) };
     const move = (event: PointerEvent) => {
       const { x, y } = placeIn(this.#picture, event);
-      this.#listeners.onInput(which, [valueOfX(axes, x - grip.x), valueOfY(axes, y - grip.y)]);
+      this.#listeners.onInput(which, [axes.valueAtX(x - grip.x), axes.valueAtY(y - grip.y)]);
     };
     return {
       move,

@@ -1,15 +1,21 @@
-/** The picture of a plot: its size, its grid with labels, and the terms of its marks. It is drawn in units (`drawing.ts`). */
+/** The picture of a plot: its size, and its grid with labels. It is drawn in units (`drawing.ts`). */
 import { html, setAttributes, svg } from "../ui/dom";
 import { sizeOf } from "../ui/drawing";
-import { type Axes, digitsOf, MARGIN, xOf, yOf } from "./axes";
-import { figure, type Words } from "./words/words";
+import { type Extent, ticks } from "../ui/scale";
+import { Axes, type AxesShape, MARGIN } from "./axes";
+import { formatNumber, type Words } from "./words/words";
 
-/** Labels of the axes, and their ticks. */
-export interface Grid {
+/** Names of the axes, and their ticks. */
+export interface Labels {
   x: string;
   y: string;
-  columns: readonly (readonly [value: number, label: string])[];
-  rows: readonly number[];
+  /** The largest number of steps between the ticks of the horizontal axis, or the ticks with their labels. */
+  columns: number | readonly (readonly [value: number, label: string])[];
+  /** The largest number of steps between the ticks of the vertical axis; 0 for none. */
+  rows: number;
+  /** Number of decimals of the horizontal axis, by default as many as distinguish its ticks, and its unit. */
+  digits?: number;
+  unit?: string;
 }
 
 export class PlotFrame {
@@ -18,6 +24,7 @@ export class PlotFrame {
   readonly picture = svg("svg", { class: "plot", role: "group" });
   /** Numbers of the axes are meaningless without the picture; its handles have labels of their own. */
   readonly #grid = svg("g", { class: "grid", "aria-hidden": "true" });
+  readonly #words: Words;
   readonly #draw: () => void;
   #request = 0;
   /** The data from which the grid was drawn. */
@@ -26,7 +33,8 @@ export class PlotFrame {
   height = 0;
 
   /** @param draw draws again; called when there is space to draw in */
-  constructor(name: string, draw: () => void, signal: AbortSignal) {
+  constructor(name: string, words: Words, draw: () => void, signal: AbortSignal) {
+    this.#words = words;
     this.#draw = draw;
     this.picture.setAttribute("aria-label", name);
     this.picture.append(this.#grid);
@@ -54,41 +62,37 @@ export class PlotFrame {
     });
   }
 
-  /** Reports the term of the hovered marks; to be called when all marks exist. */
-  listenToMarks(point: (term: string | undefined) => void): void {
-    for (const mark of this.picture.querySelectorAll("[data-term]")) {
-      mark.addEventListener("pointerenter", () => point(mark.getAttribute("data-term")!));
-      mark.addEventListener("pointerleave", () => point(undefined));
-    }
-  }
-
-  light(term: string | undefined): void {
-    for (const mark of this.picture.querySelectorAll("[data-term]"))
-      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
+  /** Axes that fill the picture. */
+  axes(across: Extent, up: Extent, shape?: AxesShape): Axes {
+    return new Axes(this.width, this.height, across, up, shape);
   }
 
   /** Draws the grid, unless it is unchanged. */
-  drawGrid(axes: Axes, grid: Grid, words: Words): void {
-    const drawn = JSON.stringify([axes, grid]);
+  drawGrid(axes: Axes, labels: Labels): void {
+    const drawn = JSON.stringify([axes, labels]);
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
-    const { x, y, columns, rows } = grid;
-    const [left, right] = [xOf(axes, axes.x[0]), xOf(axes, axes.x[1])];
-    const [top, bottom] = [yOf(axes, axes.y[1]), yOf(axes, axes.y[0])];
-    const text = (at: number, height: number, anchor: string, label: string) =>
-      svg("text", { x: at, y: height, "text-anchor": anchor }, label);
-    const digits = digitsOf(rows);
+    const { left, right, top, bottom } = axes;
+    const text = (x: number, y: number, anchor: string, label: string) =>
+      svg("text", { x, y, "text-anchor": anchor }, label);
+    const rows = labels.rows > 0 ? ticks(axes.up, labels.rows) : { values: [], digits: 0 };
     this.#grid.replaceChildren(
-      ...rows.flatMap((value) => [
-        svg("path", { d: `M${left} ${yOf(axes, value)}H${right}` }),
-        text(left - 6, yOf(axes, value) + 4, "end", figure(value, digits, words)),
+      ...rows.values.flatMap((value) => [
+        svg("path", { d: `M${left} ${axes.y(value)}H${right}` }),
+        text(left - 6, axes.y(value) + 4, "end", formatNumber(value, rows.digits, this.#words)),
       ]),
-      ...columns.flatMap(([value, label]) => [
-        svg("path", { d: `M${xOf(axes, value)} ${top}V${bottom}` }),
-        text(xOf(axes, value), bottom + 16, "middle", label),
+      ...this.#columns(axes, labels).flatMap(([value, label]) => [
+        svg("path", { d: `M${axes.x(value)} ${top}V${bottom}` }),
+        text(axes.x(value), bottom + 16, "middle", label),
       ]),
-      text(left, MARGIN.top - 5, "start", y),
-      text(right, bottom + 32, "end", x),
+      text(left, MARGIN.top - 5, "start", labels.y),
+      text(right, bottom + 32, "end", labels.x),
     );
+  }
+
+  #columns({ across }: Axes, { columns, digits, unit = "" }: Labels): readonly (readonly [number, string])[] {
+    if (typeof columns !== "number") return columns;
+    const found = ticks(across, columns);
+    return found.values.map((value) => [value, `${formatNumber(value, digits ?? found.digits, this.#words)}${unit}`]);
   }
 }

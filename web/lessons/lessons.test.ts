@@ -49,7 +49,7 @@ const root = join(import.meta.dirname, "..", "..");
 /** The measure of a state of the first lesson, from its figure. */
 async function measured(state: string): Promise<Measure> {
   const pair: PairState = readHash(PAIR_FIELDS, state);
-  return measurePair(engine, pair, (await sharedPair(engine, pair.motion, pair.style))!);
+  return measurePair(engine, pair);
 }
 
 /** The measures of the other lessons' states. */

@@ -1,13 +1,10 @@
 /** One degree of freedom on an axis: the band of the neighbours, the part of the input outside it, and the returned part. */
-import type { Knob } from "../../ui/controls/knob";
-import { html, keepCount, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
-import { createKnobs, GuessField } from "../controls";
+import { keepCount, setAttributes, setText, svg } from "../../ui/dom";
+import { roundedExtent } from "../../ui/scale";
+import type { Axes } from "../axes";
 import { Handle } from "../handle";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./bias.css?inline";
 import { type Band, biasOf, measureBias } from "./bias_measure";
 import { BIAS_FIELDS, BIAS_JOINT, BIAS_RANGES, type BiasState, NO_GUESS } from "./bias_state";
@@ -23,22 +20,20 @@ const HEAD = 7;
 /** Step of an arrow key, degrees; with Shift one degree. */
 const STEP = 5;
 
-const KNOBS = ["raise", "reach", "keep"] as const;
-type KnobName = (typeof KNOBS)[number];
-
 export const BAND: FigureKind<BiasState> = {
   fields: BIAS_FIELDS,
+  measure: measureBias,
   sheet,
   create: (parts) => new BandFigure(parts),
 };
 
-class BandFigure implements FigureInstance<BiasState> {
-  readonly #parts: FigureParts<BiasState>;
-  readonly #frame: PlotFrame;
-  readonly #knobs: Record<KnobName, Knob>;
-  readonly #guess: GuessField;
+interface Shown {
+  state: BiasState;
+  band: Band;
+}
+
+class BandFigure extends PlotFigure<BiasState, Shown> {
   readonly #handle: Handle;
-  readonly #readout = html("p", { class: "readout" });
   readonly #band = svg("rect", { class: "band", "data-term": "kappa" });
   readonly #mean = svg("path", { class: "mean", "data-term": "mu" });
   readonly #dots = svg("g", { class: "dots", "data-term": "sigma" });
@@ -48,140 +43,87 @@ class BandFigure implements FigureInstance<BiasState> {
   readonly #output = svg("path", { class: "output", "data-term": "y" });
   readonly #labels = { x: svg("text", { class: "label x" }), y: svg("text", { class: "label y" }) };
   readonly #rows = { input: svg("text", { class: "label row" }), output: svg("text", { class: "label row" }) };
-  readonly #fitting = new Latest<BiasState>((state) => this.#fit(state));
-  #state: BiasState | undefined;
-  #fitted: { state: BiasState; band: Band } | undefined;
-  #axes: Axes | undefined;
+  /** The handle follows the pointer at once; everything else waits for the engine. */
+  protected override readonly drawsAhead = true;
 
   constructor(parts: FigureParts<BiasState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.bias.title, () => this.#drawNow(), signal);
-    const settle = () => change({}, true);
-    this.#knobs = createKnobs(KNOBS, words, words.bias.knobs, BIAS_RANGES, BIAS_FIELDS, change);
-    const { picture } = this.#frame;
+    const { bias } = parts.words;
+    super(parts, bias.title);
+    const { picture, element } = this.frame;
     this.#handle = new Handle(
-      words.bias.knobs.raise.name,
+      bias.knobs.raise.name,
       "x",
       picture,
       {
-        value: () => this.#fitted && this.#state?.raise,
+        value: () => this.shown && this.state?.raise,
         // The input's angle increases with the raise, degree by degree.
-        valueOf: (x) => this.#fitted!.state.raise + valueOfX(this.#axes!, x) - this.#fitted!.band.x,
+        valueOf: (x) => this.shown!.state.raise + this.axes!.valueAtX(x) - this.shown!.band.x,
         stepped: (raise, direction, fine) => raise + direction * (fine ? 1 : STEP),
         ends: () => [BIAS_RANGES.raise.min, BIAS_RANGES.raise.max],
-        onInput: (raise) => change({ raise: Math.round(raise) }, false),
-        onSettle: settle,
+        onInput: (raise) => this.change({ raise: Math.round(raise) }, false),
+        onSettle: () => this.settle(),
       },
-      signal,
-    );
-    this.#guess = new GuessField(
-      words.bias.guess,
-      { min: -180, max: 180 },
-      NO_GUESS,
-      (guess) => change({ guess }, true),
-      signal,
+      parts.signal,
     );
     picture.append(this.#band, this.#mean, this.#dots, this.#bias, this.#returned, this.#line, this.#output);
     picture.append(...Object.values(this.#rows), ...Object.values(this.#labels), this.#handle.element);
     // Hidden until it has a position.
     setAttributes(this.#handle.element, { visibility: "hidden" });
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.bias.title)),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs" }, ...KNOBS.map((name) => this.#knobs[name].element), this.#guess.element),
-    );
+    this.lay({
+      title: bias.title,
+      picture: element,
+      controls: [
+        ...this.knobs(["raise", "reach", "keep"], bias.knobs, BIAS_RANGES, { reach: "kappa", keep: "rho" }),
+        this.guess("guess", bias.guess, { min: -180, max: 180 }, NO_GUESS, 1),
+      ],
+    });
   }
 
-  show(state: BiasState): Promise<void> {
-    this.#state = state;
-    for (const name of KNOBS) this.#knobs[name].value = state[name];
-    this.#guess.text = state.guess === NO_GUESS ? "" : figure(state.guess, 1, this.#parts.words);
-    this.#frame.request();
-    return this.#fitting.take(state);
+  protected async load(state: BiasState): Promise<Shown> {
+    return { state, band: await biasOf(this.parts.engine, state) };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureBias(this.#parts.engine, this.#state) : {};
+  protected describe({ band, state }: Shown): string {
+    const { x, mean, bias, y, deviation } = band;
+    const reach = state.reach * deviation;
+    const [at, from, to, out, back] = [x, mean - reach, mean + reach, bias, y].map((value) => this.number(value, 1));
+    return this.words.bias.said(at!, from!, to!, out!, back!);
   }
 
-  sentence(): string {
-    if (!this.#fitted) return "";
-    const { band, state } = this.#fitted;
-    const reach = state.reach * band.deviation;
-    const degrees = (value: number) => figure(value, 1, this.#parts.words);
-    const { x, mean, bias, y } = band;
-    return this.#parts.words.bias.said(
-      degrees(x),
-      degrees(mean - reach),
-      degrees(mean + reach),
-      degrees(bias),
-      degrees(y),
-    );
+  protected get columns() {
+    return this.words.bias.columns;
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const { columns, rows } = words.bias;
-    const band = this.#fitted?.band;
+  protected rows({ band }: Shown): string[][] {
+    const { rows } = this.words.bias;
     const names = Object.keys(rows) as (keyof typeof rows)[];
-    return {
-      head: columns,
-      rows: band ? names.map((name) => [rows[name], figure(band[name], 1, words)]) : [],
-    };
+    return names.map((name) => [rows[name], this.number(band[name], 1)]);
   }
 
-  values(): Readonly<Record<string, string>> {
-    if (!this.#fitted) return {};
-    const { band, state } = this.#fitted;
-    const { words } = this.#parts;
-    const degrees = (value: number) => `${figure(value, 1, words)}°`;
+  protected override quantities({ band, state }: Shown) {
+    const degrees = (value: number) => `${this.number(value, 1)}°`;
     return {
       x: degrees(band.x),
       mu: degrees(band.mean),
-      sigma: `${figure(band.deviation, 2, words)}°`,
-      kappa: figure(state.reach, 1, words),
+      sigma: `${this.number(band.deviation, 2)}°`,
+      kappa: this.number(state.reach, 1),
       dx: degrees(band.bias),
-      rho: figure(state.keep, 2, words),
+      rho: this.number(state.keep, 2),
       beta: degrees(band.line),
       y: degrees(band.y),
     };
   }
 
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-    this.#knobs.reach.element.classList.toggle("lit", term === "kappa");
-    this.#knobs.keep.element.classList.toggle("lit", term === "rho");
-  }
-
-  async #fit(state: BiasState): Promise<void> {
-    const band = await biasOf(this.#parts.engine, state);
-    if (this.#parts.signal.aborted) return;
-    this.#fitted = { state, band };
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    if (!this.#fitted) return;
-    const { words } = this.#parts;
-    const { band, state } = this.#fitted;
+  protected draw({ band, state }: Shown, { raise }: BiasState): void {
     const { x, mean, deviation, bias, line, y } = band;
     const reach = state.reach * deviation;
-    const axes: Axes = {
-      width: this.#frame.width,
-      height: this.#frame.height,
-      x: extentOf([...ENDS, mean - reach, mean + reach, x, line, y], 1),
-      y: [0, 1],
-    };
-    this.#axes = axes;
-    const columns = ticksOf(axes.x, 7).map((value) => [value, `${figure(value, 0, words)}°`] as const);
-    const name = words.bias.axis(words.joints[BIAS_JOINT]);
-    this.#frame.drawGrid(axes, { x: name, y: "", columns, rows: [] }, words);
-    const [above, below] = [yOf(axes, ROW.input), yOf(axes, ROW.output)];
-    const at = (value: number) => xOf(axes, value);
+    const axes = this.plot(
+      roundedExtent([...ENDS, mean - reach, mean + reach, x, line, y], 1),
+      { min: 0, max: 1 },
+      { x: this.words.bias.axis(this.words.joints[BIAS_JOINT]), y: "", columns: 7, digits: 0, unit: "°", rows: 0 },
+    );
+    const [above, below] = [axes.y(ROW.input), axes.y(ROW.output)];
+    const at = (value: number) => axes.x(value);
     const edge = x - bias;
     setAttributes(this.#band, {
       x: at(mean - reach),
@@ -197,24 +139,27 @@ class BandFigure implements FigureInstance<BiasState> {
     setAttributes(this.#output, { d: `M${at(y)} ${below - HALF.tick}v${2 * HALF.tick}` });
     setAttributes(this.#rows.input, { x: axes.width - 16, y: above + 4, "text-anchor": "end" });
     setAttributes(this.#rows.output, { x: axes.width - 16, y: below + 4, "text-anchor": "end" });
-    setText(this.#rows.input, words.bias.input);
-    setText(this.#rows.output, words.bias.output);
-    const degrees = (value: number) => `${figure(value, 1, words)}°`;
+    setText(this.#rows.input, this.words.bias.input);
+    setText(this.#rows.output, this.words.bias.output);
+    const degrees = (value: number) => `${this.number(value, 1)}°`;
     setAttributes(this.#labels.x, { x: at(x) + 8, y: above - HALF.tick - 4 });
     setText(this.#labels.x, `x ${degrees(x)}`);
     setAttributes(this.#labels.y, { x: at(y) + 8, y: below - HALF.tick });
     setText(this.#labels.y, `y ${degrees(y)}`);
     setAttributes(this.#handle.element, { visibility: "visible" });
-    // The handle follows the pointer at once; everything else waits for the engine.
-    const ahead = (this.#state?.raise ?? state.raise) - state.raise;
-    this.#handle.place({ x: at(x + ahead), bottom: above + HALF.band, value: state.raise, text: `${state.raise}°` });
-    setText(this.#readout, words.bias.read(figure(mean - reach, 1, words), figure(mean + reach, 1, words)));
+    this.#handle.place({
+      x: at(x + raise - state.raise),
+      bottom: above + HALF.band,
+      value: state.raise,
+      text: `${state.raise}°`,
+    });
+    setText(this.readout, this.words.bias.read(this.number(mean - reach, 1), this.number(mean + reach, 1)));
   }
 
   #drawDots(axes: Axes, examples: readonly number[], height: number): void {
     keepCount(this.#dots, examples.length, () => svg("circle", { r: 2.5 }));
     examples.forEach((value, i) => {
-      setAttributes(this.#dots.children[i]!, { cx: xOf(axes, value).toFixed(1), cy: height + HALF.tick });
+      setAttributes(this.#dots.children[i]!, { cx: axes.x(value).toFixed(1), cy: height + HALF.tick });
     });
   }
 }

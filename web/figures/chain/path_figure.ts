@@ -1,17 +1,13 @@
 /** The trajectory of one degree of freedom: the means and deviations of its states as steps, and the likeliest curve. */
 import type { JointPath } from "../../client/learn/protocol";
-import { DEGREES, ROLES, type Role } from "../../humanoid";
-import type { Knob } from "../../ui/controls/knob";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, curvePath, extentOf, ticksOf, xOf, yOf } from "../axes";
-import { Choice, createKnobs } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import { DEGREES, ROLES } from "../../humanoid";
+import { setAttributes, setText, svg } from "../../ui/dom";
+import { roundedExtent } from "../../ui/scale";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./chain.css?inline";
 import { farthest, farthestDeviations, jerkOf, measureChain, pathOf, plainOf, WALK_HZ } from "./chain_measure";
-import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, PROMISES, type Promised } from "./chain_state";
+import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, PROMISES } from "./chain_state";
 
 /** Minimum range of the axis, degrees. */
 const LEAST_EXTENT = 20;
@@ -20,6 +16,7 @@ const TANGENT = { every: 4, half: 0.8 };
 
 export const PATH: FigureKind<ChainState> = {
   fields: CHAIN_FIELDS,
+  measure: measureChain,
   sheet,
   create: (parts) => new PathFigure(parts),
 };
@@ -30,77 +27,55 @@ interface Shown {
   plain: JointPath;
 }
 
-class PathFigure implements FigureInstance<ChainState> {
-  readonly #parts: FigureParts<ChainState>;
-  readonly #frame: PlotFrame;
-  readonly #joint: Choice<Role>;
-  readonly #knobs: Record<Promised, Knob>;
+class PathFigure extends PlotFigure<ChainState, Shown> {
   readonly #bands = svg("g", { class: "bands", "data-term": "sigma" });
   readonly #stairs = svg("path", { class: "stairs", "data-term": "mu" });
   readonly #own = svg("path", { class: "own-curve" });
   readonly #curve = svg("path", { class: "trajectory", "data-term": "c" });
   readonly #tangents = svg("path", { class: "tangents", "data-term": "delta" });
-  readonly #readout = html("p", { class: "readout" });
-  readonly #solving = new Latest<ChainState>((state) => this.#solve(state));
-  #state: ChainState | undefined;
-  #shown: Shown | undefined;
 
   constructor(parts: FigureParts<ChainState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.chain.path, () => this.#drawNow(), signal);
-    this.#joint = new Choice(
-      words.joint,
-      ROLES.map((role) => [role, words.joints[role]] as const),
-      (joint) => change({ joint }, true),
-    );
-    this.#knobs = createKnobs(PROMISES, words, words.chain.knobs, CHAIN_RANGES, CHAIN_FIELDS, change);
-    this.#frame.picture.append(this.#bands, this.#stairs, this.#own, this.#tangents, this.#curve);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.chain.path), this.#joint.element),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs" }, ...PROMISES.map((name) => this.#knobs[name].element)),
-    );
+    const { chain, joint, joints } = parts.words;
+    super(parts, chain.path);
+    const { picture, element } = this.frame;
+    picture.append(this.#bands, this.#stairs, this.#own, this.#tangents, this.#curve);
+    const terms = { pose: "sigma", velocity: "delta", acceleration: "delta" };
+    this.lay({
+      title: chain.path,
+      picture: element,
+      head: [this.choice("joint", joint, ROLES, (role) => joints[role])],
+      controls: this.knobs(PROMISES, chain.knobs, CHAIN_RANGES, terms),
+    });
   }
 
-  show(state: ChainState): Promise<void> {
-    this.#state = state;
-    this.#joint.value = state.joint;
-    for (const name of PROMISES) this.#knobs[name].value = state[name];
-    return this.#solving.take(state);
+  protected async load(state: ChainState): Promise<Shown> {
+    const { engine } = this.parts;
+    const [path, plain] = await Promise.all([pathOf(engine, state), plainOf(engine, state)]);
+    return { state, path, plain };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureChain(this.#parts.engine, this.#state) : {};
+  protected describe(shown: Shown): string {
+    return this.words.chain.said(this.words.joints[shown.state.joint], ...this.#read(shown));
   }
 
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { words } = this.#parts;
-    return words.chain.said(words.joints[this.#shown.state.joint], ...this.#read(this.#shown));
+  protected get columns() {
+    return this.words.chain.columns;
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const path = this.#shown?.path;
-    const degrees = (radians: number) => figure(radians * DEGREES, 1, words);
-    const rows = Array.from(path?.c ?? [], (c, i) => [
-      figure(i / WALK_HZ, 2, words),
-      degrees(path!.mean[i]!),
-      degrees(path!.deviation[i]!),
+  protected rows({ path }: Shown): string[][] {
+    const degrees = (radians: number) => this.number(radians * DEGREES, 1);
+    return Array.from(path.c, (c, i) => [
+      this.number(i / WALK_HZ, 2),
+      degrees(path.mean[i]!),
+      degrees(path.deviation[i]!),
       degrees(c),
     ]);
-    return { head: words.chain.columns, rows };
   }
 
-  values(): Readonly<Record<string, string>> {
-    if (!this.#shown) return {};
-    const { words } = this.#parts;
-    const { state } = this.#shown;
-    const [farthestDegrees, deviations, jerk] = this.#read(this.#shown);
-    const factor = (value: number) => `× ${figure(value, value < 1 ? 3 : 1, words)}`;
+  protected override quantities(shown: Shown) {
+    const { state } = shown;
+    const [farthestDegrees, deviations, jerk] = this.#read(shown);
+    const factor = (value: number) => `× ${this.number(value, value < 1 ? 3 : 1)}`;
     return {
       c: `${jerk} ×`,
       mu: `${farthestDegrees}°, ${deviations} σ`,
@@ -109,34 +84,15 @@ class PathFigure implements FigureInstance<ChainState> {
     };
   }
 
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-    this.#knobs.pose.element.classList.toggle("lit", term === "sigma");
-    for (const name of ["velocity", "acceleration"] as const)
-      this.#knobs[name].element.classList.toggle("lit", term === "delta");
-  }
-
   #read({ state, path, plain }: Shown): [farthest: string, deviations: string, jerk: string] {
-    const { words } = this.#parts;
     return [
-      figure(farthest(path), 2, words),
-      figure(farthestDeviations(path, state.pose), 2, words),
-      figure(jerkOf(path) / jerkOf(plain), 2, words),
+      this.number(farthest(path), 2),
+      this.number(farthestDeviations(path, state.pose), 2),
+      this.number(jerkOf(path) / jerkOf(plain), 2),
     ];
   }
 
-  async #solve(state: ChainState): Promise<void> {
-    const [path, plain] = await Promise.all([pathOf(this.#parts.engine, state), plainOf(this.#parts.engine, state)]);
-    if (this.#parts.signal.aborted) return;
-    this.#shown = { state, path, plain };
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    const shown = this.#shown;
-    if (!shown) return;
-    const { words } = this.#parts;
+  protected draw(shown: Shown): void {
     const { state, path, plain } = shown;
     const inDegrees = (values: Float32Array) => Array.from(values, (value) => value * DEGREES);
     const [c, own, mean, deviation] = [path.c, plain.c, path.mean, plain.deviation].map(inDegrees) as [
@@ -145,38 +101,41 @@ class PathFigure implements FigureInstance<ChainState> {
       number[],
       number[],
     ];
-    const axes: Axes = {
-      width: this.#frame.width,
-      height: this.#frame.height,
-      x: [0, c.length / WALK_HZ],
-      y: extentOf([...c, ...own, ...mean.flatMap((m, i) => [m - deviation[i]!, m + deviation[i]!])], LEAST_EXTENT),
-    };
-    const columns = ticksOf(axes.x, 6).map((value) => [value, figure(value, 1, words)] as const);
-    const y = words.chain.angle(words.joints[state.joint]);
-    this.#frame.drawGrid(axes, { x: words.chain.time, y, columns, rows: ticksOf(axes.y, 4) }, words);
-    const x = (frame: number) => xOf(axes, frame / WALK_HZ);
+    const deviations = mean.flatMap((m, i) => [m - deviation[i]!, m + deviation[i]!]);
+    const axes = this.plot(
+      { min: 0, max: c.length / WALK_HZ },
+      roundedExtent([...c, ...own, ...deviations], LEAST_EXTENT),
+      {
+        x: this.words.chain.time,
+        y: this.words.chain.angle(this.words.joints[state.joint]),
+        columns: 6,
+        digits: 1,
+        rows: 4,
+      },
+    );
+    const x = (frame: number) => axes.x(frame / WALK_HZ);
     const scale = Math.min(10, Math.sqrt(state.pose));
     this.#bands.replaceChildren(
       ...mean.map((m, i) => {
-        const [low, high] = [yOf(axes, m - scale * deviation[i]!), yOf(axes, m + scale * deviation[i]!)];
-        const [top, bottom] = [Math.max(yOf(axes, axes.y[1]), high), Math.min(yOf(axes, axes.y[0]), low)];
+        const [low, high] = [axes.y(m - scale * deviation[i]!), axes.y(m + scale * deviation[i]!)];
+        const [top, bottom] = [Math.max(axes.top, high), Math.min(axes.bottom, low)];
         return svg("rect", { x: x(i), y: top, width: x(i + 1) - x(i), height: Math.max(1, bottom - top) });
       }),
     );
-    setAttributes(this.#stairs, { d: mean.map((m, i) => `M${x(i)} ${yOf(axes, m)}H${x(i + 1)}`).join("") });
+    setAttributes(this.#stairs, { d: mean.map((m, i) => `M${x(i)} ${axes.y(m)}H${x(i + 1)}`).join("") });
     // A frame's value is drawn at its middle.
-    const curve = (values: readonly number[]) =>
-      curvePath({ ...axes, x: [-0.5 / WALK_HZ, (values.length - 0.5) / WALK_HZ] }, values, WALK_HZ);
+    const middles = this.frame.axes({ min: -0.5 / WALK_HZ, max: (c.length - 0.5) / WALK_HZ }, axes.up);
+    const curve = (values: readonly number[]) => middles.curve(values, WALK_HZ);
     setAttributes(this.#own, { d: curve(own) });
     setAttributes(this.#curve, { d: curve(c) });
     setAttributes(this.#tangents, {
       d: tangents(
         c,
         (frame) => x(frame + 0.5),
-        (value) => yOf(axes, value),
+        (value) => axes.y(value),
       ),
     });
-    setText(this.#readout, words.chain.read(...this.#read(shown)));
+    setText(this.readout, this.words.chain.read(...this.#read(shown)));
   }
 }
 

@@ -1,11 +1,8 @@
 /** A leg of two bones from the side: the ankle is dragged, and the knee follows. */
-import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, ticksOf, xOf, yOf } from "../axes";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
+import { setAttributes, setText, svg } from "../../ui/dom";
+import type { FigureKind, FigureParts } from "../kind";
 import { PlaneHandles } from "../plane_handles";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./feet.css?inline";
 import { type Leg, legOf, measureFeet, solveLeg } from "./feet_measure";
 import { FEET_FIELDS, type FeetState, REACH } from "./feet_state";
@@ -21,13 +18,17 @@ const LABEL = 14;
 
 export const LEG: FigureKind<FeetState> = {
   fields: FEET_FIELDS,
+  measure: measureFeet,
   sheet,
   create: (parts) => new LegFigure(parts),
 };
 
-class LegFigure implements FigureInstance<FeetState> {
-  readonly #parts: FigureParts<FeetState>;
-  readonly #frame: PlotFrame;
+interface Shown {
+  state: FeetState;
+  leg: Leg;
+}
+
+class LegFigure extends PlotFigure<FeetState, Shown> {
   readonly #bones = svg("path", { class: "bones" });
   readonly #distance = svg("path", { class: "distance", "data-term": "d" });
   readonly #arc = svg("path", { class: "angle", "data-term": "gamma" });
@@ -37,97 +38,62 @@ class LegFigure implements FigureInstance<FeetState> {
     gamma: svg("text", { class: "label y" }),
   };
   readonly #handles: PlaneHandles;
-  readonly #readout = html("p", { class: "readout" });
-  readonly #solving = new Latest<FeetState>((state) => this.#solve(state));
-  #state: FeetState | undefined;
-  #shown: { state: FeetState; leg: Leg } | undefined;
-  #axes: Axes | undefined;
 
   constructor(parts: FigureParts<FeetState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.feet.leg, () => this.#drawNow(), signal);
+    const { feet } = parts.words;
+    super(parts, feet.leg);
     const clamp = (value: number, { min, max, digits }: { min: number; max: number; digits: number }) =>
       Number(Math.min(max, Math.max(min, value)).toFixed(digits));
-    const { picture } = this.#frame;
+    const { picture, element } = this.frame;
     this.#handles = new PlaneHandles(
       picture,
-      [words.feet.ankle],
+      [feet.ankle],
       (fine) => (fine ? STEP.fine : STEP.coarse),
       {
-        axes: () => this.#axes,
-        onInput: (_, [x, y]) => change({ x: clamp(x, REACH.x), y: clamp(y, REACH.y) }, false),
-        onSettle: () => change({}, true),
+        axes: () => this.axes,
+        onInput: (_, [x, y]) => this.change({ x: clamp(x, REACH.x), y: clamp(y, REACH.y) }, false),
+        onSettle: () => this.settle(),
       },
-      signal,
+      parts.signal,
     );
     picture.append(this.#distance, this.#bones, this.#arc, ...Object.values(this.#labels), ...this.#handles.elements);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.feet.leg)),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-    );
+    this.lay({ title: feet.leg, picture: element });
   }
 
-  show(state: FeetState): Promise<void> {
-    this.#state = state;
-    return this.#solving.take(state);
+  protected async load(state: FeetState): Promise<Shown> {
+    const lengths = await legOf(this.parts.engine, state.motion);
+    return { state, leg: solveLeg(lengths, state.x, state.y) };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureFeet(this.#parts.engine, this.#state) : {};
+  protected describe({ leg: { d, gamma, bend } }: Shown): string {
+    return this.words.feet.bent(this.number(d, 3), this.number(gamma, 1), this.number(bend, 1));
   }
 
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { words } = this.#parts;
-    const { d, gamma, bend } = this.#shown.leg;
-    return words.feet.bent(figure(d, 3, words), figure(gamma, 1, words), figure(bend, 1, words));
+  protected get columns() {
+    return this.words.feet.parts;
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const leg = this.#shown?.leg;
-    const { rows } = words.feet;
+  protected rows({ leg }: Shown): string[][] {
     const names = ["a", "b", "d", "gamma"] as const;
-    const values = leg ? names.map((name) => [rows[name], figure(leg[name], name === "gamma" ? 1 : 3, words)]) : [];
-    return { head: words.feet.parts, rows: values };
+    return names.map((name) => [this.words.feet.rows[name], this.number(leg[name], name === "gamma" ? 1 : 3)]);
   }
 
-  values(): Readonly<Record<string, string>> {
-    if (!this.#shown) return {};
-    const { words } = this.#parts;
-    const { d, gamma } = this.#shown.leg;
-    return { d: `${figure(d, 3, words)} m`, gamma: `${figure(gamma, 1, words)}°` };
+  protected override quantities({ leg: { d, gamma } }: Shown) {
+    return { d: `${this.number(d, 3)} m`, gamma: `${this.number(gamma, 1)}°` };
   }
 
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-  }
-
-  async #solve(state: FeetState): Promise<void> {
-    const lengths = await legOf(this.#parts.engine, state.motion);
-    if (this.#parts.signal.aborted) return;
-    this.#shown = { state, leg: solveLeg(lengths, state.x, state.y) };
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    if (!this.#shown) return;
-    const { words } = this.#parts;
-    const { state, leg } = this.#shown;
-    const [width, height] = [this.#frame.width, this.#frame.height];
+  protected draw({ state, leg }: Shown): void {
+    const { width, height } = this.frame;
     // The scale is equal in both directions.
     const perMetre = Math.max(1, height - 60) / (SHOWN.top - SHOWN.bottom);
     const half = Math.max(1, width - 60) / perMetre / 2;
-    const axes: Axes = { width, height, x: [-half, half], y: [SHOWN.bottom, SHOWN.top] };
-    this.#axes = axes;
-    const columns = ticksOf(axes.x, 6).map((value) => [value, figure(value, 1, words)] as const);
-    const labels = { x: words.feet.forwards, y: words.feet.upwards, columns, rows: ticksOf(axes.y, 4) };
-    this.#frame.drawGrid(axes, labels, words);
-    const at = (x: number, y: number) => [xOf(axes, x), yOf(axes, y)] as const;
+    const { forwards, upwards } = this.words.feet;
+    const axes = this.plot(
+      { min: -half, max: half },
+      { min: SHOWN.bottom, max: SHOWN.top },
+      { x: forwards, y: upwards, columns: 6, digits: 1, rows: 4 },
+    );
+    const at = (x: number, y: number) => [axes.x(x), axes.y(y)] as const;
     const reach = leg.d / (Math.hypot(state.x, state.y) || 1);
     const [hip, ankle] = [at(0, 0), at(state.x * reach, state.y * reach)];
     const knee = at(...kneeOf(leg, state.x, state.y));
@@ -153,11 +119,11 @@ class LegFigure implements FigureInstance<FeetState> {
     };
     const middle = (a: readonly [number, number], b: readonly [number, number]) =>
       [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2] as const;
-    label(this.#labels.a, `a ${figure(leg.a, 3, words)} m`, ...middle(hip, knee));
-    label(this.#labels.b, `b ${figure(leg.b, 3, words)} m`, ...middle(knee, ankle));
-    label(this.#labels.gamma, `γ ${figure(leg.gamma, 1, words)}°`, ...knee);
+    label(this.#labels.a, `a ${this.number(leg.a, 3)} m`, ...middle(hip, knee));
+    label(this.#labels.b, `b ${this.number(leg.b, 3)} m`, ...middle(knee, ankle));
+    label(this.#labels.gamma, `γ ${this.number(leg.gamma, 1)}°`, ...knee);
     this.#handles.place(axes, [[state.x, state.y]], () => this.sentence());
-    setText(this.#readout, words.feet.reached(figure(leg.d, 3, words), figure(leg.gamma, 1, words)));
+    setText(this.readout, this.words.feet.reached(this.number(leg.d, 3), this.number(leg.gamma, 1)));
   }
 }
 

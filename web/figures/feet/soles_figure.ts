@@ -1,20 +1,16 @@
 /** A sole from above during a stance: if it is held, all outlines coincide. */
-import type { Slider } from "../../ui/controls/slider";
 import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, ticksOf, xOf, yOf } from "../axes";
+import type { Axes } from "../axes";
 import { RATE_HZ } from "../built_in";
-import { createInstant } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./feet.css?inline";
 import { measureFeet, type Track, type Tracks, tracksOf, within } from "./feet_measure";
 import { FEET_FIELDS, type FeetState } from "./feet_state";
 import { pivotTravel, type Sole } from "./soles";
 
 /** Minimum displayed range along the foot, cm: a foot's length, and space to slide; and the displayed range across. */
-const ALONG = [-5, 23] as const;
+const ALONG = { min: -5, max: 23 } as const;
 const ACROSS = 6;
 /** Frames between two rows of the table. */
 const TABLE_STEP = 5;
@@ -25,6 +21,7 @@ const LEAST_ARROW = 0.2;
 
 export const SOLES: FigureKind<FeetState> = {
   fields: FEET_FIELDS,
+  measure: measureFeet,
   sheet,
   create: (parts) => new SolesFigure(parts),
 };
@@ -49,76 +46,27 @@ interface Shown {
   moved: number;
 }
 
-class SolesFigure implements FigureInstance<FeetState> {
-  readonly #parts: FigureParts<FeetState>;
-  readonly #frame: PlotFrame;
-  readonly #instant: Slider;
+class SolesFigure extends PlotFigure<FeetState, Shown> {
   readonly #outlines = svg("g", { class: "outlines" });
   readonly #other = svg("path", { class: "sole other" });
   readonly #now = svg("path", { class: "sole now", "data-term": "p" });
   readonly #correction = svg("path", { class: "correction", "data-term": "q" });
   readonly #label = svg("text", { class: "label chosen" });
-  readonly #readout = html("p", { class: "readout" });
-  readonly #tracking = new Latest<FeetState>((state) => this.#track(state));
-  #state: FeetState | undefined;
-  #shown: Shown | undefined;
 
   constructor(parts: FigureParts<FeetState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.feet.soles, () => this.#drawNow(), signal);
-    this.#instant = createInstant(words, 2, change);
-    const { picture } = this.#frame;
+    const { soles } = parts.words.feet;
+    super(parts, soles);
+    const { picture, element } = this.frame;
     picture.append(this.#outlines, this.#other, this.#now, this.#correction, this.#label);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.feet.soles)),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs" }, html("div", { class: "others" }, this.#instant.element)),
-    );
+    this.lay({
+      title: soles,
+      picture: element,
+      controls: [html("div", { class: "others" }, this.instant("at", 2))],
+    });
   }
 
-  show(state: FeetState): Promise<void> {
-    this.#state = state;
-    this.#instant.value = state.at;
-    return this.#tracking.take(state);
-  }
-
-  async measure(): Promise<Measure> {
-    return this.#state ? measureFeet(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { words } = this.#parts;
-    const { state, cm } = this.#shown;
-    return words.feet.seen(words.feet.sides[state.foot], figure(cm, 1, words), state.hold);
-  }
-
-  table(): Table {
-    const { words } = this.#parts;
-    const rows = (this.#shown?.outlines ?? [])
-      .filter((_, i) => i % TABLE_STEP === 0)
-      .map(({ frame, heel }) => [
-        figure(frame / RATE_HZ, 2, words),
-        figure(heel[0], 1, words),
-        figure(heel[1], 1, words),
-      ]);
-    return { head: words.feet.places, rows };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    return this.#shown ? { q: `${figure(this.#shown.moved, 1, this.#parts.words)} cm` } : {};
-  }
-
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-  }
-
-  async #track(asked: FeetState): Promise<void> {
-    const tracks = await tracksOf(this.#parts.engine, asked);
-    if (this.#parts.signal.aborted) return;
+  protected async load(asked: FeetState): Promise<Shown> {
+    const tracks = await tracksOf(this.parts.engine, asked);
     const state = within(asked, tracks);
     const [from, to] = stanceAt(tracks, state.at);
     const [{ soles }, other] = state.hold ? [tracks.held, tracks.free] : [tracks.free, tracks.held];
@@ -128,7 +76,7 @@ class SolesFigure implements FigureInstance<FeetState> {
     const place = placesOf(soles[(from + to) >> 1]!);
     const outlines = soles.slice(from, to + 1).map((sole, i) => place(sole, from + i));
     const now = outlines.find(({ frame }) => frame === state.at);
-    this.#shown = {
+    return {
       state,
       outlines,
       cm,
@@ -136,42 +84,58 @@ class SolesFigure implements FigureInstance<FeetState> {
       other: now && place(other.soles[state.at]!, state.at),
       moved: correctionOf(tracks, state.at),
     };
-    this.#parts.changed();
-    this.#frame.request();
   }
 
-  #drawNow(): void {
-    if (!this.#shown) return;
-    const { words } = this.#parts;
-    const { outlines, cm, now, other, moved } = this.#shown;
-    const [width, height] = [this.#frame.width, this.#frame.height];
+  protected describe({ state, cm }: Shown): string {
+    const { feet } = this.words;
+    return feet.seen(feet.sides[state.foot], this.number(cm, 1), state.hold);
+  }
+
+  protected get columns() {
+    return this.words.feet.places;
+  }
+
+  protected rows({ outlines }: Shown): string[][] {
+    return outlines
+      .filter((_, i) => i % TABLE_STEP === 0)
+      .map(({ frame, heel }) => [this.number(frame / RATE_HZ, 2), this.number(heel[0], 1), this.number(heel[1], 1)]);
+  }
+
+  protected override quantities({ moved }: Shown) {
+    return { q: `${this.number(moved, 1)} cm` };
+  }
+
+  protected draw(shown: Shown): void {
+    const { outlines, cm, now, other } = shown;
+    const { width, height } = this.frame;
     // The scale is equal in both directions.
     const [wide, high] = [Math.max(1, width - 60), Math.max(1, height - 60)];
-    const perCm = Math.min(wide / (ALONG[1] - ALONG[0]), high / ACROSS);
+    const perCm = Math.min(wide / (ALONG.max - ALONG.min), high / ACROSS);
     const half = high / perCm / 2;
-    const axes: Axes = { width, height, x: [ALONG[0], ALONG[0] + wide / perCm], y: [-half, half] };
-    const columns = ticksOf(axes.x, 8).map((value) => [value, figure(value, 0, words)] as const);
-    this.#frame.drawGrid(axes, { x: words.feet.along, y: words.feet.across, columns, rows: ticksOf(axes.y, 4) }, words);
-    const shape = ({ heel, ball }: Outline) =>
-      `M${xOf(axes, heel[0]).toFixed(1)} ${yOf(axes, heel[1]).toFixed(1)}L${xOf(axes, ball[0]).toFixed(1)} ${yOf(axes, ball[1]).toFixed(1)}`;
+    const { along, across } = this.words.feet;
+    const axes = this.plot(
+      { min: ALONG.min, max: ALONG.min + wide / perCm },
+      { min: -half, max: half },
+      { x: along, y: across, columns: 8, digits: 0, rows: 4 },
+    );
+    const shape = ({ heel, ball }: Outline) => `M${axes.at(...heel)}L${axes.at(...ball)}`;
     this.#outlines.replaceChildren(...outlines.map((one) => svg("path", { class: "sole", d: shape(one) })));
     setAttributes(this.#now, { d: now ? shape(now) : "" });
     setAttributes(this.#other, { d: other ? shape(other) : "" });
-    this.#drawCorrection(axes, moved);
-    setText(this.#readout, words.feet.slid(figure(cm, 1, words)));
+    this.#drawCorrection(axes, shown);
+    setText(this.readout, this.words.feet.slid(this.number(cm, 1)));
   }
 
   /** Draws an arrow from the foot's position without the hold to that with it. */
-  #drawCorrection(axes: Axes, moved: number): void {
-    const { state, now, other } = this.#shown!;
+  #drawCorrection(axes: Axes, { state, now, other, moved }: Shown): void {
     const middle = ({ heel, ball }: Outline) =>
-      [xOf(axes, (heel[0] + ball[0]) / 2), yOf(axes, (heel[1] + ball[1]) / 2)] as const;
+      [axes.x((heel[0] + ball[0]) / 2), axes.y((heel[1] + ball[1]) / 2)] as const;
     const [free, held] = state.hold ? [other, now] : [now, other];
     const visible = free && held && moved >= LEAST_ARROW;
     setAttributes(this.#correction, { d: visible ? arrow(middle(free), middle(held)) : "" });
     const [x, y] = held ? middle(held) : [0, 0];
     setAttributes(this.#label, { x: x + 8, y: y - 16 });
-    setText(this.#label, visible ? `q ${figure(moved, 1, this.#parts.words)} cm` : "");
+    setText(this.#label, visible ? `q ${this.number(moved, 1)} cm` : "");
   }
 }
 

@@ -1,17 +1,15 @@
 /** The errors of two methods over the time of a take, and the instants at which the learner says that one is better. */
 import { button } from "../../ui/controls/buttons";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, curvePath, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
+import { setAttributes, setText, svg } from "../../ui/dom";
+import { LatestOnly } from "../../ui/latest_only";
+import { roundedExtent } from "../../ui/scale";
+import type { Axes } from "../axes";
 import { RATE_HZ } from "../built_in";
-import { Choice } from "../controls";
-import { Handle } from "../handle";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./judge.css?inline";
 import { correctionAt, measureJudge, type Trial, trialOf } from "./judge_measure";
-import { JUDGE_FIELDS, type JudgeState, METHODS, type Method } from "./judge_state";
+import { JUDGE_FIELDS, type JudgeState, METHODS } from "./judge_state";
 
 /** Step of an arrow key, frames; with Shift one frame. */
 const STEP = 10;
@@ -27,225 +25,178 @@ const OTHER = { pick: "rival", rival: "pick" } as const satisfies Record<Side, S
 
 export const DUEL: FigureKind<JudgeState> = {
   fields: JUDGE_FIELDS,
+  measure: measureJudge,
   sheet,
   create: (parts) => new DuelFigure(parts),
 };
 
-class DuelFigure implements FigureInstance<JudgeState> {
-  readonly #parts: FigureParts<JudgeState>;
-  readonly #frame: PlotFrame;
-  readonly #rival: Choice<Method>;
-  readonly #between: Record<Side, SVGPathElement>;
-  readonly #curves: Record<Side, SVGPathElement>;
-  readonly #points: Record<Side, SVGCircleElement>;
-  readonly #flags: Record<Side, SVGGElement>;
-  readonly #buttons: Record<Side, HTMLButtonElement>;
-  readonly #handle: Handle;
-  readonly #readout = html("p", { class: "readout" });
-  readonly #trying = new Latest<JudgeState>((state) => this.#try(state));
-  readonly #correcting = new Latest<JudgeState>((state) => this.#correct(state));
-  #state: JudgeState | undefined;
+interface Shown {
+  key: string;
+  trials: Record<Side, Trial>;
+}
+
+class DuelFigure extends PlotFigure<JudgeState, Shown> {
+  readonly #between = both((side) => svg("path", { class: `between ${side}` }));
+  readonly #curves = both((side) =>
+    svg("path", { class: side === "pick" ? "curve chosen" : "curve", "data-term": "p" }),
+  );
+  readonly #points = both((side) =>
+    svg("circle", { class: side === "pick" ? "point chosen" : "point", r: 4, "data-term": "p" }),
+  );
+  readonly #flags = both((side) =>
+    svg(
+      "g",
+      { class: `pin ${side}` },
+      svg("path", { d: "M0 0v-14h10l-3 3.5l3 3.5h-10" }),
+      svg("text", { x: 12, y: -6 }),
+    ),
+  );
+  readonly #buttons = both((side) => {
+    const pin = button("", () => this.change({ [PINS[side]]: this.#at() }), { class: `pin outlined ${side}` });
+    pin.removeAttribute("title");
+    return pin;
+  });
+  readonly #handle = this.playhead("at", {
+    step: STEP,
+    rate: () => RATE_HZ,
+    ends: () => [0, this.#frames() - 1],
+  });
+  readonly #correcting = new LatestOnly<JudgeState>((state) => this.#correct(state));
   /** β⊤(u − ū) at the playhead, degrees. */
   #correction: number | undefined;
-  #shown: { key: string; trials: Record<Side, Trial> } | undefined;
-  #axes: Axes | undefined;
-  /** Key of the curves and their size: moving the playhead does not draw them again. */
-  #curvesOf = "";
+  /** Key of the drawn curves and their size: moving the playhead does not draw them again. */
+  #drawn = "";
+  protected override readonly drawsAhead = true;
 
   constructor(parts: FigureParts<JudgeState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    const both = <T>(make: (side: Side) => T) =>
-      Object.fromEntries(SIDES.map((side) => [side, make(side)])) as Record<Side, T>;
-    this.#frame = new PlotFrame(words.judge.duel, () => this.#drawNow(), signal);
-    const { picture } = this.#frame;
-    this.#rival = new Choice(
-      words.judge.rival,
-      METHODS.map((method) => [method, words.judge.names[method]] as const),
-      (rival) => change({ rival }, true),
-    );
-    this.#between = both((side) => svg("path", { class: `between ${side}` }));
-    this.#curves = both((side) => svg("path", { class: side === "pick" ? "curve chosen" : "curve", "data-term": "p" }));
-    this.#points = both((side) =>
-      svg("circle", { class: side === "pick" ? "point chosen" : "point", r: 4, "data-term": "p" }),
-    );
-    this.#flags = both((side) =>
-      svg(
-        "g",
-        { class: `pin ${side}` },
-        svg("path", { d: "M0 0v-14h10l-3 3.5l3 3.5h-10" }),
-        svg("text", { x: 12, y: -6 }),
-      ),
-    );
-    this.#buttons = both((side) => {
-      const pin = button("", () => change({ [PINS[side]]: this.#at() }, true), { class: `pin outlined ${side}` });
-      pin.removeAttribute("title");
-      return pin;
-    });
-    this.#handle = new Handle(
-      words.playhead,
-      "i",
-      picture,
-      {
-        value: () => this.#axes && this.#state && this.#at(),
-        valueOf: (x) => valueOfX(this.#axes!, x) * RATE_HZ,
-        stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
-        ends: () => [0, this.#frames() - 1],
-        onInput: (at) => change({ at: Math.round(at) }, false),
-        onSettle: () => change({}, true),
-      },
-      signal,
-    );
+    const { judge } = parts.words;
+    super(parts, judge.duel);
+    const { picture, element } = this.frame;
     picture.append(this.#between.pick, this.#between.rival, this.#curves.rival, this.#curves.pick);
     picture.append(...Object.values(this.#flags), ...Object.values(this.#points), this.#handle.element);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.judge.duel), this.#rival.element),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs pins" }, this.#buttons.pick, this.#buttons.rival),
-    );
+    this.lay({
+      title: judge.duel,
+      picture: element,
+      head: [this.choice("rival", judge.rival, METHODS, (method) => judge.names[method])],
+      controls: [this.#buttons.pick, this.#buttons.rival],
+      controlsClass: "knobs pins",
+    });
   }
 
-  show(state: JudgeState): Promise<void> {
-    this.#state = state;
-    this.#rival.value = state.rival;
+  override async show(state: JudgeState): Promise<void> {
     for (const side of SIDES) {
-      const name = this.#parts.words.judge.pin(this.#name(side));
+      const name = this.words.judge.pin(this.words.judge.names[state[side]]);
       setText(this.#buttons[side], name);
       this.#buttons[side].setAttribute("aria-label", name);
     }
-    this.#draw();
-    return Promise.all([this.#trying.take(state), this.#correcting.take(state)]).then(() => {});
+    await Promise.all([super.show(state), this.#correcting.take(state)]);
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureJudge(this.#parts.engine, this.#state) : {};
+  protected async load({ take, style, leftIn, pick, rival }: JudgeState): Promise<Shown> {
+    const key = JSON.stringify([take, style, leftIn, pick, rival]);
+    if (this.shown?.key === key) return this.shown;
+    const { engine } = this.parts;
+    setText(this.readout, this.words.judge.computing);
+    const [one, other] = await Promise.all([pick, rival].map((method) => trialOf(engine, take, style, leftIn, method)));
+    return { key, trials: { pick: one!, rival: other! } };
   }
 
-  sentence(): string {
-    const shown = this.#shown;
-    if (!shown || !this.#state) return "";
-    const { words } = this.#parts;
+  protected describe({ trials }: Shown): string {
     const at = this.#at();
-    const said = SIDES.flatMap((side) => [this.#name(side), this.#mm(shown.trials[side].errors[at]!)]) as Four;
-    return words.judge.duelled(figure(at / RATE_HZ, 2, words), ...said, this.#difference());
+    const said = SIDES.flatMap((side) => [this.#name(side), this.#mm(trials[side].errors[at]!)]) as Four;
+    return this.words.judge.duelled(this.number(at / RATE_HZ, 2), ...said, this.#difference(trials));
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const trials = this.#shown?.trials;
-    const rows: string[][] = [];
-    for (let frame = 0; trials && frame < this.#frames(); frame += TABLE_STEP)
-      rows.push([figure(frame / RATE_HZ, 1, words), ...SIDES.map((side) => this.#mm(trials[side].errors[frame]!))]);
-    const names = this.#state ? SIDES.map((side) => `${this.#name(side)}, mm`) : [];
-    return { head: [words.time, ...names], rows };
+  protected get columns() {
+    const names = this.state ? SIDES.map((side) => `${this.#name(side)}, mm`) : [];
+    return [this.words.time, ...names];
   }
 
-  values(): Readonly<Record<string, string>> {
-    const shown = this.#shown;
-    if (!shown || !this.#state) return {};
-    const { words } = this.#parts;
+  protected rows({ trials }: Shown): string[][] {
+    return Array.from({ length: Math.ceil(this.#frames() / TABLE_STEP) }, (_, i) => {
+      const frame = i * TABLE_STEP;
+      return [this.number(frame / RATE_HZ, 1), ...SIDES.map((side) => this.#mm(trials[side].errors[frame]!))];
+    });
+  }
+
+  protected override quantities({ trials }: Shown) {
     const at = this.#at();
     const u = this.#correction;
     return {
-      ...(u !== undefined && { u: `${figure(u, 2, words)}°` }),
-      i: `${figure(at / RATE_HZ, 2, words)} s`,
-      p: `${this.#mm(shown.trials.pick.errors[at]!)} mm`,
+      ...(u !== undefined && { u: `${this.number(u, 2)}°` }),
+      i: `${this.number(at / RATE_HZ, 2)} s`,
+      p: `${this.#mm(trials.pick.errors[at]!)} mm`,
     };
   }
 
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-  }
-
   #name(side: Side): string {
-    return this.#parts.words.judge.names[this.#state![side]];
+    return this.words.judge.names[this.state![side]];
   }
 
   #mm(value: number): string {
-    return figure(value, 2, this.#parts.words);
+    return this.number(value, 2);
   }
 
   /** Difference of the two methods' errors at the playhead. */
-  #difference(): string {
-    const { pick, rival } = this.#shown!.trials;
+  #difference({ pick, rival }: Record<Side, Trial>): string {
     const more = rival.errors[this.#at()]! - pick.errors[this.#at()]!;
-    return `${more < 0 ? "" : "+"}${figure(more, 2, this.#parts.words)}`;
+    return `${more < 0 ? "" : "+"}${this.number(more, 2)}`;
   }
 
   #frames(): number {
-    return this.#shown?.trials.pick.errors.length ?? 1;
+    return this.shown?.trials.pick.errors.length ?? 1;
   }
 
   #at(): number {
-    return Math.min(this.#state!.at, this.#frames() - 1);
-  }
-
-  async #try(state: JudgeState): Promise<void> {
-    const { take, style, leftIn, pick, rival } = state;
-    const key = JSON.stringify([take, style, leftIn, pick, rival]);
-    if (this.#shown?.key === key) return;
-    const { engine, signal, words } = this.#parts;
-    setText(this.#readout, words.judge.computing);
-    const [one, other] = await Promise.all([pick, rival].map((method) => trialOf(engine, take, style, leftIn, method)));
-    if (signal.aborted) return;
-    this.#shown = { key, trials: { pick: one!, rival: other! } };
-    this.#draw();
+    return Math.min(this.state!.at, this.#frames() - 1);
   }
 
   async #correct(state: JudgeState): Promise<void> {
-    this.#correction = await correctionAt(this.#parts.engine, state, state.at);
-    if (!this.#parts.signal.aborted) this.#parts.changed();
+    this.#correction = await correctionAt(this.parts.engine, state, state.at);
+    if (!this.parts.signal.aborted) this.parts.changed();
   }
 
-  #draw(): void {
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    const shown = this.#shown;
-    if (!shown || !this.#state) return;
-    const { trials } = shown;
-    const { words } = this.#parts;
-    const { width, height } = this.#frame;
-    const curves = [shown.key, width, height].join("/");
-    if (!this.#axes || this.#curvesOf !== curves) {
-      this.#curvesOf = curves;
+  protected draw({ key, trials }: Shown): void {
+    const { width, height } = this.frame;
+    const drawn = [key, width, height].join("/");
+    let { axes } = this;
+    if (!axes || this.#drawn !== drawn) {
+      this.#drawn = drawn;
       const secs = (this.#frames() - 1) / RATE_HZ;
-      const y = extentOf([0, ...trials.pick.errors, ...trials.rival.errors], LEAST_EXTENT);
-      const axes: Axes = { width, height, x: [0, secs], y };
-      this.#axes = axes;
-      const columns = ticksOf(axes.x, 7).map((value) => [value, figure(value, 0, words)] as const);
-      this.#frame.drawGrid(axes, { x: words.time, y: words.judge.error, columns, rows: ticksOf(y, 4) }, words);
+      const up = roundedExtent([0, ...trials.pick.errors, ...trials.rival.errors], LEAST_EXTENT);
+      const labels = { x: this.words.time, y: this.words.judge.error, columns: 7, digits: 0, rows: 4 };
+      axes = this.plot({ min: 0, max: secs }, up, labels);
       for (const side of SIDES) {
-        setAttributes(this.#curves[side], { d: curvePath(axes, trials[side].errors, RATE_HZ) });
+        setAttributes(this.#curves[side], { d: axes.curve(trials[side].errors, RATE_HZ) });
         setAttributes(this.#between[side], {
           d: betweenPath(axes, trials[side].errors, trials[OTHER[side]].errors),
         });
       }
     }
-    this.#drawInstants(this.#axes, trials);
+    this.#drawInstants(axes, trials);
     const said = SIDES.flatMap((side) => [this.#name(side), this.#mm(trials[side].pose)]) as Four;
-    setText(this.#readout, words.judge.duelMeans(...said, this.#difference()));
+    setText(this.readout, this.words.judge.duelMeans(...said, this.#difference(trials)));
   }
 
   #drawInstants(axes: Axes, trials: Record<Side, Trial>): void {
     const at = this.#at();
-    const x = xOf(axes, at / RATE_HZ);
+    const x = axes.x(at / RATE_HZ);
     for (const side of SIDES) {
-      setAttributes(this.#points[side], { cx: x, cy: yOf(axes, trials[side].errors[at]!) });
-      const pin = this.#state![PINS[side]];
+      setAttributes(this.#points[side], { cx: x, cy: axes.y(trials[side].errors[at]!) });
+      const pin = this.state![PINS[side]];
       const error = trials[side].errors[pin];
       setAttributes(this.#flags[side], {
         visibility: error === undefined ? "hidden" : "visible",
-        transform: `translate(${xOf(axes, Math.max(0, pin) / RATE_HZ)} ${yOf(axes, error ?? 0)})`,
+        transform: `translate(${axes.x(Math.max(0, pin) / RATE_HZ)} ${axes.y(error ?? 0)})`,
       });
       setText(this.#flags[side].lastElementChild!, this.#name(side));
     }
-    this.#handle.place({ x, bottom: yOf(axes, axes.y[0]), value: at, text: this.sentence() });
+    this.#handle.place({ x, bottom: axes.bottom, value: at, text: this.sentence() });
   }
+}
+
+function both<T>(make: (side: Side) => T): Record<Side, T> {
+  return Object.fromEntries(SIDES.map((side) => [side, make(side)])) as Record<Side, T>;
 }
 
 type Four = [name: string, mm: string, other: string, otherMm: string];
@@ -253,9 +204,9 @@ type Four = [name: string, mm: string, other: string, otherMm: string];
 /** The area between two curves where the first is lower. */
 function betweenPath(axes: Axes, lower: Float64Array, upper: Float64Array): string {
   const column = (frame: number) => {
-    const x = xOf(axes, frame / RATE_HZ).toFixed(1);
+    const x = axes.x(frame / RATE_HZ).toFixed(1);
     const [bottom, top] = [lower[frame]!, Math.max(lower[frame]!, upper[frame]!)];
-    return [`${x} ${yOf(axes, bottom).toFixed(1)}`, `${x} ${yOf(axes, top).toFixed(1)}`] as const;
+    return [`${x} ${axes.y(bottom).toFixed(1)}`, `${x} ${axes.y(top).toFixed(1)}`] as const;
   };
   const columns = Array.from(lower, (_, frame) => column(frame));
   const back = columns.map(([, top]) => top).reverse();

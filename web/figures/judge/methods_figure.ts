@@ -1,22 +1,12 @@
 /** Results of the methods on motion that is not in their data: error, roughness and content, with their floors. */
-import { Segment, Toggle } from "../../ui/controls/buttons";
+import type { Segment } from "../../ui/controls/buttons";
 import { html, setText } from "../../ui/dom";
-import { Choice } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { figure } from "../words/words";
+import { LatestOnly } from "../../ui/latest_only";
+import type { FigureKind, FigureParts } from "../kind";
+import { LiveFigure } from "../live_figure";
 import sheet from "./judge.css?inline";
 import { measureJudge, standingOn, trialOf } from "./judge_measure";
-import {
-  HONEST,
-  type Honest,
-  JUDGE_FIELDS,
-  type JudgeState,
-  METHODS,
-  type Method,
-  SOURCES,
-  type Source,
-} from "./judge_state";
+import { HONEST, type Honest, JUDGE_FIELDS, type JudgeState, METHODS, type Method, SOURCES } from "./judge_state";
 import { type Achieved, CONTENT_LEFT, RECORDED, type Standing } from "./recorded";
 
 /** Length of the longest bar, in multiples of the error of another real take: an unchanged input may exceed it. */
@@ -32,6 +22,7 @@ const TERMS: Readonly<Record<Column, string>> = { pose: "e", acceleration: "acce
 
 export const METHODS_KIND: FigureKind<JudgeState> = {
   fields: JUDGE_FIELDS,
+  measure: measureJudge,
   sheet,
   create: (parts) => new MethodsFigure(parts),
 };
@@ -41,30 +32,21 @@ interface Row {
   radio: HTMLInputElement;
 }
 
-class MethodsFigure implements FigureInstance<JudgeState> {
-  readonly #parts: FigureParts<JudgeState>;
-  readonly #source: Choice<Source>;
-  readonly #leftIn: Toggle;
+interface Shown {
+  key: string;
+  standing: Standing;
+}
+
+class MethodsFigure extends LiveFigure<JudgeState, Shown> {
   readonly #honest: Segment<Honest>;
   readonly #rows: ReadonlyMap<Method, Row>;
   readonly #list: HTMLElement;
-  readonly #readout = html("p", { class: "readout" });
-  readonly #standing = new Latest<JudgeState>((state) => this.#stand(state));
-  #state: JudgeState | undefined;
-  #shown: { key: string; standing: Standing } | undefined;
+  readonly #comparing = new LatestOnly<JudgeState>((state) => this.#compare(state));
 
   constructor(parts: FigureParts<JudgeState>) {
-    this.#parts = parts;
-    const { words, container, change } = parts;
-    const said = words.judge;
-    this.#source = new Choice(
-      said.source,
-      SOURCES.map((source) => [source, said.sources[source]] as const),
-      (source) => change({ source }, true),
-    );
-    this.#leftIn = new Toggle(said.leaveIn, (leftIn) => change({ leftIn }, true));
-    const options = HONEST.map((value) => ({ value, label: said.honest[value]("") }));
-    this.#honest = new Segment(said.honestOne, options, (honest) => change({ honest }, true));
+    super(parts);
+    const said = parts.words.judge;
+    this.#honest = this.segment("honest", said.honestOne, HONEST, (value) => said.honest[value](""));
     this.#rows = new Map(METHODS.map((method) => [method, this.#row(method)]));
     const head = html(
       "div",
@@ -75,85 +57,84 @@ class MethodsFigure implements FigureInstance<JudgeState> {
     const rows = [...this.#rows.values()].map(({ element }) => element);
     const group = html("div", { class: "choices", role: "radiogroup", "aria-label": said.methods }, ...rows);
     this.#list = html("div", { class: "methods" }, head, group);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, said.title), this.#source.element),
-      html("div", { class: "picture listed" }, this.#list),
-      html("footer", { class: "foot" }, this.#readout),
-      html(
-        "div",
-        { class: "knobs" },
-        this.#leftIn.element,
+    this.lay({
+      title: said.title,
+      picture: html("div", { class: "picture listed" }, this.#list),
+      head: [this.choice("source", said.source, SOURCES, (source) => said.sources[source])],
+      controls: [
+        this.toggle("leftIn", said.leaveIn),
         html("div", { class: "honest" }, html("span", {}, said.honestOne), this.#honest.element),
-      ),
-    );
-    for (const mark of this.#list.querySelectorAll("[data-term]")) {
-      mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
-      mark.addEventListener("pointerleave", () => parts.point(undefined));
-    }
+      ],
+    });
   }
 
-  show(state: JudgeState): Promise<void> {
-    this.#state = state;
-    this.#source.value = state.source;
-    this.#leftIn.on = state.leftIn;
-    this.#honest.value = state.honest;
+  override async show(state: JudgeState): Promise<void> {
     for (const [method, { element, radio }] of this.#rows) {
       radio.checked = method === state.pick;
       element.classList.toggle("picked", radio.checked);
       element.classList.toggle("rival", method === state.rival);
     }
-    return this.#standing.take(state);
+    await Promise.all([super.show(state), this.#comparing.take(state)]);
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureJudge(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    const [state, shown] = [this.#state, this.#shown];
-    if (!state || !shown) return "";
-    const { words } = this.#parts;
-    const where =
-      state.source === "live"
-        ? words.judge.where(state.take, words.styles[state.style], state.leftIn)
-        : words.judge.sources[state.source];
-    const of = shown.standing.methods.get(state.pick);
-    const name = words.judge.names[state.pick];
-    return of ? words.judge.achieved(where, name, ...this.#said(of)) : words.judge.notMeasured(where, name);
-  }
-
-  table(): Table {
-    const { words } = this.#parts;
-    const standing = this.#shown?.standing;
-    const methods = METHODS.flatMap((method) => {
-      const of = standing?.methods.get(method);
-      return of ? [[words.judge.names[method], ...this.#said(of)]] : [];
-    });
-    const floors = this.#floors().map(([name, mm]) => [name, figure(mm, 2, words), "", ""]);
-    return { head: ["", ...COLUMNS.map((column) => words.judge.columns[column])], rows: [...methods, ...floors] };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    const of = this.#state && this.#shown?.standing.methods.get(this.#state.pick);
-    if (!of) return {};
-    const { words } = this.#parts;
-    const [pose] = this.#said(of);
-    return {
-      e: of.pose === undefined ? "–" : `${pose} mm`,
-      acceleration: `${figure(of.acceleration, 2, words)} ×`,
-      content: figure(of.content, 2, words),
+  protected async load(state: JudgeState): Promise<Shown> {
+    const { engine, signal } = this.parts;
+    const { source, take, style, leftIn } = state;
+    const key = source === "live" ? JSON.stringify([take, style, leftIn]) : source;
+    if (this.shown?.key === key) return this.shown;
+    this.#list.setAttribute("aria-busy", "true");
+    setText(this.readout, this.words.judge.computing);
+    const drawSoFar = (sofar: Standing) => {
+      if (signal.aborted) return;
+      this.#drawRows(sofar);
+      this.parts.changed();
     };
+    return { key, standing: source === "live" ? await standingOn(engine, state, drawSoFar) : RECORDED[source] };
   }
 
-  light(term: string | undefined): void {
-    for (const mark of this.#list.querySelectorAll("[data-term]"))
-      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
+  protected redraw(): void {
+    const { judge } = this.words;
+    const { standing } = this.shown!;
+    this.#list.setAttribute("aria-busy", "false");
+    this.#drawRows(standing);
+    const floors = this.#floors(standing).map(([name, mm]) => judge.floor(name, this.number(mm, 2)));
+    setText(this.readout, floors.length > 0 ? floors.join("; ") : judge.noTruth);
+    this.parts.changed();
+  }
+
+  protected describe({ standing }: Shown, state: JudgeState): string {
+    const { judge, styles } = this.words;
+    const { source, take, style, leftIn, pick } = state;
+    const where = source === "live" ? judge.where(take, styles[style], leftIn) : judge.sources[source];
+    const of = standing.methods.get(pick);
+    return of
+      ? judge.achieved(where, judge.names[pick], ...this.#said(of))
+      : judge.notMeasured(where, judge.names[pick]);
+  }
+
+  protected get columns() {
+    return ["", ...COLUMNS.map((column) => this.words.judge.columns[column])];
+  }
+
+  protected rows({ standing }: Shown): string[][] {
+    const methods = METHODS.flatMap((method) => {
+      const of = standing.methods.get(method);
+      return of ? [[this.words.judge.names[method], ...this.#said(of)]] : [];
+    });
+    return [...methods, ...this.#floors(standing).map(([name, mm]) => [name, this.number(mm, 2), "", ""])];
+  }
+
+  protected override quantities({ standing }: Shown, { pick }: JudgeState): Readonly<Record<string, string>> {
+    const of = standing.methods.get(pick);
+    if (!of) return {};
+    const [pose, acceleration, content] = this.#said(of);
+    return { e: of.pose === undefined ? "–" : `${pose} mm`, acceleration: `${acceleration} ×`, content };
   }
 
   #row(method: Method): Row {
-    const { words, change } = this.#parts;
+    const { names } = this.words.judge;
     const radio = html("input", { type: "radio", name: "method", value: method });
-    radio.addEventListener("change", () => change({ pick: method }, true));
+    radio.addEventListener("change", () => this.change({ pick: method }));
     const cell = (column: Column) =>
       html(
         "span",
@@ -161,61 +142,32 @@ class MethodsFigure implements FigureInstance<JudgeState> {
         html("i", { class: "bar" }),
         html("span", { class: "number" }),
       );
-    const name = html("span", { class: "name" }, words.judge.names[method]);
+    const name = html("span", { class: "name" }, names[method]);
     const kind = BET_ON.includes(method) ? "method bet-on" : "method";
     return { element: html("label", { class: kind }, radio, name, ...COLUMNS.map(cell)), radio };
   }
 
   #said({ pose, acceleration, content }: Achieved): [pose: string, acceleration: string, content: string] {
-    const { words } = this.#parts;
-    return [
-      pose === undefined ? "–" : figure(pose, 2, words),
-      figure(acceleration, 2, words),
-      figure(content, 2, words),
-    ];
+    return [pose === undefined ? "–" : this.number(pose, 2), this.number(acceleration, 2), this.number(content, 2)];
   }
 
-  #floors(): [name: string, mm: number][] {
-    const { unchanged, otherTake } = this.#shown?.standing ?? {};
-    const { judge } = this.#parts.words;
+  #floors({ unchanged, otherTake }: Standing): [name: string, mm: number][] {
+    const { judge } = this.words;
     const floors: [string, number | undefined][] = [
       [judge.unchanged, unchanged],
-      [this.#state?.source === "live" ? judge.otherTakeRecorded : judge.otherTake, otherTake],
+      [this.state?.source === "live" ? judge.otherTakeRecorded : judge.otherTake, otherTake],
     ];
     return floors.filter((floor): floor is [string, number] => floor[1] !== undefined);
   }
 
-  async #stand(state: JudgeState): Promise<void> {
-    const { engine, signal, words } = this.#parts;
-    const { source, take, style, leftIn } = state;
-    const key = source === "live" ? JSON.stringify([take, style, leftIn]) : source;
-    if (this.#shown?.key !== key) {
-      this.#list.setAttribute("aria-busy", "true");
-      setText(this.#readout, words.judge.computing);
-      const drawSoFar = (sofar: Standing) => {
-        if (signal.aborted) return;
-        this.#drawRows(sofar);
-        this.#parts.changed();
-      };
-      const standing = source === "live" ? await standingOn(engine, state, drawSoFar) : RECORDED[source];
-      if (signal.aborted) return;
-      this.#shown = { key, standing };
-      this.#list.setAttribute("aria-busy", "false");
-    }
-    this.#draw();
-    this.#parts.changed();
+  /** Shows the error of the nearest neighbour with the take held out, and left in. */
+  async #compare({ take, style }: JudgeState): Promise<void> {
+    const { engine, signal } = this.parts;
     const [out, left] = await Promise.all([false, true].map((is) => trialOf(engine, take, style, is, "nn")));
     if (signal.aborted) return;
-    const mm = (pose: number) => figure(pose, 2, words);
-    this.#honest.relabel("out", words.judge.honest.out(mm(out!.pose)));
-    this.#honest.relabel("in", words.judge.honest.in(mm(left!.pose)));
-  }
-
-  #draw(): void {
-    const { words } = this.#parts;
-    this.#drawRows(this.#shown!.standing);
-    const floors = this.#floors().map(([name, mm]) => words.judge.floor(name, figure(mm, 2, words)));
-    setText(this.#readout, floors.length > 0 ? floors.join("; ") : words.judge.noTruth);
+    const { honest } = this.words.judge;
+    this.#honest.relabel("out", honest.out(this.number(out!.pose, 2)));
+    this.#honest.relabel("in", honest.in(this.number(left!.pose, 2)));
   }
 
   #drawRows(standing: Standing): void {

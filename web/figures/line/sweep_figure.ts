@@ -1,13 +1,10 @@
 /** The error of a free-running prediction over the weight of the ridge. */
-
 import { stepped } from "../../ui/controls/dial";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, decadesOf, extentOf, ticksOf, valueOfX, xOf, yOf } from "../axes";
+import { setAttributes, setText, svg } from "../../ui/dom";
+import { decades, roundedExtent } from "../../ui/scale";
 import { Handle } from "../handle";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import { LAMBDAS, measureLine, sweepOf } from "./line_measure";
 import { LINE_FIELDS, LINE_RANGES, type LineState } from "./line_state";
 
@@ -19,136 +16,94 @@ const LEAST_EXTENT = 0.1;
 
 export const SWEEP: FigureKind<LineState> = {
   fields: LINE_FIELDS,
+  measure: measureLine,
   create: (parts) => new SweepFigure(parts),
 };
 
-class SweepFigure implements FigureInstance<LineState> {
-  readonly #parts: FigureParts<LineState>;
-  readonly #frame: PlotFrame;
+interface Shown {
+  key: string;
+  errors: number[];
+}
+
+class SweepFigure extends PlotFigure<LineState, Shown> {
   readonly #curve = svg("path", { class: "curve chosen" });
   readonly #handle: Handle;
   readonly #point = svg("circle", { class: "query", r: 5 });
-  readonly #readout = html("p", { class: "readout" });
-  readonly #sweeping = new Latest<LineState>((state) => this.#sweep(state));
-  #state: LineState | undefined;
-  #swept: { key: string; errors: number[] } | undefined;
-  #axes: Axes | undefined;
+  protected override readonly drawsAhead = true;
 
   constructor(parts: FigureParts<LineState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.sweep.title, () => this.#drawNow(), signal);
-    const { picture } = this.#frame;
+    const { sweep, line } = parts.words;
+    super(parts, sweep.title);
+    const { picture, element } = this.frame;
+    const { min, max, digits } = LINE_RANGES.lambda;
     this.#handle = new Handle(
-      words.line.knobs.lambda.name,
+      line.knobs.lambda.name,
       "lambda",
       picture,
       {
-        value: () => this.#axes && this.#state?.lambda,
-        valueOf: (x) => valueOfX(this.#axes!, x),
+        value: () => this.axes && this.state?.lambda,
+        valueOf: (x) => this.axes!.valueAtX(x),
         stepped: (lambda, direction, fine) =>
           stepped(lambda, direction * (fine ? FINE_STEP : STEP), LINE_RANGES.lambda),
-        ends: () => [LINE_RANGES.lambda.min, LINE_RANGES.lambda.max],
-        onInput: (lambda) => change({ lambda: Number(lambda.toFixed(LINE_RANGES.lambda.digits)) }, false),
-        onSettle: () => change({}, true),
+        ends: () => [min, max],
+        onInput: (lambda) => this.change({ lambda: Number(lambda.toFixed(digits)) }, false),
+        onSettle: () => this.settle(),
       },
-      signal,
+      parts.signal,
     );
     picture.append(this.#curve, this.#point, this.#handle.element);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.sweep.title)),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-    );
+    this.lay({ title: sweep.title, picture: element });
   }
 
-  show(state: LineState): Promise<void> {
-    this.#state = state;
-    this.#draw();
-    return this.#sweeping.take(state);
-  }
-
-  async measure(): Promise<Measure> {
-    return this.#state ? measureLine(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    const now = this.#now();
-    if (!now) return "";
-    const { words } = this.#parts;
-    const { lambda, error, least, best } = now;
-    const degrees = (value: number) => figure(value, 2, words);
-    return words.sweep.said(figure(lambda, 4, words), degrees(error), degrees(least), figure(best, 4, words));
-  }
-
-  table(): Table {
-    const { words } = this.#parts;
-    const rows = (this.#swept?.errors ?? []).map((error, i) => [
-      figure(LAMBDAS[i]!, 4, words),
-      figure(error, 3, words),
-    ]);
-    return { head: words.sweep.columns, rows };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    const { words } = this.#parts;
-    return this.#state ? { lambda: figure(this.#state.lambda, 4, words) } : {};
-  }
-
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-  }
-
-  async #sweep(state: LineState): Promise<void> {
+  protected async load(state: LineState): Promise<Shown> {
     // λ and the instant do not change the curve.
     const key = JSON.stringify({ ...state, lambda: 0, at: 0 });
-    if (this.#swept?.key === key) return;
-    const errors = await sweepOf(this.#parts.engine, state);
-    if (this.#parts.signal.aborted) return;
-    this.#swept = { key, errors };
-    this.#draw();
+    return this.shown?.key === key ? this.shown : { key, errors: await sweepOf(this.parts.engine, state) };
   }
 
-  /** The error at the state's λ, interpolated from the curve. */
-  #now() {
-    const [state, swept] = [this.#state, this.#swept];
-    if (!state || !swept) return undefined;
-    const { errors } = swept;
-    const share = (Math.log10(state.lambda) + 4) * ((LAMBDAS.length - 1) / 5);
-    const i = Math.min(LAMBDAS.length - 2, Math.max(0, Math.floor(share)));
-    const error = errors[i]! + (errors[i + 1]! - errors[i]!) * Math.min(1, share - i);
-    const least = Math.min(...errors);
-    return { lambda: state.lambda, error, least, best: LAMBDAS[errors.indexOf(least)]!, errors };
-  }
-
-  #draw(): void {
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    const now = this.#now();
-    if (!now) return;
-    const { words } = this.#parts;
-    const { errors, lambda, error, least, best } = now;
-    const axes: Axes = {
-      width: this.#frame.width,
-      height: this.#frame.height,
-      x: [LINE_RANGES.lambda.min, LINE_RANGES.lambda.max],
-      y: extentOf(errors, LEAST_EXTENT),
-      logX: true,
-    };
-    this.#axes = axes;
-    const columns = decadesOf(axes.x).map(
-      (value) => [value, value < 1 ? figure(value, -Math.log10(value), words) : `${value}`] as const,
+  protected describe({ errors }: Shown, { lambda }: LineState): string {
+    const { error, least, best } = errorsAt(errors, lambda);
+    return this.words.sweep.said(
+      this.number(lambda, 4),
+      this.number(error, 2),
+      this.number(least, 2),
+      this.number(best, 4),
     );
-    this.#frame.drawGrid(axes, { x: "λ", y: words.sweep.error, columns, rows: ticksOf(axes.y, 4) }, words);
-    const points = errors.map((value, i) => `${xOf(axes, LAMBDAS[i]!).toFixed(1)} ${yOf(axes, value).toFixed(1)}`);
-    setAttributes(this.#curve, { d: `M${points.join("L")}` });
-    setAttributes(this.#point, { cx: xOf(axes, lambda), cy: yOf(axes, error) });
-    const [x, bottom] = [xOf(axes, lambda), yOf(axes, axes.y[0])];
-    this.#handle.place({ x, bottom, value: lambda, text: this.sentence() });
-    setText(this.#readout, words.sweep.read(figure(error, 2, words), figure(least, 2, words), figure(best, 3, words)));
   }
+
+  protected get columns() {
+    return this.words.sweep.columns;
+  }
+
+  protected rows({ errors }: Shown): string[][] {
+    return errors.map((error, i) => [this.number(LAMBDAS[i]!, 4), this.number(error, 3)]);
+  }
+
+  protected override quantities(_: Shown, { lambda }: LineState) {
+    return { lambda: this.number(lambda, 4) };
+  }
+
+  protected draw({ errors }: Shown, { lambda }: LineState): void {
+    const { error, least, best } = errorsAt(errors, lambda);
+    const columns = decades(LINE_RANGES.lambda).map(
+      (value) => [value, value < 1 ? this.number(value, -Math.log10(value)) : `${value}`] as const,
+    );
+    const labels = { x: "λ", y: this.words.sweep.error, columns, rows: 4 };
+    const axes = this.plot(LINE_RANGES.lambda, roundedExtent(errors, LEAST_EXTENT), labels, { logX: true });
+    const points = errors.map((value, i) => axes.at(LAMBDAS[i]!, value));
+    setAttributes(this.#curve, { d: `M${points.join("L")}` });
+    setAttributes(this.#point, { cx: axes.x(lambda), cy: axes.y(error) });
+    const [x, bottom] = [axes.x(lambda), axes.bottom];
+    this.#handle.place({ x, bottom, value: lambda, text: this.sentence() });
+    setText(this.readout, this.words.sweep.read(this.number(error, 2), this.number(least, 2), this.number(best, 3)));
+  }
+}
+
+/** The error at a λ, interpolated from the curve, and the least one with its λ. */
+function errorsAt(errors: readonly number[], lambda: number) {
+  const share = (Math.log10(lambda) + 4) * ((LAMBDAS.length - 1) / 5);
+  const i = Math.min(LAMBDAS.length - 2, Math.max(0, Math.floor(share)));
+  const error = errors[i]! + (errors[i + 1]! - errors[i]!) * Math.min(1, share - i);
+  const least = Math.min(...errors);
+  return { error, least, best: LAMBDAS[errors.indexOf(least)]! };
 }

@@ -1,8 +1,9 @@
 /** The plane of the style variables with the training frames in it. */
 import { setAttributes, svg } from "../../ui/dom";
-import { type Axes, extentOf, ticksOf, xOf, yOf } from "../axes";
+import { roundedExtent } from "../../ui/scale";
+import type { Axes } from "../axes";
 import type { PlotFrame } from "../plot_frame";
-import { figure, type Words } from "../words/words";
+import type { Words } from "../words/words";
 
 /** The training frames as dots on the plane. They and the axes are computed again only when the size changes. */
 export class SamplePlane {
@@ -15,10 +16,8 @@ export class SamplePlane {
     const { width, height } = frame;
     if (this.#axes?.width === width && this.#axes.height === height) return this.#axes;
     const of = (axis: number) => values.filter((_, i) => i % 2 === axis);
-    const axes: Axes = { width, height, x: extentOf(of(0), 10), y: extentOf(of(1), 5) };
-    const columns = ticksOf(axes.x, 6).map((value) => [value, figure(value, 0, words)] as const);
-    const labels = { x: words.map.separation, y: words.map.height, columns, rows: ticksOf(axes.y, 4) };
-    frame.drawGrid(axes, labels, words);
+    const axes = frame.axes(roundedExtent(of(0), 10), roundedExtent(of(1), 5));
+    frame.drawGrid(axes, { x: words.map.separation, y: words.map.height, columns: 6, digits: 0, rows: 4 });
     setAttributes(this.dots, { d: dotsOf(axes, values) });
     this.#axes = axes;
     return axes;
@@ -27,8 +26,7 @@ export class SamplePlane {
 
 function dotsOf(axes: Axes, values: Float32Array): string {
   let path = "";
-  for (let i = 0; i < values.length; i += 2)
-    path += `M${xOf(axes, values[i]!).toFixed(1)} ${yOf(axes, values[i + 1]!).toFixed(1)}h0`;
+  for (let i = 0; i < values.length; i += 2) path += `M${axes.at(values[i]!, values[i + 1]!)}h0`;
   return path;
 }
 
@@ -49,10 +47,10 @@ export class ShareBars {
   }
 
   draw(axes: Axes, shares: Float32Array): void {
-    const [begin, end] = [xOf(axes, axes.x[0]), xOf(axes, axes.x[1])];
+    const [begin, end] = [axes.left, axes.right];
     const step = Math.min(BAR.most, (BAR.share * (end - begin)) / shares.length);
     const left = end - shares.length * step;
-    const bottom = yOf(axes, axes.y[1]) + BAR.height + 6;
+    const bottom = axes.top + BAR.height + 6;
     let path = "";
     shares.forEach((share, i) => {
       const height = Math.max(1, BAR.height * share);

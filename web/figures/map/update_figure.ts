@@ -1,64 +1,31 @@
 /** The recorded pose of the last update's sample, and the network's current prediction of it. */
 import type { SamplePoses } from "../../client/learn/protocol";
-import { html, setText } from "../../ui/dom";
-import { FigureStage } from "../figure_stage";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { figure } from "../words/words";
+import type { Viewer } from "../../viewer";
+import type { FigureKind, FigureParts } from "../kind";
+import { SceneFigure } from "../scene_figure";
 import { measureMap, samplesOf } from "./map_measure";
 import { MAP_FIELDS, type MapState } from "./map_state";
 
 export const UPDATE: FigureKind<MapState> = {
   fields: MAP_FIELDS,
+  measure: measureMap,
   create: (parts) => new UpdateFigure(parts),
 };
 
-class UpdateFigure implements FigureInstance<MapState> {
-  readonly #parts: FigureParts<MapState>;
-  readonly stage: FigureStage;
-  readonly #readout = html("p", { class: "readout" });
-  readonly #posing = new Latest<MapState>((state) => this.#pose(state));
-  #state: MapState | undefined;
+interface Shown {
+  proportions: Float32Array;
   /** `undefined` before the first update. */
-  #poses: SamplePoses | undefined;
-  #isReady = false;
+  poses: SamplePoses | undefined;
+}
 
+class UpdateFigure extends SceneFigure<MapState, Shown> {
   constructor(parts: FigureParts<MapState>) {
-    this.#parts = parts;
-    const { words, container } = parts;
-    this.stage = new FigureStage(words, { labels: this.#labels(), description: words.map.update });
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.map.update)),
-      this.stage.element,
-      html("footer", { class: "foot" }, this.#readout),
-    );
+    const { update } = parts.words.map;
+    super(parts, { labels: { styled: "", input: "" }, description: update });
+    this.lay({ title: update, picture: this.stage.element });
   }
 
-  show(state: MapState): Promise<void> {
-    this.#state = state;
-    return this.#posing.take(state);
-  }
-
-  async measure(): Promise<Measure> {
-    return this.#state ? measureMap(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    const { map } = this.#parts.words;
-    if (!this.#isReady) return "";
-    return this.#poses ? map.predictedOff(this.#degrees) : map.noUpdate;
-  }
-
-  table(): Table {
-    const { variables, predicted } = this.#parts.words.map;
-    return { head: [variables[0], "°"], rows: this.#poses ? [[predicted, this.#degrees]] : [] };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    return { Z: this.#poses ? `${this.#degrees}°` : "–" };
-  }
-
-  light(term: string | undefined): void {
+  override light(term: string | undefined): void {
     const { viewer } = this.stage;
     if (!viewer) return;
     // Its name highlights either body.
@@ -66,34 +33,45 @@ class UpdateFigure implements FigureInstance<MapState> {
     this.stage.invalidate();
   }
 
+  protected async load({ updates, printed }: MapState): Promise<Shown> {
+    const { engine } = this.parts;
+    const [{ proportions }, poses] = await Promise.all([samplesOf(engine), engine.somnPoses(updates, printed)]);
+    return { proportions, poses };
+  }
+
+  protected pose(viewer: Viewer, { proportions, poses }: Shown, _: MapState, before?: Shown): void {
+    if (!before) viewer.setProportions(proportions);
+    if (poses) viewer.setStyled(poses.sample);
+    viewer.setInput(poses?.predicted ?? null);
+    viewer.labels = this.#labels();
+    if (!before) viewer.resetTrail();
+  }
+
+  protected describe({ poses }: Shown): string {
+    const { map } = this.words;
+    return poses ? map.predictedOff(this.#degrees(poses)) : map.noUpdate;
+  }
+
+  protected get columns() {
+    return [this.words.map.variables[0], "°"];
+  }
+
+  protected rows({ poses }: Shown): string[][] {
+    return poses ? [[this.words.map.predicted, this.#degrees(poses)]] : [];
+  }
+
+  override values(): Readonly<Record<string, string>> {
+    const poses = this.shown?.poses;
+    return { Z: poses ? `${this.#degrees(poses)}°` : "–" };
+  }
+
   #labels(term?: string): { styled: string; input: string } {
-    if (!this.#poses) return { styled: "", input: "" };
-    const { sampled, predicted } = this.#parts.words.map;
+    if (!this.shown?.poses) return { styled: "", input: "" };
+    const { sampled, predicted } = this.words.map;
     return { styled: term === "Z" ? "" : sampled, input: term === "x" ? "" : predicted };
   }
 
-  get #degrees(): string {
-    const { apart } = this.#poses!;
-    return Number.isFinite(apart) ? figure(apart, 2, this.#parts.words) : "∞";
-  }
-
-  async #pose({ updates, printed }: MapState): Promise<void> {
-    const { engine, signal } = this.#parts;
-    const [{ proportions }, poses] = await Promise.all([samplesOf(engine), engine.somnPoses(updates, printed)]);
-    if (signal.aborted) return;
-    this.#poses = poses;
-    const { viewer } = this.stage;
-    if (viewer) {
-      if (!this.#isReady) viewer.setProportions(proportions);
-      if (poses) viewer.setStyled(poses.sample);
-      viewer.setInput(poses?.predicted ?? null);
-      viewer.labels = this.#labels();
-      viewer.description = this.sentence();
-      if (!this.#isReady) viewer.resetTrail();
-    }
-    this.#isReady = true;
-    setText(this.#readout, this.sentence());
-    this.stage.invalidate();
-    this.#parts.changed();
+  #degrees({ apart }: SamplePoses): string {
+    return Number.isFinite(apart) ? this.number(apart, 2) : "∞";
   }
 }

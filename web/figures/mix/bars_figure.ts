@@ -1,11 +1,8 @@
 /** The nearest classes at a frame: their distances, and the curve that converts them to weights. */
 import { html, keepCount, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
-import { GuessField } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import { roundedExtent } from "../../ui/scale";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./mix.css?inline";
 import { type ClassShare, FLOOR, measureMix, sharesOf, widthAt } from "./mix_measure";
 import { MIX_FIELDS, type MixState } from "./mix_state";
@@ -23,14 +20,13 @@ const WIDER = 0.01;
 
 export const BARS: FigureKind<MixState> = {
   fields: MIX_FIELDS,
+  measure: measureMix,
   sheet,
   create: (parts) => new BarsFigure(parts),
 };
 
-class BarsFigure implements FigureInstance<MixState> {
-  readonly #parts: FigureParts<MixState>;
+class BarsFigure extends PlotFigure<MixState, ClassShare[]> {
   readonly #rows = html("div", { class: "rows" });
-  readonly #frame: PlotFrame;
   readonly #least = svg("path", { class: "guide", "data-term": "min" });
   readonly #decay = svg("path", { class: "decay", "data-term": "delta" });
   readonly #span = svg("path", { class: "span", "data-term": "delta" });
@@ -40,94 +36,64 @@ class BarsFigure implements FigureInstance<MixState> {
     least: svg("text", { class: "label", "data-term": "min" }),
     span: svg("text", { class: "label", "data-term": "delta" }),
   };
-  readonly #guess: GuessField;
-  readonly #sharing = new Latest<MixState>((state) => this.#share(state));
-  #state: MixState | undefined;
-  #shares: ClassShare[] = [];
 
   constructor(parts: FigureParts<MixState>) {
-    this.#parts = parts;
-    const { words, container, change, signal } = parts;
-    this.#guess = new GuessField(words.mix.guess, { min: 0, max: 1 }, -1, (guess) => change({ guess }, true), signal);
-    this.#frame = new PlotFrame(words.mix.decay, () => this.#drawNow(), signal);
+    const { mix } = parts.words;
+    super(parts, mix.decay);
     const { least, span } = this.#labels;
-    const columns = words.mix.columns.map((name) => html("span", {}, name));
+    const columns = mix.columns.map((name) => html("span", {}, name));
     const list = html("div", { class: "bars" }, html("div", { class: "class columns" }, ...columns), this.#rows);
-    this.#frame.picture.append(this.#least, this.#span, this.#decay, this.#feet, this.#dots, least, span);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.mix.title)),
-      html(
+    this.frame.picture.append(this.#least, this.#span, this.#decay, this.#feet, this.#dots, least, span);
+    this.lay({
+      title: mix.title,
+      picture: html(
         "div",
-        { class: "beside", role: "group", "aria-label": words.mix.title, tabindex: 0 },
+        { class: "beside", role: "group", "aria-label": mix.title, tabindex: 0 },
         html("div", { class: "picture listed" }, list),
-        this.#frame.element,
+        this.frame.element,
       ),
-      html("div", { class: "knobs" }, this.#guess.element),
-    );
+      foot: [],
+      controls: [this.guess("guess", mix.guess, { min: 0, max: 1 }, -1, 3)],
+    });
   }
 
-  show(state: MixState): Promise<void> {
-    this.#state = state;
-    this.#guess.text = state.guess < 0 ? "" : figure(state.guess, 3, this.#parts.words);
-    return this.#sharing.take(state);
+  protected load(state: MixState): Promise<ClassShare[]> {
+    return sharesOf(this.parts.engine, state);
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureMix(this.#parts.engine, this.#state) : {};
+  protected describe(shares: ClassShare[]): string {
+    const said = shares.slice(0, 3).map((one) => this.words.mix.class(...this.#said(one)));
+    return said.length > 0 ? this.words.mix.nearest(said.join("; ")) : "";
   }
 
-  sentence(): string {
-    const { words } = this.#parts;
-    const shown = this.#shares.slice(0, 3).map((one) => words.mix.class(...this.#said(one)));
-    return shown.length > 0 ? words.mix.nearest(shown.join("; ")) : "";
+  protected get columns() {
+    return this.words.mix.columns;
   }
 
-  table(): Table {
-    return {
-      head: this.#parts.words.mix.columns,
-      rows: this.#shares.slice(0, SHOWN).map((one) => [...this.#said(one)]),
-    };
+  protected rows(shares: ClassShare[]): string[][] {
+    return shares.slice(0, SHOWN).map((one) => this.#said(one));
   }
 
-  values(): Readonly<Record<string, string>> {
-    const { words } = this.#parts;
-    const [first, second] = this.#shares;
-    const delta = this.#state?.delta;
-    if (!first || !second || delta === undefined) return {};
+  protected override quantities([first, second]: ClassShare[], { delta }: MixState): Readonly<Record<string, string>> {
+    if (!first || !second) return {};
     const here = widthAt(first.square, delta);
-    const said = figure(delta, 2, words);
+    const said = this.number(delta, 2);
     return {
-      D: `${figure(second.square, 2, words)} cm²`,
-      min: `${figure(first.square, 2, words)} cm²`,
-      lambda: figure(second.weight, 2, words),
-      delta: here > (1 + WIDER) * delta ? words.mix.here(said, figure(here, 2, words)) : said,
+      D: `${this.number(second.square, 2)} cm²`,
+      min: `${this.number(first.square, 2)} cm²`,
+      lambda: this.number(second.weight, 2),
+      delta: here > (1 + WIDER) * delta ? this.words.mix.here(said, this.number(here, 2)) : said,
     };
-  }
-
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-    for (const mark of this.#rows.querySelectorAll("[data-term]"))
-      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
   }
 
   #said({ action, style, square, weight }: ClassShare): [name: string, square: string, weight: string] {
-    const { words } = this.#parts;
-    const styles: Readonly<Record<string, string>> = words.styles;
-    const name = `${words.mix.actions[action] ?? action} / ${styles[style] ?? style}`;
-    return [name, figure(square, 2, words), figure(weight, 2, words)];
+    const styles: Readonly<Record<string, string>> = this.words.styles;
+    const name = `${this.words.mix.actions[action] ?? action} / ${styles[style] ?? style}`;
+    return [name, this.number(square, 2), this.number(weight, 2)];
   }
 
-  async #share(state: MixState): Promise<void> {
-    const shares = await sharesOf(this.#parts.engine, state);
-    if (this.#parts.signal.aborted) return;
-    this.#shares = shares;
-    this.#draw();
-    this.#parts.changed();
-  }
-
-  #draw(): void {
-    const shown = this.#shares.slice(0, SHOWN);
+  protected override redraw(): void {
+    const shown = (this.shown ?? []).slice(0, SHOWN);
     const greatest = Math.max(...shown.map(({ square }) => square));
     keepCount(this.#rows, shown.length, () => row());
     shown.forEach((one, i) => {
@@ -141,53 +107,46 @@ class BarsFigure implements FigureInstance<MixState> {
       element.querySelector<HTMLElement>(".square .bar")!.style.setProperty("--share", String(one.square / greatest));
       element.querySelector<HTMLElement>(".weight .bar")!.style.setProperty("--share", String(one.weight));
     });
-    this.#frame.request();
+    super.redraw();
   }
 
   /** λ over D: it begins at the nearest class, and passes through every class. */
-  #drawNow(): void {
-    const [shown, state] = [this.#shares.slice(0, SHOWN), this.#state];
+  protected draw(shares: ClassShare[], state: MixState): void {
+    const shown = shares.slice(0, SHOWN);
     const [first] = shown;
-    if (!first || !state) return;
-    const { words } = this.#parts;
-    const axes: Axes = {
-      width: this.#frame.width,
-      height: this.#frame.height,
-      x: [0, extentOf([0, ...shown.map(({ square }) => square)], 1)[1]],
-      y: [0, 1],
-    };
-    const ticks = ticksOf(axes.x, 5);
-    const columns = ticks.map((value) => [value, figure(value, digitsOf(ticks), words)] as const);
-    this.#frame.drawGrid(axes, { x: words.mix.distance, y: words.mix.weight, columns, rows: [0, 0.5, 1] }, words);
+    if (!first) return;
+    const { max } = roundedExtent([0, ...shown.map(({ square }) => square)], 1);
+    const labels = { x: this.words.mix.distance, y: this.words.mix.weight, columns: 5, rows: 2 };
+    const axes = this.plot({ min: 0, max }, { min: 0, max: 1 }, labels);
     const least = Math.max(FLOOR, first.square);
     const span = widthAt(first.square, state.delta) * least;
     const curve = Array.from({ length: PIECES + 1 }, (_, i) => {
-      const square = first.square + ((axes.x[1] - first.square) * i) / PIECES;
+      const square = first.square + ((max - first.square) * i) / PIECES;
       const weight = first.weight * Math.exp((first.square - square) / span);
-      return `${xOf(axes, square).toFixed(1)} ${yOf(axes, weight).toFixed(1)}`;
+      return axes.at(square, weight);
     });
     setAttributes(this.#decay, { d: `M${curve.join("L")}` });
-    const [start, bottom] = [xOf(axes, first.square), yOf(axes, 0)];
-    setAttributes(this.#least, { d: `M${start} ${bottom}V${yOf(axes, 1)}` });
-    setAttributes(this.#labels.least, { x: start + 5, y: yOf(axes, 1) + 12 });
-    setText(this.#labels.least, words.mix.least);
+    const [start, bottom] = [axes.x(first.square), axes.y(0)];
+    setAttributes(this.#least, { d: `M${start} ${bottom}V${axes.y(1)}` });
+    setAttributes(this.#labels.least, { x: start + 5, y: axes.y(1) + 12 });
+    setText(this.#labels.least, this.words.mix.least);
     // The distance over which a weight falls to 1/e.
-    const [height, end] = [yOf(axes, first.weight / Math.E), Math.min(axes.x[1], first.square + span)];
-    setAttributes(this.#span, { d: `M${start} ${height - 4}v8M${start} ${height}H${xOf(axes, end)}` });
+    const [height, end] = [axes.y(first.weight / Math.E), Math.min(max, first.square + span)];
+    setAttributes(this.#span, { d: `M${start} ${height - 4}v8M${start} ${height}H${axes.x(end)}` });
     // Near the right edge its label is above the dots.
-    const isWide = end > SPAN_BESIDE * axes.x[1];
+    const isWide = end > SPAN_BESIDE * max;
     const place = isWide
-      ? { x: xOf(axes, end) - 4, "text-anchor": "end" }
-      : { x: xOf(axes, end) + 6, "text-anchor": "start" };
+      ? { x: axes.x(end) - 4, "text-anchor": "end" }
+      : { x: axes.x(end) + 6, "text-anchor": "start" };
     setAttributes(this.#labels.span, { ...place, y: Math.min(height, bottom - 24) - (isWide ? 18 : 6) });
-    setText(this.#labels.span, words.mix.span);
+    setText(this.#labels.span, this.words.mix.span);
     for (const [group, tag] of [
       [this.#dots, "circle"],
       [this.#feet, "path"],
     ] as const)
       keepCount(group, shown.length, () => svg(tag, {}));
     shown.forEach(({ square, weight }, i) => {
-      const [x, y] = [xOf(axes, square).toFixed(1), yOf(axes, weight).toFixed(1)];
+      const [x, y] = [axes.x(square).toFixed(1), axes.y(weight).toFixed(1)];
       setAttributes(this.#dots.children[i]!, { cx: x, cy: y, r: 4 });
       setAttributes(this.#feet.children[i]!, { d: `M${x} ${bottom + 3}V${y}` });
     });

@@ -1,13 +1,8 @@
 /** The weights of actions over the time of an input, stacked to 1, with a playhead. */
-import type { Knob } from "../../ui/controls/knob";
 import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, ticksOf, valueOfX, xOf, yOf } from "../axes";
-import { createKnobs } from "../controls";
-import { Handle } from "../handle";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { Axes } from "../axes";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./mix.css?inline";
 import { measureMix, type Reading, readingOf } from "./mix_measure";
 import { DELTA, MIX_FIELDS, type MixState } from "./mix_state";
@@ -21,183 +16,120 @@ const NAMED = 0.6;
 
 export const READING: FigureKind<MixState> = {
   fields: MIX_FIELDS,
+  measure: measureMix,
   sheet,
   create: (parts) => new ReadingFigure(parts),
 };
 
-class ReadingFigure implements FigureInstance<MixState> {
-  readonly #parts: FigureParts<MixState>;
-  readonly #frame: PlotFrame;
+interface Shown {
+  delta: number;
+  motion: string;
+  reading: Reading;
+}
+
+class ReadingFigure extends PlotFigure<MixState, Shown> {
   readonly #areas = svg("g", { class: "areas", "data-term": "lambda" });
   readonly #names = svg("g", { class: "names" });
-  readonly #handle: Handle;
-  readonly #knob: Knob;
-  readonly #readout = html("p", { class: "readout" });
+  readonly #handle = this.playhead("at", {
+    term: "t",
+    step: STEP,
+    rate: () => this.shown!.reading.rateHz,
+    ends: () => [2, (this.shown?.reading.frames ?? 3) - 1],
+  });
   readonly #key = html("p", { class: "key" });
-  readonly #reading = new Latest<MixState>((state) => this.#read(state));
-  #state: MixState | undefined;
-  #shown: { delta: number; motion: string; reading: Reading } | undefined;
-  #axes: Axes | undefined;
   /** The data of the drawn areas: moving the playhead does not draw them again. */
   #areasOf: { reading: Reading; width: number; height: number } | undefined;
+  protected override readonly drawsAhead = true;
 
   constructor(parts: FigureParts<MixState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.mix.reading, () => this.#drawNow(), signal);
-    const { picture } = this.#frame;
-    this.#handle = new Handle(
-      words.playhead,
-      "t",
-      picture,
-      {
-        value: () => this.#axes && this.#state?.at,
-        valueOf: (x) => valueOfX(this.#axes!, x) * this.#shown!.reading.rateHz,
-        stepped: (at, direction, fine) => at + direction * (fine ? 1 : STEP),
-        ends: () => [2, (this.#shown?.reading.frames ?? 3) - 1],
-        onInput: (at) => change({ at: Math.round(at) }, false),
-        onSettle: () => change({}, true),
-      },
-      signal,
-    );
-    const texts = { delta: words.mix.delta };
-    this.#knob = createKnobs(["delta"], words, texts, { delta: DELTA }, MIX_FIELDS, change).delta;
+    const { mix } = parts.words;
+    super(parts, mix.reading);
+    const { picture, element } = this.frame;
     picture.append(this.#areas, this.#names, this.#handle.element);
     // Hidden until it has a position.
     setAttributes(this.#handle.element, { visibility: "hidden" });
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.mix.reading), this.#key),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs" }, this.#knob.element),
-    );
+    this.lay({
+      title: mix.reading,
+      picture: element,
+      head: [this.#key],
+      controls: this.knobs(["delta"], { delta: mix.delta }, { delta: DELTA }, { delta: "delta" }),
+    });
   }
 
-  show(state: MixState): Promise<void> {
-    this.#state = state;
-    this.#knob.value = state.delta;
-    this.#draw();
-    return this.#reading.take(state);
+  protected async load({ motion, delta }: MixState): Promise<Shown> {
+    if (this.shown?.motion === motion && this.shown.delta === delta) return this.shown;
+    return { motion, delta, reading: await readingOf(this.parts.engine, motion, delta) };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measureMix(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    const [state, read] = [this.#state, this.#shown];
-    if (!state || !read) return "";
-    const { words } = this.#parts;
-    const { actions, weights, rateHz } = read.reading;
-    const at = this.#at();
-    const shares = actions.map((action, i) => [words.mix.actions[action] ?? action, weights[i]![at]!] as const);
+  protected describe({ reading }: Shown, state: MixState): string {
+    const { actions, weights, rateHz, frames } = reading;
+    const at = Math.min(state.at, frames - 1);
+    const shares = actions.map((action, i) => [this.#nameOf(action), weights[i]![at]!] as const);
     const most = shares.filter(([, weight]) => weight >= 0.005).sort(([, a], [, b]) => b - a);
-    const said = most.map(([action, weight]) => `${action} ${figure(weight, 2, words)}`).join(", ");
-    return words.mix.readAs(figure(at / rateHz, 2, words), said);
+    const said = most.map(([action, weight]) => `${action} ${this.number(weight, 2)}`).join(", ");
+    return this.words.mix.readAs(this.number(at / rateHz, 2), said);
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const reading = this.#shown?.reading;
-    const rows: string[][] = [];
-    for (let frame = 0; reading && frame < reading.frames; frame += TABLE_STEP)
-      rows.push([
-        figure(frame / reading.rateHz, 1, words),
-        ...reading.weights.map((weights) => figure(weights[frame]!, 2, words)),
-      ]);
-    return {
-      head: [words.time, ...(reading?.actions ?? []).map((action) => words.mix.actions[action] ?? action)],
-      rows,
-    };
+  protected get columns() {
+    const actions = this.shown?.reading.actions ?? [];
+    return [this.words.time, ...actions.map((action) => this.#nameOf(action))];
   }
 
-  values(): Readonly<Record<string, string>> {
-    const [state, read] = [this.#state, this.#shown];
-    if (!state || !read) return {};
-    const { words } = this.#parts;
-    return { t: `${figure(this.#at() / read.reading.rateHz, 2, words)} s`, delta: figure(state.delta, 2, words) };
+  protected rows({ reading: { frames, rateHz, weights } }: Shown): string[][] {
+    return Array.from({ length: Math.ceil(frames / TABLE_STEP) }, (_, i) => {
+      const frame = i * TABLE_STEP;
+      return [this.number(frame / rateHz, 1), ...weights.map((of) => this.number(of[frame]!, 2))];
+    });
   }
 
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-    this.#knob.element.classList.toggle("lit", term === "delta");
+  protected override quantities({ reading }: Shown, { at, delta }: MixState) {
+    const frame = Math.min(at, reading.frames - 1);
+    return { t: `${this.number(frame / reading.rateHz, 2)} s`, delta: this.number(delta, 2) };
   }
 
-  #at(): number {
-    return Math.min(this.#state!.at, this.#shown!.reading.frames - 1);
+  #nameOf(action: string): string {
+    return this.words.mix.actions[action] ?? action;
   }
 
-  async #read(state: MixState): Promise<void> {
-    const { motion, delta } = state;
-    if (this.#shown?.motion === motion && this.#shown.delta === delta) return;
-    const reading = await readingOf(this.#parts.engine, motion, delta);
-    if (this.#parts.signal.aborted) return;
-    this.#shown = { motion, delta, reading };
-    const { actions } = this.#parts.words.mix;
-    this.#key.replaceChildren(
-      ...reading.actions.map((action) =>
-        html("span", {}, html("i", { "data-action": action }), actions[action] ?? action),
-      ),
-    );
-    this.#draw();
-  }
-
-  #draw(): void {
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    const read = this.#shown;
-    if (!read || !this.#state) return;
-    const { words } = this.#parts;
-    const { reading } = read;
-    const secs = (reading.frames - 1) / reading.rateHz;
-    const axes: Axes = { width: this.#frame.width, height: this.#frame.height, x: [0, secs], y: [0, 1] };
-    this.#axes = axes;
-    const columns = ticksOf(axes.x, 7).map((value) => [value, figure(value, 0, words)] as const);
-    this.#frame.drawGrid(axes, { x: words.time, y: words.mix.weight, columns, rows: [0, 0.5, 1] }, words);
+  protected draw({ reading }: Shown, state: MixState): void {
+    const { frames, rateHz, actions } = reading;
+    const labels = { x: this.words.time, y: this.words.mix.weight, columns: 7, digits: 0, rows: 2 };
+    const axes = this.plot({ min: 0, max: (frames - 1) / rateHz }, { min: 0, max: 1 }, labels);
     const { width, height } = axes;
     const drawn = this.#areasOf;
     if (drawn?.reading !== reading || drawn.width !== width || drawn.height !== height) {
+      const entry = (action: string) => html("span", {}, html("i", { "data-action": action }), this.#nameOf(action));
+      this.#key.replaceChildren(...actions.map(entry));
       this.#drawAreas(axes, reading);
       this.#areasOf = { reading, width, height };
     }
-    const at = this.#at();
-    const place = { x: xOf(axes, at / reading.rateHz), bottom: yOf(axes, 0), value: at, text: this.sentence() };
+    const at = Math.min(state.at, frames - 1);
+    const place = { x: axes.x(at / rateHz), bottom: axes.y(0), value: at, text: this.sentence() };
     setAttributes(this.#handle.element, { visibility: "visible" });
     this.#handle.place(place);
-    setText(this.#readout, this.sentence());
+    setText(this.readout, this.sentence());
   }
 
   #drawAreas(axes: Axes, { actions, weights, frames, rateHz }: Reading): void {
-    const { words } = this.#parts;
     const below = new Float32Array(frames);
     const areas: SVGPathElement[] = [];
     const names: SVGTextElement[] = [];
     for (const [i, action] of actions.entries()) {
-      const lower = Array.from(
-        below,
-        (y, frame) => `${xOf(axes, frame / rateHz).toFixed(1)} ${yOf(axes, y).toFixed(1)}`,
-      );
+      const lower = Array.from(below, (y, frame) => axes.at(frame / rateHz, y));
       weights[i]!.forEach((weight, frame) => {
         below[frame]! += weight;
       });
-      const upper = Array.from(
-        below,
-        (y, frame) => `${xOf(axes, frame / rateHz).toFixed(1)} ${yOf(axes, y).toFixed(1)}`,
-      );
+      const upper = Array.from(below, (y, frame) => axes.at(frame / rateHz, y));
       areas.push(
         svg("path", { class: "area", "data-action": action, d: `M${upper.join("L")}L${lower.reverse().join("L")}Z` }),
       );
       for (const [from, to] of stretches(weights[i]!)) {
         const middle = Math.round((from + to) / 2);
-        const name = words.mix.actions[action] ?? action;
-        const y = yOf(axes, below[middle]! - weights[i]![middle]! / 2) + 4;
-        const width = xOf(axes, to / rateHz) - xOf(axes, from / rateHz);
+        const name = this.#nameOf(action);
+        const y = axes.y(below[middle]! - weights[i]![middle]! / 2) + 4;
+        const width = axes.x(to / rateHz) - axes.x(from / rateHz);
         if (width > 7 * name.length)
-          names.push(svg("text", { class: "label", x: xOf(axes, middle / rateHz), y, "text-anchor": "middle" }, name));
+          names.push(svg("text", { class: "label", x: axes.x(middle / rateHz), y, "text-anchor": "middle" }, name));
       }
     }
     this.#areas.replaceChildren(...areas);

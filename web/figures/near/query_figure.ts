@@ -1,17 +1,13 @@
 /** A query with its nearest examples around it: limbs can be bent, and the body can be rotated and moved, by hand. */
 import { DEGREES, JOINT, ROLES, type Role } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
-import type { Knob } from "../../ui/controls/knob";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
+import { setAttributes, svg } from "../../ui/dom";
 import type { Viewer } from "../../viewer";
-import { createKnobs } from "../controls";
-import { FigureStage } from "../figure_stage";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
+import type { FigureKind, FigureParts } from "../kind";
 import { LimbHandles } from "../limb_handles";
 import { remembered } from "../remembered";
+import { SceneFigure } from "../scene_figure";
 import { turnOf, withTurn } from "../turned_joints";
-import { figure } from "../words/words";
 import { type Aligned, align, positionsOf, WEIGHT, WEIGHTS } from "./alignment";
 import { GroundHandle } from "./ground_handle";
 import sheet from "./near.css?inline";
@@ -25,11 +21,10 @@ const RADIUS = 6;
 /** Length of the marks of θ, x₀ and z₀ on the ground, metres, and of their heads. */
 const MOVE = { length: 0.6, head: 0.12 };
 const MM = 1000;
-const KNOBS = ["heading", "x", "z"] as const;
-type KnobName = (typeof KNOBS)[number];
 
 export const QUERY: FigureKind<NearState> = {
   fields: NEAR_FIELDS,
+  measure: measureNear,
   sheet,
   create: (parts) => new QueryFigure(parts),
 };
@@ -41,17 +36,14 @@ const proportionsOf = remembered(async (engine, name: string) => (await engine.m
 interface Shown {
   state: NearState;
   found: Found;
+  proportions: Float32Array;
   positions: Float32Array;
   nearest: readonly { row: number; distance: number; aligned: Aligned }[];
 }
 
-class QueryFigure implements FigureInstance<NearState> {
-  readonly #parts: FigureParts<NearState>;
-  readonly stage: FigureStage;
+class QueryFigure extends SceneFigure<NearState, Shown> {
   readonly #limbs: LimbHandles;
   readonly #ground: GroundHandle;
-  readonly #knobs: Record<KnobName, Knob>;
-  readonly #readout = html("p", { class: "readout" });
   readonly #heights = svg("path", { class: "apart heights", "data-term": "y" });
   readonly #grounds = svg("path", { class: "apart ground", "data-term": "z" });
   /** The rotation and translation of the nearest example on the ground. */
@@ -61,28 +53,20 @@ class QueryFigure implements FigureInstance<NearState> {
     z0: svg("path", { class: "move", "data-term": "z0" }),
   };
   readonly #weights = new Map<Role, SVGCircleElement>();
-  readonly #finding = new Latest<NearState>((state) => this.#find(state));
-  #state: NearState | undefined;
-  #shown: Shown | undefined;
 
   constructor(parts: FigureParts<NearState>) {
-    this.#parts = parts;
-    const { words, container, change, signal } = parts;
-    const settle = () => change({}, true);
-    this.stage = new FigureStage(
-      words,
-      { labels: { styled: words.near.query, input: "" }, description: words.near.stage, follow: false },
-      { drawn: () => this.#placeMarks() },
-    );
+    const { near, joints } = parts.words;
+    super(parts, { labels: { styled: near.query, input: "" }, description: near.stage, follow: false });
+    const onSettle = () => this.settle();
     this.#limbs = new LimbHandles(
       this.stage,
-      words.joints,
+      joints,
       {
-        turnOf: (joint) => turnOf(this.#state?.turned ?? [], joint),
-        onInput: (joint, turn) => change({ turned: withTurn(this.#state?.turned ?? [], joint, turn) }, false),
-        onSettle: settle,
+        turnOf: (joint) => turnOf(this.state?.turned ?? [], joint),
+        onInput: (joint, turn) => this.change({ turned: withTurn(this.state?.turned ?? [], joint, turn) }, false),
+        onSettle,
       },
-      signal,
+      parts.signal,
     );
     const clamp = (value: number, name: "x" | "z") => {
       const { min, max, digits } = NEAR_RANGES[name];
@@ -90,105 +74,42 @@ class QueryFigure implements FigureInstance<NearState> {
     };
     this.#ground = new GroundHandle(
       this.stage,
-      words.near.move,
+      near.move,
       {
         place: () => this.#place(),
-        onInput: (x, z) => change({ x: clamp(x, "x"), z: clamp(z, "z") }, false),
-        onSettle: settle,
+        onInput: (x, z) => this.change({ x: clamp(x, "x"), z: clamp(z, "z") }, false),
+        onSettle,
       },
-      signal,
+      parts.signal,
     );
-    this.#knobs = createKnobs(KNOBS, words, words.near.knobs, NEAR_RANGES, NEAR_FIELDS, change);
     for (const role of ROLES) if (WEIGHTS[role]) this.#weights.set(role, svg("circle", { class: "joint" }));
     const marks = [this.#heights, this.#grounds, ...Object.values(this.#moves)];
     this.stage.overlay.append(...marks, ...this.#weights.values());
-    for (const mark of marks) {
-      mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
-      mark.addEventListener("pointerleave", () => parts.point(undefined));
-    }
-    const restore = button(words.near.restore, () => change({ turned: [], heading: 0, x: 0, z: 0 }, true), {
+    const restore = button(near.restore, () => this.change({ turned: [], heading: 0, x: 0, z: 0 }), {
       label: true,
       class: "restore",
     });
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.near.stage), this.#readout, restore),
-      this.stage.element,
-      html("div", { class: "knobs" }, ...KNOBS.map((name) => this.#knobs[name].element)),
-    );
+    this.lay({
+      title: near.stage,
+      picture: this.stage.element,
+      head: [this.readout, restore],
+      foot: [],
+      controls: this.knobs(["heading", "x", "z"], near.knobs, NEAR_RANGES),
+    });
   }
 
-  show(state: NearState): Promise<void> {
-    this.#state = state;
-    for (const name of KNOBS) this.#knobs[name].value = state[name];
-    return this.#finding.take(state);
-  }
-
-  async measure(): Promise<Measure> {
-    return this.#state ? measureNear(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { state, found } = this.#shown;
-    const { words } = this.#parts;
-    return words.near.posed(
-      figure(state.heading, 0, words),
-      figure(state.x, 2, words),
-      figure(state.z, 2, words),
-      String(state.turned.length),
-      figure(MM * distanceOf(found, 0), 1, words),
-    );
-  }
-
-  table(): Table {
-    const { words } = this.#parts;
-    const rows = (this.#shown?.nearest ?? []).map(({ row, distance, aligned }) => [
-      String(row),
-      figure(MM * distance, 1, words),
-      `${figure(aligned.turn * DEGREES, 0, words)}°`,
-    ]);
-    return { head: words.near.columns, rows };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    const nearest = this.#shown?.nearest[0];
-    if (!nearest) return {};
-    const { words } = this.#parts;
-    const { turn, x, z, heights, ground } = nearest.aligned;
-    const mm = (square: number) => `${figure(MM * Math.sqrt(square), 1, words)} mm`;
-    return {
-      w: `${figure((100 * Math.max(...Object.values(WEIGHTS))) / WEIGHT, 1, words)} %`,
-      theta: `${figure(turn * DEGREES, 0, words)}°`,
-      x0: `${figure(x, 2, words)} m`,
-      z0: `${figure(z, 2, words)} m`,
-      y: mm(heights),
-      z: mm(ground),
-    };
-  }
-
-  light(term: string | undefined): void {
-    for (const [name, mark] of Object.entries(this.#moves)) mark.classList.toggle("lit", name === term);
+  override light(term: string | undefined): void {
+    super.light(term);
     this.stage.overlay.classList.toggle("weighed", term === "w");
     this.#heights.classList.toggle("lit", term === "y" || term === "D");
     this.#grounds.classList.toggle("lit", term === "z" || term === "D");
   }
 
-  /** Position of the query, and its displacement. */
-  #place() {
-    const [state, shown] = [this.#state, this.#shown];
-    if (!state || !shown) return undefined;
-    // The picture may still show an earlier displacement.
-    const [x, , z] = shown.found.query as unknown as [number, number, number];
-    return { at: [x + state.x - shown.state.x, z + state.z - shown.state.z], by: [state.x, state.z] } as const;
-  }
-
-  async #find(state: NearState): Promise<void> {
-    const { engine, signal } = this.#parts;
+  protected async load(state: NearState): Promise<Shown> {
+    const { engine } = this.parts;
     const [found, proportions] = await Promise.all([foundOf(engine, state), proportionsOf(engine, state.motion)]);
     const rows = Array.from(found.order.subarray(0, DRAWN), (at) => found.firstRow + at);
     const poses = await posesOf(engine, rows);
-    if (signal.aborted) return;
-    const before = this.#shown?.state;
     const positions = positionsOf(found.query, proportions);
     const size = found.query.length;
     const nearest = rows.map((row, i) => ({
@@ -196,38 +117,84 @@ class QueryFigure implements FigureInstance<NearState> {
       distance: distanceOf(found, i),
       aligned: align(positions, poses.subarray(i * size, (i + 1) * size), proportions),
     }));
-    this.#shown = { state, found, positions, nearest };
-    const { viewer } = this.stage;
-    if (viewer) {
-      if (!before) viewer.setProportions(proportions);
-      viewer.setStyled(found.query);
-      viewer.setOthers(
-        nearest.map(({ aligned, distance }) => ({
-          pose: aligned.pose,
-          share: Math.max(FARTHEST, nearest[0]!.distance / distance),
-        })),
-      );
-      viewer.description = this.sentence();
-      if (before?.motion !== state.motion || before.at !== state.at) {
-        // The camera moves to another frame once, and does not follow while the query is moved.
-        viewer.follow = true;
-        viewer.resetTrail();
-        viewer.follow = false;
-      }
-    }
-    const { words } = this.#parts;
-    const mm = (place: number) => figure(MM * distanceOf(found, place), 1, words);
-    setText(this.#readout, words.near.read(mm(0), String(DRAWN), mm(DRAWN - 1)));
-    this.stage.invalidate();
-    this.#parts.changed();
+    return { state, found, proportions, positions, nearest };
   }
 
-  /** Moves the marks to the joints of the drawn picture. */
-  #placeMarks(): void {
-    const [{ viewer }, shown, { words }] = [this.stage, this.#shown, this.#parts];
+  protected pose(viewer: Viewer, { state, found, proportions, nearest }: Shown, _: NearState, before?: Shown): void {
+    if (!before) viewer.setProportions(proportions);
+    viewer.setStyled(found.query);
+    viewer.setOthers(
+      nearest.map(({ aligned, distance }) => ({
+        pose: aligned.pose,
+        share: Math.max(FARTHEST, nearest[0]!.distance / distance),
+      })),
+    );
+    if (before?.state.motion === state.motion && before.state.at === state.at) return;
+    // The camera moves to another frame once, and does not follow while the query is moved.
+    viewer.follow = true;
+    viewer.resetTrail();
+    viewer.follow = false;
+  }
+
+  protected override read({ found }: Shown): string {
+    return this.words.near.read(this.#mm(found, 0), String(DRAWN), this.#mm(found, DRAWN - 1));
+  }
+
+  protected describe({ state, found }: Shown): string {
+    return this.words.near.posed(
+      this.number(state.heading, 0),
+      this.number(state.x, 2),
+      this.number(state.z, 2),
+      String(state.turned.length),
+      this.#mm(found, 0),
+    );
+  }
+
+  protected get columns() {
+    return this.words.near.columns;
+  }
+
+  protected rows({ nearest }: Shown): string[][] {
+    return nearest.map(({ row, distance, aligned }) => [
+      String(row),
+      this.number(MM * distance, 1),
+      `${this.number(aligned.turn * DEGREES, 0)}°`,
+    ]);
+  }
+
+  protected override quantities({ nearest: [first] }: Shown): Readonly<Record<string, string>> {
+    if (!first) return {};
+    const { turn, x, z, heights, ground } = first.aligned;
+    const mm = (square: number) => `${this.number(MM * Math.sqrt(square), 1)} mm`;
+    return {
+      w: `${this.number((100 * Math.max(...Object.values(WEIGHTS))) / WEIGHT, 1)} %`,
+      theta: `${this.number(turn * DEGREES, 0)}°`,
+      x0: `${this.number(x, 2)} m`,
+      z0: `${this.number(z, 2)} m`,
+      y: mm(heights),
+      z: mm(ground),
+    };
+  }
+
+  /** √D of the nearest window at a given rank, as text. */
+  #mm(found: Found, place: number): string {
+    return this.number(MM * distanceOf(found, place), 1);
+  }
+
+  /** Position of the query, and its displacement. */
+  #place() {
+    const [state, shown] = [this.state, this.shown];
+    if (!state || !shown) return undefined;
+    // The picture may still show an earlier displacement.
+    const [x, , z] = shown.found.query as unknown as [number, number, number];
+    return { at: [x + state.x - shown.state.x, z + state.z - shown.state.z], by: [state.x, state.z] } as const;
+  }
+
+  protected override placeMarks(): void {
+    const [{ viewer }, shown] = [this.stage, this.shown];
     if (!viewer || !shown) return;
     this.#limbs.place();
-    this.#ground.place((x, z) => words.near.moved(figure(x, 2, words), figure(z, 2, words)));
+    this.#ground.place((x, z) => this.words.near.moved(this.number(x, 2), this.number(z, 2)));
     const nearest = shown.nearest[0]?.aligned.positions;
     let [heights, ground] = ["", ""];
     for (const [role, mark] of this.#weights) {

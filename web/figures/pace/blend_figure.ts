@@ -2,155 +2,103 @@
  * The weights of two styles as the axes of a plane: the neutral style is the origin, and beyond the triangle there is
  * no data.
  */
-import type { Knob } from "../../ui/controls/knob";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
+import { setAttributes, setText, svg } from "../../ui/dom";
 import { hatching } from "../../ui/polygon/drawing";
-import { type Axes, digitsOf, ticksOf, xOf, yOf } from "../axes";
-import { createKnobs } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
+import type { FigureKind, FigureParts } from "../kind";
 import { PlaneHandles } from "../plane_handles";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./pace.css?inline";
 import { measurePace, type Paced, pacedOf, ratioOf } from "./pace_measure";
-import { BLENDED, type Blended, neutralOf, PACE_FIELDS, type PaceState, WEIGHT } from "./pace_state";
+import { BLENDED, neutralOf, PACE_FIELDS, type PaceState, WEIGHT } from "./pace_state";
 
 /** Step of an arrow key, in weights; with Shift the fine one. */
 const STEP = { coarse: 0.05, fine: 0.01 };
 /** The displayed range: all weights, and space for the handle at their limits. */
-const SHOWN = [WEIGHT.min - 0.05, WEIGHT.max + 0.05] as const;
+const SHOWN = { min: WEIGHT.min - 0.05, max: WEIGHT.max + 0.05 } as const;
 
 export const POLYGON: FigureKind<PaceState> = {
   fields: PACE_FIELDS,
+  measure: measurePace,
   sheet,
   create: (parts) => new BlendFigure(parts),
 };
 
-class BlendFigure implements FigureInstance<PaceState> {
-  readonly #parts: FigureParts<PaceState>;
-  readonly #frame: PlotFrame;
-  readonly #knobs: Record<Blended, Knob>;
+/** The plane is drawn before the first blend is computed. */
+interface Shown {
+  state?: PaceState;
+  paced?: Paced;
+}
+
+class BlendFigure extends PlotFigure<PaceState, Shown> {
   readonly #beyond = svg("path", { fill: "url(#beyond-hatching)", "fill-rule": "evenodd" });
   readonly #triangle = svg("path", { class: "triangle", "data-term": "s" });
   readonly #corners = svg("g", { class: "corners" });
   readonly #handles: PlaneHandles;
-  readonly #readout = html("p", { class: "readout" });
-  readonly #pacing = new Latest<PaceState>((state) => this.#pace(state));
-  #state: PaceState | undefined;
-  #paced: { state: PaceState; paced: Paced } | undefined;
-  #axes: Axes | undefined;
+  protected override readonly drawsAhead = true;
+  protected override shown: Shown | undefined = {};
 
   constructor(parts: FigureParts<PaceState>) {
-    this.#parts = parts;
-    const { words, container, signal, change } = parts;
-    this.#frame = new PlotFrame(words.pace.blend, () => this.#drawNow(), signal);
-    const settle = () => change({}, true);
-    this.#knobs = createKnobs(
-      BLENDED,
-      words,
-      words.pace.knobs,
-      { old: WEIGHT, childlike: WEIGHT },
-      PACE_FIELDS,
-      change,
-    );
-    const { picture } = this.#frame;
+    const { pace } = parts.words;
+    super(parts, pace.blend);
+    const { picture, element } = this.frame;
     this.#handles = new PlaneHandles(
       picture,
-      [words.pace.handle],
+      [pace.handle],
       (fine) => (fine ? STEP.fine : STEP.coarse),
       {
-        axes: () => this.#axes,
-        onInput: (_, [old, childlike]) => change({ old: weight(old), childlike: weight(childlike) }, false),
-        onSettle: settle,
+        axes: () => this.axes,
+        onInput: (_, [old, childlike]) => this.change({ old: weight(old), childlike: weight(childlike) }, false),
+        onSettle: () => this.settle(),
       },
-      signal,
+      parts.signal,
     );
     picture.append(hatching("beyond-hatching"), this.#beyond, this.#triangle, this.#corners, ...this.#handles.elements);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pace.blend)),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-      html("div", { class: "knobs" }, ...BLENDED.map((name) => this.#knobs[name].element)),
-    );
+    const ranges = { old: WEIGHT, childlike: WEIGHT };
+    this.lay({
+      title: pace.blend,
+      picture: element,
+      controls: this.knobs(BLENDED, pace.knobs, ranges, { old: "s", childlike: "s" }),
+    });
   }
 
-  show(state: PaceState): Promise<void> {
-    this.#state = state;
-    for (const name of BLENDED) this.#knobs[name].value = state[name];
-    this.#draw();
-    return this.#pacing.take(state);
+  protected async load(state: PaceState): Promise<Shown> {
+    return { state, paced: await pacedOf(this.parts.engine, state) };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measurePace(this.#parts.engine, this.#state) : {};
+  protected describe({ state, paced }: Shown): string {
+    return state && paced ? this.words.pace.blended(...this.#shares(state), this.number(ratioOf(paced), 3)) : "";
   }
 
-  sentence(): string {
-    if (!this.#paced) return "";
-    const { state, paced } = this.#paced;
-    const { words } = this.#parts;
-    return words.pace.blended(...this.#shares(state), figure(ratioOf(paced), 3, words));
+  protected get columns() {
+    return this.words.pace.shares;
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const state = this.#state;
-    if (!state) return { head: words.pace.shares, rows: [] };
+  protected rows(_: Shown, state: PaceState): string[][] {
     const [old, childlike, neutral] = this.#shares(state);
-    const { styles } = words;
-    return {
-      head: words.pace.shares,
-      rows: [
-        [styles.old, old],
-        [styles.childlike, childlike],
-        [styles.neutral, neutral],
-      ],
-    };
+    const { styles } = this.words;
+    return [
+      [styles.old, old],
+      [styles.childlike, childlike],
+      [styles.neutral, neutral],
+    ];
   }
 
-  values(): Readonly<Record<string, string>> {
-    return this.#state ? { s: this.#shares(this.#state).join(", ") } : {};
-  }
-
-  light(term: string | undefined): void {
-    this.#frame.light(term);
-    for (const name of BLENDED) this.#knobs[name].element.classList.toggle("lit", term === "s");
+  protected override quantities(_: Shown, state: PaceState) {
+    return { s: this.#shares(state).join(", ") };
   }
 
   #shares(state: PaceState): [old: string, childlike: string, neutral: string] {
     const shares = [state.old, state.childlike, neutralOf(state)];
-    return shares.map((value) => figure(value, 2, this.#parts.words)) as [string, string, string];
+    return shares.map((value) => this.number(value, 2)) as [string, string, string];
   }
 
-  async #pace(state: PaceState): Promise<void> {
-    const paced = await pacedOf(this.#parts.engine, state);
-    if (this.#parts.signal.aborted) return;
-    this.#paced = { state, paced };
-    this.#draw();
-  }
-
-  #draw(): void {
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    const state = this.#state;
-    if (!state) return;
-    const { words } = this.#parts;
-    const axes: Axes = { width: this.#frame.width, height: this.#frame.height, x: SHOWN, y: SHOWN };
-    this.#axes = axes;
-    const ticks = ticksOf(axes.x, 8);
-    const columns = ticks.map((value) => [value, figure(value, digitsOf(ticks), words)] as const);
-    const { styles } = words;
-    this.#frame.drawGrid(axes, { x: styles.old, y: styles.childlike, columns, rows: ticksOf(axes.y, 6) }, words);
-    const at = (x: number, y: number) => `${xOf(axes, x).toFixed(1)} ${yOf(axes, y).toFixed(1)}`;
-    const triangle = `M${at(0, 0)}L${at(1, 0)}L${at(0, 1)}Z`;
-    const [[left, right], [bottom, top]] = [axes.x, axes.y];
+  protected draw({ paced }: Shown, state: PaceState): void {
+    const { styles } = this.words;
+    const axes = this.plot(SHOWN, SHOWN, { x: styles.old, y: styles.childlike, columns: 8, rows: 6 });
+    const triangle = `M${axes.at(0, 0)}L${axes.at(1, 0)}L${axes.at(0, 1)}Z`;
+    const { min, max } = SHOWN;
     setAttributes(this.#beyond, {
-      d: `M${at(left, bottom)}L${at(right, bottom)}L${at(right, top)}L${at(left, top)}Z${triangle}`,
+      d: `M${axes.at(min, min)}L${axes.at(max, min)}L${axes.at(max, max)}L${axes.at(min, max)}Z${triangle}`,
     });
     setAttributes(this.#triangle, { d: triangle });
     this.#corners.replaceChildren(
@@ -161,16 +109,15 @@ class BlendFigure implements FigureInstance<PaceState> {
           [0, 1, styles.childlike, 8, -6, "start"],
         ] as const
       ).map(([x, y, name, dx, dy, anchor]) =>
-        svg("text", { class: "label", x: xOf(axes, x) + dx, y: yOf(axes, y) + dy, "text-anchor": anchor }, name),
+        svg("text", { class: "label", x: axes.x(x) + dx, y: axes.y(y) + dy, "text-anchor": anchor }, name),
       ),
     );
-    this.#handles.place(axes, [[state.old, state.childlike]], () => words.pace.weights(...this.#shares(state)));
-    const paced = this.#paced?.paced;
-    const secs = (value: number) => figure(value, 2, words);
+    this.#handles.place(axes, [[state.old, state.childlike]], () => this.words.pace.weights(...this.#shares(state)));
+    const secs = (value: number) => this.number(value, 2);
     const read = paced
-      ? words.pace.read(secs(paced.secs * ratioOf(paced)), secs(paced.secs), figure(ratioOf(paced), 3, words))
+      ? this.words.pace.read(secs(paced.secs * ratioOf(paced)), secs(paced.secs), this.number(ratioOf(paced), 3))
       : "";
-    setText(this.#readout, read);
+    setText(this.readout, read);
   }
 }
 

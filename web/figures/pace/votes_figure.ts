@@ -1,12 +1,11 @@
 /** Duration of each neighbour's frame over the neighbour's distance, and the kernel-weighted mean. */
 import type { Timing } from "../../client/learn/protocol";
-import { html, keepCount, setAttributes, setText, svg } from "../../ui/dom";
-import { type Axes, digitsOf, extentOf, ticksOf, xOf, yOf } from "../axes";
+import { keepCount, setAttributes, setText, svg } from "../../ui/dom";
+import { roundedExtent } from "../../ui/scale";
+import type { Axes } from "../axes";
 import { Choice } from "../controls";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { PlotFrame } from "../plot_frame";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { PlotFigure } from "../plot_figure";
 import sheet from "./pace.css?inline";
 import { kernelAt, measurePace } from "./pace_measure";
 import { BLENDED, type Blended, lookOf, PACE_FIELDS, type PaceState } from "./pace_state";
@@ -21,14 +20,17 @@ const MS = 1000;
 
 export const VOTES: FigureKind<PaceState> = {
   fields: PACE_FIELDS,
+  measure: measurePace,
   sheet,
   create: (parts) => new VotesFigure(parts),
 };
 
-class VotesFigure implements FigureInstance<PaceState> {
-  readonly #parts: FigureParts<PaceState>;
-  readonly #frame: PlotFrame;
-  readonly #style: Choice<Blended>;
+interface Shown {
+  style: Blended;
+  timing: Timing;
+}
+
+class VotesFigure extends PlotFigure<PaceState, Shown> {
   readonly #kernel = svg("path", { class: "kernel", "data-term": "g" });
   readonly #width = svg("path", { class: "guide", "data-term": "h" });
   readonly #labels = {
@@ -37,136 +39,91 @@ class VotesFigure implements FigureInstance<PaceState> {
   };
   readonly #dots = svg("g", { class: "dots", "data-term": "g" });
   readonly #mean = svg("path", { class: "fit", "data-term": "w" });
-  readonly #readout = html("p", { class: "readout" });
-  readonly #timing = new Latest<PaceState>((state) => this.#time(state));
-  #state: PaceState | undefined;
-  #timed: { style: Blended; timing: Timing } | undefined;
   /** The style whose neighbours are shown. */
   #chosen: Blended = BLENDED[0];
 
   constructor(parts: FigureParts<PaceState>) {
-    this.#parts = parts;
-    const { words, container, signal } = parts;
-    this.#frame = new PlotFrame(words.pace.votes, () => this.#drawNow(), signal);
-    this.#style = new Choice(
-      words.style,
-      BLENDED.map((style) => [style, words.styles[style]] as const),
-      (style) => {
-        this.#chosen = style;
-        if (this.#state) void this.#timing.take(this.#state);
-      },
-    );
-    this.#style.value = this.#chosen;
+    const { pace, style: label, styles } = parts.words;
+    super(parts, pace.votes);
+    const options = BLENDED.map((style) => [style, styles[style]] as const);
+    const choice = new Choice(label, options, (style) => {
+      this.#chosen = style;
+      if (this.state) void this.show(this.state);
+    });
+    choice.value = this.#chosen;
     const { h, g } = this.#labels;
-    this.#frame.picture.append(this.#kernel, this.#width, this.#dots, this.#mean, h, g);
-    this.#frame.listenToMarks(parts.point);
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pace.votes), this.#style.element),
-      this.#frame.element,
-      html("footer", { class: "foot" }, this.#readout),
-    );
+    this.frame.picture.append(this.#kernel, this.#width, this.#dots, this.#mean, h, g);
+    this.lay({ title: pace.votes, picture: this.frame.element, head: [choice.element] });
   }
 
-  show(state: PaceState): Promise<void> {
-    this.#state = state;
-    return this.#timing.take(state);
+  protected async load(state: PaceState): Promise<Shown> {
+    const style = this.#chosen;
+    const look = lookOf(state);
+    // A style without weight has no output: its neighbours are requested with a nonzero weight.
+    const styles = { ...look.styles, [style]: state[style] || 1 };
+    return { style, timing: await this.parts.engine.timing({ ...look, styles }, style) };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measurePace(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    if (!this.#timed) return "";
-    const { words } = this.#parts;
-    const { style, timing } = this.#timed;
+  protected describe({ style, timing }: Shown): string {
     const [ms, bandwidth] = this.#read(timing);
-    return words.pace.voted(words.styles[style], String(timing.durations.length), ms, bandwidth);
+    return this.words.pace.voted(this.words.styles[style], String(timing.durations.length), ms, bandwidth);
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const timing = this.#timed?.timing;
-    const rows = Array.from({ length: Math.min(TABLE_ROWS, timing?.durations.length ?? 0) }, (_, i) => [
-      figure(timing!.distances[i]!, 2, words),
-      figure(MS * timing!.durations[i]!, 1, words),
-      figure(kernelAt(timing!.distances[i]!, timing!.bandwidth), 2, words),
+  protected get columns() {
+    return this.words.pace.voices;
+  }
+
+  protected rows({ timing: { durations, distances, bandwidth } }: Shown): string[][] {
+    return Array.from({ length: Math.min(TABLE_ROWS, durations.length) }, (_, i) => [
+      this.number(distances[i]!, 2),
+      this.number(MS * durations[i]!, 1),
+      this.number(kernelAt(distances[i]!, bandwidth), 2),
     ]);
-    return { head: words.pace.voices, rows };
   }
 
-  values(): Readonly<Record<string, string>> {
-    if (!this.#timed) return {};
-    const { distances, bandwidth } = this.#timed.timing;
-    const { words } = this.#parts;
+  protected override quantities({ timing: { distances, bandwidth } }: Shown) {
     const sum = distances.reduce((total, d) => total + kernelAt(d, bandwidth), 0);
-    return { g: `Σ ${figure(sum, 1, words)}`, h: `${figure(bandwidth, 1, words)} σ` };
-  }
-
-  light(term: string | undefined): void {
-    this.#frame.light(term);
+    return { g: `Σ ${this.number(sum, 1)}`, h: `${this.number(bandwidth, 1)} σ` };
   }
 
   #read({ duration, bandwidth }: Timing): [ms: string, bandwidth: string] {
-    const { words } = this.#parts;
-    return [figure(MS * (duration ?? Number.NaN), 1, words), figure(bandwidth, 2, words)];
+    return [this.number(MS * (duration ?? Number.NaN), 1), this.number(bandwidth, 2)];
   }
 
-  async #time(state: PaceState): Promise<void> {
-    const style = this.#chosen;
-    const { engine, signal } = this.#parts;
-    // A style without weight has no output: its neighbours are requested with a nonzero weight.
-    const styles = { ...lookOf(state).styles, [style]: state[style] || 1 };
-    const timing = await engine.timing({ ...lookOf(state), styles }, style);
-    if (signal.aborted) return;
-    this.#timed = { style, timing };
-    this.#parts.changed();
-    this.#frame.request();
-  }
-
-  #drawNow(): void {
-    if (!this.#timed) return;
-    const { words } = this.#parts;
-    const { timing } = this.#timed;
+  protected draw({ timing }: Shown): void {
+    const { pace } = this.words;
     const durations = Array.from(timing.durations, (secs) => MS * secs);
     const farthest = timing.distances.reduce((a, b) => Math.max(a, b), timing.bandwidth);
-    const axes: Axes = {
-      width: this.#frame.width,
-      height: this.#frame.height,
-      x: [0, extentOf([0, farthest], 1)[1]],
-      y: extentOf(durations, 2),
-    };
-    const ticks = ticksOf(axes.x, 6);
-    const columns = ticks.map((value) => [value, figure(value, digitsOf(ticks), words)] as const);
-    const labels = { x: words.pace.distance, y: words.pace.duration, columns, rows: ticksOf(axes.y, 4) };
-    this.#frame.drawGrid(axes, labels, words);
+    const across = { min: 0, max: roundedExtent([0, farthest], 1).max };
+    const labels = { x: pace.distance, y: pace.duration, columns: 6, rows: 4 };
+    const axes = this.plot(across, roundedExtent(durations, 2), labels);
     keepCount(this.#dots, durations.length, () => svg("circle", {}));
     durations.forEach((ms, i) => {
       setAttributes(this.#dots.children[i]!, {
-        cx: xOf(axes, timing.distances[i]!).toFixed(1),
-        cy: yOf(axes, ms).toFixed(1),
+        cx: axes.x(timing.distances[i]!).toFixed(1),
+        cy: axes.y(ms).toFixed(1),
         r: (RADIUS.least + (RADIUS.most - RADIUS.least) * kernelAt(timing.distances[i]!, timing.bandwidth)).toFixed(1),
       });
     });
     this.#drawKernel(axes, timing);
-    const mean = yOf(axes, MS * (timing.duration ?? Number.NaN));
-    setAttributes(this.#mean, { d: Number.isFinite(mean) ? `M${xOf(axes, 0)} ${mean}H${xOf(axes, axes.x[1])}` : "" });
-    setText(this.#readout, words.pace.mean(...this.#read(timing)));
+    const mean = axes.y(MS * (timing.duration ?? Number.NaN));
+    setAttributes(this.#mean, { d: Number.isFinite(mean) ? `M${axes.x(0)} ${mean}H${axes.right}` : "" });
+    setText(this.readout, this.words.pace.mean(...this.#read(timing)));
   }
 
   /** g over d, from the lower to the upper edge of the picture. */
   #drawKernel(axes: Axes, { bandwidth }: Timing): void {
-    const [bottom, top] = axes.y;
+    const { min: bottom, max: top } = axes.up;
     const points = Array.from({ length: PIECES + 1 }, (_, i) => {
-      const d = (axes.x[1] * i) / PIECES;
-      return `${xOf(axes, d).toFixed(1)} ${yOf(axes, bottom + kernelAt(d, bandwidth) * (top - bottom)).toFixed(1)}`;
+      const d = (axes.across.max * i) / PIECES;
+      return axes.at(d, bottom + kernelAt(d, bandwidth) * (top - bottom));
     });
     setAttributes(this.#kernel, { d: `M${points.join("L")}` });
-    const [x, foot] = [xOf(axes, bandwidth), yOf(axes, bottom)];
-    setAttributes(this.#width, { d: `M${x} ${foot}V${yOf(axes, top)}` });
+    const [x, foot] = [axes.x(bandwidth), axes.y(bottom)];
+    setAttributes(this.#width, { d: `M${x} ${foot}V${axes.y(top)}` });
     setAttributes(this.#labels.h, { x: x + 5, y: foot - 6 });
-    const near = axes.x[1] / PIECES;
-    const below = yOf(axes, bottom + kernelAt(near, bandwidth) * (top - bottom)) + 16;
-    setAttributes(this.#labels.g, { x: xOf(axes, near), y: below });
+    const near = axes.across.max / PIECES;
+    const below = axes.y(bottom + kernelAt(near, bandwidth) * (top - bottom)) + 16;
+    setAttributes(this.#labels.g, { x: axes.x(near), y: below });
   }
 }

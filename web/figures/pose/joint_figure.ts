@@ -9,21 +9,17 @@ import {
   PARENTS,
   POSE_FLOATS,
   quaternionAt,
-  type Role,
   turned as turnedBy,
   type Vector,
 } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
 import { Knob } from "../../ui/controls/knob";
-import type { Slider } from "../../ui/controls/slider";
-import { html, setAttributes, setText, svg } from "../../ui/dom";
-import { Choice, createInstant, createKnobs } from "../controls";
-import { FigureStage } from "../figure_stage";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
+import { html, setAttributes, svg } from "../../ui/dom";
+import type { Viewer } from "../../viewer";
+import type { FigureKind, FigureParts } from "../kind";
 import { LIMBS, LimbHandles } from "../limb_handles";
+import { SceneFigure } from "../scene_figure";
 import { turnOf, withTurn } from "../turned_joints";
-import { figure } from "../words/words";
 import sheet from "./pose.css?inline";
 import { degreesOfFreedom, framesOf, meanOf, measurePose, motionOf, rotationAt } from "./pose_measure";
 import { COMPONENT, POSE_FIELDS, POSE_RANGES, type PoseState, READ } from "./pose_state";
@@ -41,6 +37,7 @@ const COMPONENTS = ["x", "y", "z"] as const;
 
 export const JOINT_KIND: FigureKind<PoseState> = {
   fields: POSE_FIELDS,
+  measure: measurePose,
   sheet,
   create: (parts) => new JointFigure(parts),
 };
@@ -48,6 +45,7 @@ export const JOINT_KIND: FigureKind<PoseState> = {
 /** A displayed pose. */
 interface Shown {
   state: PoseState;
+  pose: Float32Array;
   w: Vector;
   proportions: Float32Array;
   /** The mean rotation of the joint, and its rotation in the input. */
@@ -55,15 +53,10 @@ interface Shown {
   given: ReturnType<typeof meanOf>;
 }
 
-class JointFigure implements FigureInstance<PoseState> {
-  readonly #parts: FigureParts<PoseState>;
-  readonly stage: FigureStage;
+class JointFigure extends SceneFigure<PoseState, Shown> {
   readonly #limbs: LimbHandles;
-  readonly #joint: Choice<Role>;
-  readonly #knobs: Record<(typeof COMPONENTS)[number], Knob>;
-  readonly #heading: Knob;
-  readonly #instant: Slider;
-  readonly #readout = html("p", { class: "readout" });
+  /** A knob for each component of w. */
+  readonly #knobs: readonly Knob[];
   readonly #axis = svg("path", { class: "axis", "data-term": "w" });
   readonly #arc = svg("path", { class: "arc", "data-term": "w" });
   /** The bone in the mean rotation, and the actual bone: the two edges of the arc. */
@@ -71,158 +64,121 @@ class JointFigure implements FigureInstance<PoseState> {
     mean: svg("path", { class: "edge", "data-term": "mean" }),
     R: svg("path", { class: "edge", "data-term": "R" }),
   };
-  readonly #posing = new Latest<PoseState>((state) => this.#pose(state));
-  #state: PoseState | undefined;
-  #shown: Shown | undefined;
 
   constructor(parts: FigureParts<PoseState>) {
-    this.#parts = parts;
-    const { words, container, change, signal } = parts;
-    const settle = () => change({}, true);
-    this.stage = new FigureStage(
-      words,
-      { labels: { styled: "", input: "" }, description: words.pose.stage },
-      { drawn: () => this.#placeMarks() },
-    );
+    const { words } = parts;
+    const { pose, joints } = words;
+    super(parts, { labels: { styled: "", input: "" }, description: pose.stage });
+    const settle = () => this.settle();
     this.#limbs = new LimbHandles(
       this.stage,
-      words.joints,
+      joints,
       {
-        turnOf: (joint) => turnOf(this.#state?.turned ?? [], joint),
-        onInput: (joint, turn) => change({ joint, turned: withTurn(this.#state?.turned ?? [], joint, turn) }, false),
+        turnOf: (joint) => turnOf(this.state?.turned ?? [], joint),
+        onInput: (joint, turn) =>
+          this.change({ joint, turned: withTurn(this.state?.turned ?? [], joint, turn) }, false),
         onSettle: settle,
       },
-      signal,
+      parts.signal,
     );
-    this.#joint = new Choice(
-      words.joint,
-      READ.map((role) => [role, words.joints[role]] as const),
-      (joint) => change({ joint }, true),
-    );
-    const knob = (name: (typeof COMPONENTS)[number], i: number) =>
-      new Knob(
-        words.pose.knobs[name],
-        COMPONENT,
-        0,
-        { onInput: (degrees) => this.#turnTo(i, degrees), onSettle: settle, onCancel: settle },
-        words,
-      );
-    this.#knobs = { x: knob("x", 0), y: knob("y", 1), z: knob("z", 2) };
-    this.#heading = createKnobs(["heading"], words, words.pose.knobs, POSE_RANGES, POSE_FIELDS, change).heading;
-    this.#instant = createInstant(words, 0, change);
+    this.#knobs = COMPONENTS.map((name, i) => {
+      const onInput = (degrees: number) => this.#turnTo(i, degrees);
+      return new Knob(pose.knobs[name], COMPONENT, 0, { onInput, onSettle: settle, onCancel: settle }, words);
+    });
     this.stage.overlay.append(this.#arc, ...Object.values(this.#bones), this.#axis);
-    for (const mark of this.stage.overlay.children) {
-      mark.addEventListener("pointerenter", () => parts.point(mark.getAttribute("data-term")!));
-      mark.addEventListener("pointerleave", () => parts.point(undefined));
-    }
-    const restore = button(words.pose.restore, () => change({ turned: [], heading: 0 }, true), {
+    const restore = button(pose.restore, () => this.change({ turned: [], heading: 0 }), {
       label: true,
       class: "restore",
     });
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pose.stage), this.#readout, restore, this.#joint.element),
-      this.stage.element,
-      html(
-        "div",
-        { class: "knobs" },
-        ...COMPONENTS.map((name) => this.#knobs[name].element),
-        this.#heading.element,
-        html("div", { class: "others" }, this.#instant.element),
-      ),
-    );
+    this.lay({
+      title: pose.stage,
+      picture: this.stage.element,
+      head: [this.readout, restore, this.choice("joint", words.joint, READ, (role) => joints[role])],
+      foot: [],
+      controls: [
+        ...this.#knobs.map(({ element }) => element),
+        ...this.knobs(["heading"], pose.knobs, POSE_RANGES),
+        html("div", { class: "others" }, this.instant("at", 0)),
+      ],
+    });
   }
 
-  show(state: PoseState): Promise<void> {
-    this.#state = state;
-    this.#joint.value = state.joint;
-    this.#heading.value = state.heading;
-    this.#instant.value = state.at;
-    return this.#posing.take(state);
+  protected async load(state: PoseState): Promise<Shown> {
+    const { engine } = this.parts;
+    const { joint } = state;
+    const [plain, motion] = await Promise.all([
+      motionOf(engine, state.motion, [], 0),
+      motionOf(engine, state.motion, state.turned, state.heading),
+    ]);
+    const frame = Math.min(state.at, framesOf(motion) - 1);
+    return {
+      state,
+      pose: motion.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS),
+      w: degreesOfFreedom(motion, joint, 0, frame),
+      proportions: motion.proportions,
+      mean: meanOf(motion, joint),
+      given: rotationAt(plain, joint, frame),
+    };
   }
 
-  async measure(): Promise<Measure> {
-    return this.#state ? measurePose(this.#parts.engine, this.#state) : {};
+  protected override redraw(): void {
+    this.#knobs.forEach((knob, i) => {
+      knob.value = Math.round(this.shown!.w[i]! * DEGREES);
+    });
+    super.redraw();
   }
 
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { words } = this.#parts;
-    const { state, w } = this.#shown;
+  protected pose(viewer: Viewer, { state, pose, mean, proportions }: Shown, _: PoseState, before?: Shown): void {
+    const ghost = Float32Array.from(pose);
+    ghost.set(mean, 3 + 4 * JOINT[state.joint]);
+    if (!before) viewer.setProportions(proportions);
+    viewer.setStyled(pose);
+    viewer.setOthers([{ pose: ghost, share: GHOST }]);
+    viewer.resetTrail();
+  }
+
+  protected override read({ w }: Shown): string {
+    return this.words.pose.read(this.#degrees(Math.hypot(...w)));
+  }
+
+  protected describe({ state, w }: Shown): string {
     const [x, y, z] = w.map((angle) => this.#degrees(angle)) as [string, string, string];
-    return words.pose.posed(words.joints[state.joint], this.#degrees(Math.hypot(...w)), x, y, z);
+    return this.words.pose.posed(this.words.joints[state.joint], this.#degrees(Math.hypot(...w)), x, y, z);
   }
 
-  table(): Table {
-    const { words } = this.#parts;
-    const shown = this.#shown;
-    const rows = shown ? [[words.joints[shown.state.joint], ...shown.w.map((angle) => this.#degrees(angle))]] : [];
-    return { head: words.pose.components, rows };
+  protected get columns() {
+    return this.words.pose.components;
   }
 
-  values(): Readonly<Record<string, string>> {
-    if (!this.#shown) return {};
-    const { mean, given, state, w } = this.#shown;
+  protected rows({ state, w }: Shown): string[][] {
+    return [[this.words.joints[state.joint], ...w.map((angle) => this.#degrees(angle))]];
+  }
+
+  protected override quantities({ mean, given, state, w }: Shown) {
     const now = multiply(exp(turnOf(state.turned, state.joint)), given);
     const angleOf = (q: typeof mean) => `${this.#degrees(Math.hypot(...log(q)))}°`;
     return { w: `${this.#degrees(Math.hypot(...w))}°`, mean: angleOf(mean), R: angleOf(now) };
   }
 
-  light(term: string | undefined): void {
-    for (const mark of this.stage.overlay.children)
-      mark.classList.toggle("lit", mark.getAttribute("data-term") === term);
-  }
-
   #degrees(radians: number): string {
-    return figure(radians * DEGREES, 1, this.#parts.words);
+    return this.number(radians * DEGREES, 1);
   }
 
   /** Rotates the joint so that a component of w is `degrees`. */
   #turnTo(component: number, degrees: number): void {
-    const [state, shown] = [this.#state, this.#shown];
+    const [state, shown] = [this.state, this.shown];
     if (!state || !shown) return;
     const { mean, given } = shown;
     const now = multiply(exp(turnOf(state.turned, state.joint)), given);
     const w = log(multiply(inverse(mean), now)).map((value, i) => (i === component ? degrees / DEGREES : value));
     const wanted = multiply(mean, exp(w as unknown as Vector));
     const turn = log(multiply(wanted, inverse(given)));
-    this.#parts.change({ turned: withTurn(state.turned, state.joint, turn) }, false);
-  }
-
-  async #pose(state: PoseState): Promise<void> {
-    const { engine, signal } = this.#parts;
-    const [plain, motion] = await Promise.all([
-      motionOf(engine, state.motion, [], 0),
-      motionOf(engine, state.motion, state.turned, state.heading),
-    ]);
-    if (signal.aborted) return;
-    const isFirst = !this.#shown;
-    const frame = Math.min(state.at, framesOf(motion) - 1);
-    const { joint } = state;
-    const w = degreesOfFreedom(motion, joint, 0, frame);
-    const { proportions } = motion;
-    this.#shown = { state, w, proportions, mean: meanOf(motion, joint), given: rotationAt(plain, joint, frame) };
-    COMPONENTS.forEach((name, i) => {
-      this.#knobs[name].value = Math.round(w[i]! * DEGREES);
-    });
-    const { viewer } = this.stage;
-    if (viewer) {
-      const pose = motion.poses.subarray(frame * POSE_FLOATS, (frame + 1) * POSE_FLOATS);
-      const ghost = Float32Array.from(pose);
-      ghost.set(this.#shown.mean, 3 + 4 * JOINT[joint]);
-      if (isFirst) viewer.setProportions(proportions);
-      viewer.setStyled(pose);
-      viewer.setOthers([{ pose: ghost, share: GHOST }]);
-      viewer.description = this.sentence();
-      viewer.resetTrail();
-    }
-    setText(this.#readout, this.#parts.words.pose.read(this.#degrees(Math.hypot(...w))));
-    this.stage.invalidate();
-    this.#parts.changed();
+    this.change({ turned: withTurn(state.turned, state.joint, turn) }, false);
   }
 
   /** Draws axis and arc over the picture. */
-  #placeMarks(): void {
-    const [{ viewer }, shown] = [this.stage, this.#shown];
+  protected override placeMarks(): void {
+    const [{ viewer }, shown] = [this.stage, this.shown];
     if (!viewer || !shown) return;
     this.#limbs.place();
     const { state, w, mean, proportions } = shown;

@@ -1,9 +1,8 @@
 /** All numbers of a pose; those that differ from the input's are marked. */
 import { DEGREES, JOINTS, ROLES } from "../../humanoid";
 import { html, setText } from "../../ui/dom";
-import type { FigureInstance, FigureKind, FigureParts, Measure, Table } from "../kind";
-import { Latest } from "../latest";
-import { figure } from "../words/words";
+import type { FigureKind, FigureParts } from "../kind";
+import { LiveFigure } from "../live_figure";
 import sheet from "./pose.css?inline";
 import { DOFS, framesOf, measurePose, motionOf, numbersAt, same } from "./pose_measure";
 import { POSE_FIELDS, type PoseState } from "./pose_state";
@@ -15,115 +14,86 @@ const DIGITS = 2;
 
 export const NUMBERS: FigureKind<PoseState> = {
   fields: POSE_FIELDS,
+  measure: measurePose,
   sheet,
   create: (parts) => new NumbersFigure(parts),
 };
 
-class NumbersFigure implements FigureInstance<PoseState> {
-  readonly #parts: FigureParts<PoseState>;
-  readonly #cells: readonly HTMLElement[];
-  readonly #readout = html("p", { class: "readout" });
-  readonly #reading = new Latest<PoseState>((state) => this.#read(state));
-  #state: PoseState | undefined;
-  #shown: { state: PoseState; numbers: Float32Array; changed: boolean[] } | undefined;
+interface Shown {
+  state: PoseState;
+  /** As text: angles in degrees, the rest in metres. */
+  numbers: string[];
+  /** Whether each differs from the input's. */
+  changed: boolean[];
+  count: string;
+}
+
+class NumbersFigure extends LiveFigure<PoseState, Shown> {
+  readonly #cells = Array.from({ length: DOFS }, (_, i) => html("span", { class: "cell", "data-term": termOf(i) }));
 
   constructor(parts: FigureParts<PoseState>) {
-    this.#parts = parts;
-    const { words, container } = parts;
-    const { height, sideways, forwards, turning } = words.pose;
-    this.#cells = Array.from({ length: DOFS }, (_, i) => html("span", { class: "cell", "data-term": termOf(i) }));
-    const row = (name: string, first: number, count: number) =>
-      html(
-        "div",
-        { class: "numbers-row" },
-        html("span", { class: "name" }, name),
-        ...this.#cells.slice(first, first + count),
-      );
+    super(parts);
+    const { pose, joints } = parts.words;
+    const row = (name: string, first: number, count: number) => {
+      const cells = this.#cells.slice(first, first + count);
+      return html("div", { class: "numbers-row" }, html("span", { class: "name" }, name), ...cells);
+    };
     const list = html(
       "div",
       { class: "numbers" },
-      ...ROLES.map((role, joint) => row(words.pose.angles(words.joints[role]), 3 * joint, 3)),
-      ...[height, sideways, forwards, turning].map((name, i) => row(name, 3 * JOINTS + i, 1)),
+      ...ROLES.map((role, joint) => row(pose.angles(joints[role]), 3 * joint, 3)),
+      ...[pose.height, pose.sideways, pose.forwards, pose.turning].map((name, i) => row(name, 3 * JOINTS + i, 1)),
     );
-    for (const cell of this.#cells) {
-      cell.addEventListener("pointerenter", () => parts.point(cell.dataset.term));
-      cell.addEventListener("pointerleave", () => parts.point(undefined));
-    }
-    container.append(
-      html("header", { class: "head" }, html("h3", {}, words.pose.numbers)),
-      html("div", { class: "picture listed" }, list),
-      html("footer", { class: "foot" }, this.#readout),
-    );
+    this.lay({ title: pose.numbers, picture: html("div", { class: "picture listed" }, list) });
   }
 
-  show(state: PoseState): Promise<void> {
-    this.#state = state;
-    return this.#reading.take(state);
-  }
-
-  async measure(): Promise<Measure> {
-    return this.#state ? measurePose(this.#parts.engine, this.#state) : {};
-  }
-
-  sentence(): string {
-    if (!this.#shown) return "";
-    const { heading, turned } = this.#shown.state;
-    return this.#parts.words.pose.listed(this.#count(), String(DOFS), String(heading), String(turned.length));
-  }
-
-  table(): Table {
-    const { words } = this.#parts;
-    const rows = this.#shown
-      ? ROLES.map((role, joint) => [words.joints[role], ...[0, 1, 2].map((axis) => this.#text(3 * joint + axis))])
-      : [];
-    return { head: words.pose.components, rows };
-  }
-
-  values(): Readonly<Record<string, string>> {
-    if (!this.#shown) return {};
-    const first = 3 * JOINTS;
-    return {
-      h: `${this.#text(first)} m`,
-      v: `${this.#text(first + 1)}, ${this.#text(first + 2)} m/s`,
-      psi: `${this.#text(first + 3)} °/s`,
-    };
-  }
-
-  light(term: string | undefined): void {
-    const joint = this.#state && ROLES.indexOf(this.#state.joint);
+  override light(term: string | undefined): void {
+    const joint = this.state && ROLES.indexOf(this.state.joint);
     // w belongs to the joint that is read.
     this.#cells.forEach((cell, i) => {
       cell.classList.toggle("lit", cell.dataset.term === term && (term !== "w" || Math.floor(i / 3) === joint));
     });
   }
 
-  async #read(state: PoseState): Promise<void> {
-    const { engine, signal } = this.#parts;
+  protected async load(state: PoseState): Promise<Shown> {
+    const { engine } = this.parts;
     const [plain, motion] = await Promise.all([
       motionOf(engine, state.motion, [], 0),
       motionOf(engine, state.motion, state.turned, state.heading),
     ]);
-    if (signal.aborted) return;
     const frame = Math.min(state.at, framesOf(motion) - 1);
     const [before, numbers] = [numbersAt(plain, frame), numbersAt(motion, frame)];
-    this.#shown = { state, numbers, changed: Array.from(numbers, (value, i) => !same(value, before[i]!)) };
+    const changed = Array.from(numbers, (value, i) => !same(value, before[i]!));
+    const text = (value: number, i: number) =>
+      i < 3 * JOINTS || i === DOFS - 1 ? this.number(value * DEGREES, 0) : this.number(value, DIGITS);
+    return { state, numbers: Array.from(numbers, text), changed, count: String(changed.filter(Boolean).length) };
+  }
+
+  protected redraw(): void {
+    const { numbers, changed, count } = this.shown!;
     this.#cells.forEach((cell, i) => {
-      setText(cell, this.#text(i));
-      cell.classList.toggle("changed", this.#shown!.changed[i]!);
+      setText(cell, numbers[i]!);
+      cell.classList.toggle("changed", changed[i]!);
     });
-    setText(this.#readout, this.#parts.words.pose.counted(this.#count(), String(DOFS)));
-    this.#parts.changed();
+    setText(this.readout, this.words.pose.counted(count, String(DOFS)));
+    this.parts.changed();
   }
 
-  #count(): string {
-    return String(this.#shown!.changed.filter(Boolean).length);
+  protected describe({ count, state: { heading, turned } }: Shown): string {
+    return this.words.pose.listed(count, String(DOFS), String(heading), String(turned.length));
   }
 
-  /** Angles in degrees, the rest in metres. */
-  #text(i: number): string {
-    const value = this.#shown!.numbers[i]!;
-    const isAngle = i < 3 * JOINTS || i === DOFS - 1;
-    return isAngle ? figure(value * DEGREES, 0, this.#parts.words) : figure(value, DIGITS, this.#parts.words);
+  protected get columns() {
+    return this.words.pose.components;
+  }
+
+  protected rows({ numbers }: Shown): string[][] {
+    return ROLES.map((role, joint) => [this.words.joints[role], ...numbers.slice(3 * joint, 3 * joint + 3)]);
+  }
+
+  protected override quantities({ numbers }: Shown) {
+    const [h, v0, v1, psi] = numbers.slice(3 * JOINTS);
+    return { h: `${h} m`, v: `${v0}, ${v1} m/s`, psi: `${psi} °/s` };
   }
 }
 

@@ -1,7 +1,7 @@
 /** A table of costs as an image: the higher the cost, the darker. */
 import { html } from "../../ui/dom";
 import { rem } from "../../ui/drawing";
-import { type Axes, xOf, yOf } from "../axes";
+import type { Axes } from "../axes";
 import type { Warping } from "./warping";
 
 /** Opacity of the cell with the highest cost. */
@@ -14,10 +14,9 @@ export class Heat {
   /** Moves the image to its position in the axes. */
   place(axes: Axes, warping: Warping): void {
     const { style } = this.element;
-    const [left, right] = axes.x.map((value) => xOf(axes, value));
-    const [bottom, top] = axes.y.map((value) => yOf(axes, value));
-    [style.left, style.top] = [rem(left!), rem(top!)];
-    [style.width, style.height] = [rem(right! - left!), rem(bottom! - top!)];
+    const { left, right, bottom, top } = axes;
+    [style.left, style.top] = [rem(left), rem(top)];
+    [style.width, style.height] = [rem(right - left), rem(bottom - top)];
     this.#paint(warping);
   }
 

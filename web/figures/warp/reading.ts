@@ -1,6 +1,6 @@
 /** The pair of instants of a path at the cursor: both figures of a warp use it. */
 import type { Style } from "../built_in";
-import { figure, type Words } from "../words/words";
+import { formatNumber, type Words } from "../words/words";
 import type { WarpState } from "./warp_state";
 import { costAt, feetAt, pathOf, type Step, type Warping } from "./warping";
 
@@ -17,7 +17,7 @@ export interface Reading {
 
 /** A time in whole milliseconds. */
 export function wholeMs(frames: number, { rateHz }: Warping, words: Words): string {
-  return figure((1000 * frames) / rateHz, 0, words);
+  return formatNumber((1000 * frames) / rateHz, 0, words);
 }
 
 /** The pair of instants of a state's path at its cursor. */

@@ -1,5 +1,6 @@
 /** Texts of figures; `languages.ts` has them in each language, and each group of kinds has a table of its own. */
 import type { Role } from "../../humanoid";
+import { formatNumber as plain } from "../../ui/dom";
 import type { InputName, Style } from "../built_in";
 import type { BiasWords } from "./bias";
 import type { ChainWords } from "./chain";
@@ -61,11 +62,6 @@ export interface Words {
 }
 
 /** A number in a language. */
-export function figure(value: number, digits: number, { decimal }: Pick<Words, "decimal">): string {
-  if (!Number.isFinite(value)) return "–";
-  return value
-    .toFixed(digits)
-    .replace(/^-(?=0(\.0*)?$)/, "")
-    .replace("-", "−")
-    .replace(".", decimal);
+export function formatNumber(value: number, digits: number, { decimal }: Pick<Words, "decimal">): string {
+  return Number.isFinite(value) ? plain(value, digits).replace(".", decimal) : "–";
 }

@@ -3,7 +3,7 @@
  * answer.
  */
 
-export class Latest<State> {
+export class LatestOnly<State> {
   readonly #work: (state: State) => Promise<void>;
   #next: { state: State; done: Promise<void> } | undefined;
   #running: Promise<void> | undefined;

@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { Latest } from "./latest";
+import { LatestOnly } from "./latest_only";
 
 /** Work that ends when the test says so. */
 function paced() {
   const [seen, ends]: [number[], (() => void)[]] = [[], []];
-  const latest = new Latest<number>((state) => {
+  const latest = new LatestOnly<number>((state) => {
     seen.push(state);
     return new Promise((resolve) => ends.push(resolve));
   });
@@ -25,7 +25,7 @@ test("of the states that arrive while it is busy only the last is worked for", a
 });
 
 test("a failure is that of its state alone", async () => {
-  const latest = new Latest<number>(async (state) => {
+  const latest = new LatestOnly<number>(async (state) => {
     if (state === 1) throw new Error("one");
   });
   const first = latest.take(1);

@@ -1,6 +1,16 @@
 import fc from "fast-check";
 import { expect, it } from "vitest";
-import { clampedValueAt, extentOf, pixelOf, ruler, type Scale, ticks, valueAt } from "./scale";
+import {
+  clampedValueAt,
+  decades,
+  paddedExtent,
+  pixelOf,
+  roundedExtent,
+  ruler,
+  type Scale,
+  ticks,
+  valueAt,
+} from "./scale";
 
 const bound = fc.double({ min: -1e4, max: 1e4, noNaN: true });
 const length = fc.double({ min: 1e-2, max: 1e4, noNaN: true });
@@ -73,7 +83,38 @@ it("has a ruler whose labels keep their distance", () => {
 });
 
 it("takes in all values, with room beside them", () => {
-  expect(extentOf([2, 4, Number.NaN, 3], 0.25)).toEqual({ min: 1.5, max: 4.5 });
-  expect(extentOf([7, 7], 0.1)).toEqual({ min: 6.5, max: 7.5 });
-  expect(extentOf([], 0.1)).toEqual({ min: 0, max: 1 });
+  expect(paddedExtent([2, 4, Number.NaN, 3], 0.25)).toEqual({ min: 1.5, max: 4.5 });
+  expect(paddedExtent([7, 7], 0.1)).toEqual({ min: 6.5, max: 7.5 });
+  expect(paddedExtent([], 0.1)).toEqual({ min: 0, max: 1 });
+});
+
+it("rounds the ends around all values", () => {
+  const number = fc.double({ min: -1e4, max: 1e4, noNaN: true });
+  fc.assert(
+    fc.property(fc.array(number, { minLength: 1 }), fc.double({ min: 0.1, max: 100, noNaN: true }), (values, least) => {
+      const { min, max } = roundedExtent(values, least);
+      const slack = 1e-6 * (1 + Math.abs(min) + Math.abs(max));
+      expect(values.every((value) => value >= min - slack && value <= max + slack)).toBe(true);
+      expect(max - min).toBeGreaterThan(least - slack);
+    }),
+  );
+  expect(roundedExtent([], 3)).toEqual({ min: 0, max: 3 });
+  expect(roundedExtent([31, 37], 1)).toEqual({ min: 30, max: 38 });
+});
+
+it("has as many decimals as distinguish its ticks", () => {
+  const digits = (min: number, max: number, count: number) => ticks({ min, max }, count).digits;
+  expect([digits(0, 50, 5), digits(0, 5, 5), digits(0, 1, 2), digits(0.1, 0.2, 5)]).toEqual([0, 0, 1, 2]);
+});
+
+it("is logarithmic where asked, with powers of ten", () => {
+  const scale: Scale = { min: 0.0001, max: 10, from: 44, to: 384, log: true };
+  expect(decades(scale)).toEqual([0.0001, 0.001, 0.01, 0.1, 1, 10]);
+  fc.assert(
+    fc.property(fc.double({ min: 0, max: 1, noNaN: true }), (share) => {
+      const value = 0.0001 * 1e5 ** share;
+      expect(valueAt(scale, pixelOf(scale, value))).toBeCloseTo(value, 5);
+    }),
+  );
+  expect(pixelOf(scale, 0.01)).toBeCloseTo(44 + 0.4 * 340);
 });
