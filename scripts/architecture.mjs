@@ -49,7 +49,7 @@ const ROOMS = {
   embed: ["figures", "element"],
   package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
   "app/strings": [],
-  "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
+  "app/ui": ["app/strings", "formats", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/outputs": [
     "character",
@@ -66,7 +66,8 @@ const ROOMS = {
   ],
   // Interface between a view and the page.
   "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
-  "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+  "app/animated_view.ts": ["app/view.ts", "app/state"],
+  "app/views": ["app/animated_view.ts", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "lessons",
     "figures",
     "formats",
