@@ -40,7 +40,7 @@ export default defineConfig({
     rolldownOptions: {
       input: {
         ...Object.fromEntries(pages.map((page) => [page, resolve(import.meta.dirname, `web/app/${page}.html`)])),
-        "strut-figure": resolve(import.meta.dirname, "web/element/figure/index.ts"),
+        "strut-figure": resolve(import.meta.dirname, "web/figures/index.ts"),
       },
       // Other pages load figures by this name, so it must last.
       output: {

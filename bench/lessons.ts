@@ -6,7 +6,7 @@ import { type AssetName, placeAssets } from "../web/engine/assets";
 import { serveLearnPackage } from "../web/engine/learn/wasm";
 import { LESSONS } from "../web/lessons/lessons";
 
-export { KIND_NAMES } from "../web/element/figure/kinds";
+export { KIND_NAMES } from "../web/figures/kinds";
 
 export const LESSON_IDS = LESSONS.map(({ id }) => id);
 

@@ -44,13 +44,13 @@ const ROOMS = {
   "package/types.ts": ["formats", "streams", "client", "engine", "humanoid"],
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // One live figure, on any page, independent of lessons. The tables of documents are read when the page is built.
-  "element/figure": ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
-  lessons: ["element/figure", "link", "client", "humanoid"],
+  figures: ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
+  lessons: ["figures", "link", "client", "humanoid"],
   // The pages for iframes.
-  embed: ["element/figure", "element"],
+  embed: ["figures", "element"],
   package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
   "app/strings": [],
-  "app/ui": ["app/strings", "formats", "ui", "player", "viewer", "client", "humanoid"],
+  "app/ui": ["app/strings", "formats", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/outputs": [
     "character",
@@ -67,9 +67,10 @@ const ROOMS = {
   ],
   // Interface between a view and the page.
   "app/view.ts": ["app/state", "app/ui", "link", "ui", "player", "viewer", "client", "humanoid"],
-  "app/views": ["app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
+  "app/animated_view.ts": ["app/view.ts", "app/state"],
+  "app/views": ["app/animated_view.ts", "app/view.ts", "app/outputs", "app/state", "app/ui", "app/strings"].concat([
     "lessons",
-    "element/figure",
+    "figures",
     "formats",
     "streams",
     "link",

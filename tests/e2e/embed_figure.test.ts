@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import type { StrutFigure } from "../../web/element/figure/figure_element";
+import type { StrutFigure } from "../../web/figures/figure_element";
 import { LESSONS } from "../../web/lessons/lessons";
 import { serveFolder } from "../package/server";
 import { axeFaults } from "./axe";

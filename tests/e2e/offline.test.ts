@@ -9,7 +9,7 @@ import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { writeServiceWorker } from "../../scripts/offline_plugin.mjs";
 import { siteFiles } from "../../scripts/site_files.mjs";
 import type { StrutHook } from "../../web/app/shell/hook";
-import type { StrutFigure } from "../../web/element/figure/figure_element";
+import type { StrutFigure } from "../../web/figures/figure_element";
 import { VIEW_NAMES, type ViewName } from "../../web/link/page";
 import { walksIn } from "../clips";
 import { serveFolder } from "../package/server";

@@ -3,6 +3,7 @@ import type { LoadCharacterOptions } from "../character/load";
 import type { CharacterSource } from "../character/read";
 import type { Character } from "../character/types";
 import type { Strut } from "../package/types";
+import { Lingering } from "../ui/lingering";
 import { Screen } from "../viewer";
 import { Schedule } from "./schedule";
 import { SharedEngine } from "./shared_engine";
@@ -53,25 +54,9 @@ export function site(): string {
 /** The drawing schedule of players. */
 export const schedule = new Schedule();
 
-let screen: Screen | undefined;
-let users = 0;
-let leaving: ReturnType<typeof setTimeout> | undefined;
-
-/** The context on which all players draw, until {@link leaveScreen}. */
-export function joinScreen(): Screen {
-  users += 1;
-  screen ??= Screen.shared();
-  return screen;
-}
-
-/** Stops drawing on the shared context. */
-export function leaveScreen(): void {
-  users -= 1;
-  // The time restarts at the last one, so that alternating players keep the context.
-  clearTimeout(leaving);
-  leaving = setTimeout(() => {
-    if (users > 0) return;
-    screen?.dispose();
-    screen = undefined;
-  }, LINGER_MS);
-}
+/** The context on which all players draw. */
+export const screens = new Lingering(
+  LINGER_MS,
+  () => Screen.shared(),
+  (screen) => screen.dispose(),
+);

@@ -30,8 +30,12 @@ vi.mock("./host", () => {
   };
   return {
     sharedEngine: () => ({ database: () => lease("database"), motion: () => lease("motion"), strut: async () => ({}) }),
-    joinScreen: () => held.add("screen"),
-    leaveScreen: () => held.delete("screen"),
+    screens: {
+      lease: () => {
+        held.add("screen");
+        return { value: {}, release: () => held.delete("screen") };
+      },
+    },
     schedule: { add() {}, remove() {} },
   };
 });

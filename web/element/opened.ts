@@ -2,15 +2,17 @@
 import type { CallOptions, FileReading } from "../client/protocol";
 import type { Database, Motion, Source } from "../package/types";
 import { html } from "../ui/dom";
+import type { Lease } from "../ui/lingering";
+import type { Screen } from "../viewer";
 import type { Cast, CastSource } from "./cast";
 import { Figure, type FigureListeners } from "./figure";
-import { joinScreen, leaveScreen, schedule, sharedEngine } from "./host";
+import { schedule, screens, sharedEngine } from "./host";
 import type { Settings } from "./settings";
-import type { Lease } from "./shared_engine";
 
 export interface Opened {
   database: Lease<Database>;
   motion: Lease<Motion>;
+  screen: Lease<Screen>;
   figure: Figure;
   /** The element in which the figure is drawn. */
   container: HTMLElement;
@@ -45,17 +47,19 @@ export async function openFigure(
   // The figure is invisible until it replaces the existing one.
   const container = html("div", { class: "picture" });
   picture.append(container);
+  let screen: Lease<Screen> | undefined;
   let figure: Figure | undefined;
   try {
-    const screen = joinScreen();
-    const parts = { strut: await engine.strut(), database: database.value, motion: motion.value, screen, container };
+    screen = screens.lease();
+    const values = { database: database.value, motion: motion.value, screen: screen.value };
+    const parts = { strut: await engine.strut(), ...values, container };
     figure = await Figure.open(parts, settings, listeners);
     const fault = await casting;
     await figure.perform(cast.character);
-    return { database, motion, figure, container, fault };
+    return { database, motion, screen, figure, container, fault };
   } catch (thrown) {
     figure?.dispose();
-    leaveScreen();
+    screen?.release();
     container.remove();
     for (const lease of leases) lease.release();
     throw thrown;
@@ -63,11 +67,11 @@ export async function openFigure(
 }
 
 /** Removes the figure and releases its resources. */
-export function closeFigure({ figure, database, motion, container }: Opened): void {
+export function closeFigure({ figure, database, motion, screen, container }: Opened): void {
   schedule.remove(figure);
   figure.dispose();
   container.remove();
-  leaveScreen();
+  screen.release();
   database.release();
   motion.release();
 }

@@ -1,12 +1,7 @@
 /** One engine for all players of a page, and the objects that they have open in it: the same file is opened once. */
 import type { CallOptions } from "../client/protocol";
 import type { Database, Motion, MotionOptions, Source, Strut } from "../package/types";
-
-/** An open object that several players use; each of them releases it. */
-export interface Lease<T> {
-  readonly value: T;
-  release(): void;
-}
+import { type Lease, Lingering } from "../ui/lingering";
 
 /** Time for which an unused object stays open, milliseconds: pages remove elements and insert them again. */
 const LINGER_MS = 10_000;
@@ -17,12 +12,9 @@ const IDLE_MS = 300_000;
 type Opened = { dispose(): void };
 
 interface Shared<T> {
-  opening: Promise<T>;
+  opening: Lingering<Promise<T>>;
   /** Progress listeners: one of every waiting player. */
   waiting: Set<NonNullable<CallOptions["onProgress"]>>;
-  users: number;
-  /** Fires when it has not been used for a while. */
-  lingering?: ReturnType<typeof setTimeout>;
 }
 
 /** Objects of one kind by their URL. */
@@ -32,50 +24,46 @@ class SharedSources<T extends Opened> {
   constructor(private readonly open: (source: string, call: CallOptions) => Promise<T>) {}
 
   async lease(source: string, call: CallOptions): Promise<Lease<T>> {
-    let shared = this.#shared.get(source);
-    if (!shared) {
-      // Removing one player must not cancel an opening for which others wait.
-      const waiting: Shared<T>["waiting"] = new Set();
-      const onProgress: CallOptions["onProgress"] = (progress) => {
-        for (const tell of waiting) tell(progress);
-      };
-      shared = { opening: this.open(source, { onProgress }), waiting, users: 0 };
-      this.#shared.set(source, shared);
-    }
-    const taken = shared;
-    if (call.onProgress) taken.waiting.add(call.onProgress);
-    taken.users += 1;
-    let released = false;
-    const release = () => {
-      if (released) return;
-      released = true;
-      taken.users -= 1;
-      clearTimeout(taken.lingering);
-      if (taken.users === 0) taken.lingering = setTimeout(() => this.#close(source, taken), LINGER_MS);
-    };
+    const shared = this.#shared.get(source) ?? this.#share(source);
+    if (call.onProgress) shared.waiting.add(call.onProgress);
+    const { value, release } = shared.opening.lease();
     try {
-      return { value: await taken.opening, release };
+      return { value: await value, release };
     } catch (thrown) {
       // Another one may have been opened meanwhile.
-      if (this.#shared.get(source) === taken) this.#shared.delete(source);
+      if (this.#shared.get(source) === shared) this.#shared.delete(source);
       throw thrown;
     } finally {
-      if (call.onProgress) taken.waiting.delete(call.onProgress);
+      if (call.onProgress) shared.waiting.delete(call.onProgress);
     }
   }
 
-  #close(source: string, shared: Shared<T>): void {
-    if (shared.users > 0 || this.#shared.get(source) !== shared) return;
-    this.#shared.delete(source);
-    void shared.opening.then((opened) => opened.dispose());
+  #share(source: string): Shared<T> {
+    const waiting: Shared<T>["waiting"] = new Set();
+    // Removing one player must not cancel an opening for which others wait.
+    const onProgress: CallOptions["onProgress"] = (progress) => {
+      for (const tell of waiting) tell(progress);
+    };
+    const open = () => this.open(source, { onProgress });
+    const close = (opening: Promise<T>) => {
+      this.#shared.delete(source);
+      void opening.then((opened) => opened.dispose());
+    };
+    const shared = { opening: new Lingering(LINGER_MS, open, close), waiting };
+    this.#shared.set(source, shared);
+    return shared;
   }
 }
 
 export class SharedEngine {
   readonly #load: () => Promise<Strut>;
   #strut: Promise<Strut> | undefined;
-  #users = 0;
-  #idle: ReturnType<typeof setTimeout> | undefined;
+  /** After its last player, a page gets the memory and the worker back after a while. */
+  readonly #use = new Lingering(
+    IDLE_MS,
+    () => undefined,
+    () => this.#end(),
+  );
   readonly #databases = new SharedSources(async (source, call) => (await this.strut()).openDatabase(source, call));
   readonly #motions = new SharedSources(async (source, call) => (await this.strut()).openMotion(source, call));
 
@@ -104,29 +92,20 @@ export class SharedEngine {
     return this.#counted(this.#lease(this.#motions, source, async (strut) => strut.openMotion(source, call), call));
   }
 
-  /** Counts the users of the engine: after its last player, a page gets the memory and the worker back after a while. */
+  /** Keeps the engine while the lease lasts. */
   async #counted<T>(leasing: Promise<Lease<T>>): Promise<Lease<T>> {
-    this.#users += 1;
-    clearTimeout(this.#idle);
-    let used = true;
-    const leave = () => {
-      if (!used) return;
-      used = false;
-      this.#users -= 1;
-      clearTimeout(this.#idle);
-      if (this.#users === 0) this.#idle = setTimeout(() => this.#end(), IDLE_MS);
-    };
+    const use = this.#use.lease();
     try {
       const { value, release } = await leasing;
       return {
         value,
         release: () => {
           release();
-          leave();
+          use.release();
         },
       };
     } catch (thrown) {
-      leave();
+      use.release();
       throw thrown;
     }
   }

@@ -2,7 +2,7 @@
  * The page in a frame for one figure of the lessons: its attributes are in the URL's query, its state is the part after
  * #, as in a link of the lesson. It reports the visitor's changes to the embedding page.
  */
-import type { StateChange } from "../element/figure/figure_element";
+import type { StateChange } from "../figures/figure_element";
 import { figureAttributesOf, readRequest, toldState } from "./messages";
 
 const figure = document.createElement("strut-figure");

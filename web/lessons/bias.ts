@@ -1,8 +1,8 @@
 /** Lesson: trade content for style knowingly. */
 
-import { biasOf, leastReach, survives } from "../element/figure/bias/bias_measure";
-import { BIAS_FIELDS, BIAS_RANGES, type BiasState } from "../element/figure/bias/bias_state";
-import type { Measure } from "../element/figure/kind";
+import { biasOf, leastReach, survives } from "../figures/bias/bias_measure";
+import { BIAS_FIELDS, BIAS_RANGES, type BiasState } from "../figures/bias/bias_state";
+import type { Measure } from "../figures/kind";
 import { initialOf } from "../link/hash";
 import equation from "./equations/bias.tex";
 import { type Lesson, lesson } from "./lesson";

@@ -2,6 +2,8 @@ import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import type { JointPath } from "../client/learn/protocol";
+import { serveLearnPackage } from "../engine/learn/wasm";
+import { loadBuiltInWalkModel } from "../engine/walk/built_in";
 import {
   cadenceOf,
   farthest,
@@ -12,10 +14,8 @@ import {
   pathOf,
   STATES,
   WALK_HZ,
-} from "../element/figure/chain/chain_measure";
-import { CHAIN_FIELDS, type ChainState } from "../element/figure/chain/chain_state";
-import { serveLearnPackage } from "../engine/learn/wasm";
-import { loadBuiltInWalkModel } from "../engine/walk/built_in";
+} from "../figures/chain/chain_measure";
+import { CHAIN_FIELDS, type ChainState } from "../figures/chain/chain_state";
 import { DEGREES, JOINT, POSE_FLOATS } from "../humanoid";
 import { initialOf, readHash } from "../link/hash";
 import { chain } from "./chain";

@@ -1,8 +1,8 @@
 /** Lesson: predict the effects of variances. */
 import type { LearnEngine } from "../client/learn/protocol";
-import { cadenceOf, jerkOf, measureChain, pathOf, plainOf } from "../element/figure/chain/chain_measure";
-import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState } from "../element/figure/chain/chain_state";
-import type { Measure } from "../element/figure/kind";
+import { cadenceOf, jerkOf, measureChain, pathOf, plainOf } from "../figures/chain/chain_measure";
+import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState } from "../figures/chain/chain_state";
+import type { Measure } from "../figures/kind";
 import { initialOf } from "../link/hash";
 import equation from "./equations/chain.tex";
 import { type Lesson, lesson } from "./lesson";

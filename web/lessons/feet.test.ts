@@ -4,6 +4,7 @@ import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import { DEFAULT_OPTIONS } from "../client/protocol";
+import { serveLearnPackage } from "../engine/learn/wasm";
 import {
   fastestSlide,
   legOf,
@@ -13,11 +14,10 @@ import {
   solveLeg,
   tracksOf,
   votesOf,
-} from "../element/figure/feet/feet_measure";
-import { FEET_FIELDS, type FeetState, lookOf } from "../element/figure/feet/feet_state";
-import { pivotTravel, solesOf } from "../element/figure/feet/soles";
-import { correctionOf } from "../element/figure/feet/soles_figure";
-import { serveLearnPackage } from "../engine/learn/wasm";
+} from "../figures/feet/feet_measure";
+import { FEET_FIELDS, type FeetState, lookOf } from "../figures/feet/feet_state";
+import { pivotTravel, solesOf } from "../figures/feet/soles";
+import { correctionOf } from "../figures/feet/soles_figure";
 import { createWorldPose, DEFAULT_PROPORTIONS, JOINT, POSE_FLOATS, restPose, worldFromLocal } from "../humanoid";
 import { initialOf, readHash } from "../link/hash";
 import { feet } from "./feet";

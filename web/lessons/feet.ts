@@ -1,7 +1,7 @@
 /** Lesson: explain foot skate and its correction. */
-import { fastestSlide, legOf, tracksOf } from "../element/figure/feet/feet_measure";
-import { FEET_FIELDS, type FeetState, REACH, stretchOf } from "../element/figure/feet/feet_state";
-import type { Measure } from "../element/figure/kind";
+import { fastestSlide, legOf, tracksOf } from "../figures/feet/feet_measure";
+import { FEET_FIELDS, type FeetState, REACH, stretchOf } from "../figures/feet/feet_state";
+import type { Measure } from "../figures/kind";
 import { initialOf } from "../link/hash";
 import equation from "./equations/feet.tex";
 import { type Lesson, lesson } from "./lesson";

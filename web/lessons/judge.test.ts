@@ -5,17 +5,11 @@ import { tablesOf } from "../../scripts/evaluation_plugin.mjs";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import { DEFAULT_OPTIONS } from "../client/protocol";
-import { countsOf, typicalOf } from "../element/figure/judge/histogram_figure";
-import {
-  correctionAt,
-  framesOfCorrections,
-  measureJudge,
-  standingOn,
-  trialOf,
-} from "../element/figure/judge/judge_measure";
-import { JUDGE_FIELDS, type JudgeState, METHODS } from "../element/figure/judge/judge_state";
-import { BUILT_IN_OTHER_TAKE, RECORDED, standingOf, steadiest } from "../element/figure/judge/recorded";
 import { serveLearnPackage } from "../engine/learn/wasm";
+import { countsOf, typicalOf } from "../figures/judge/histogram_figure";
+import { correctionAt, framesOfCorrections, measureJudge, standingOn, trialOf } from "../figures/judge/judge_measure";
+import { JUDGE_FIELDS, type JudgeState, METHODS } from "../figures/judge/judge_state";
+import { BUILT_IN_OTHER_TAKE, RECORDED, standingOf, steadiest } from "../figures/judge/recorded";
 import { createWorldPose, headingOf, JOINT, JOINTS, POSE_FLOATS, worldFromLocal } from "../humanoid";
 import { initialOf, readHash } from "../link/hash";
 import { judge } from "./judge";

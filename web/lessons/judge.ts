@@ -1,9 +1,9 @@
 /** Lesson: question an evaluation. */
 import type { LearnEngine } from "../client/learn/protocol";
-import { trialOf } from "../element/figure/judge/judge_measure";
-import { JUDGE_FIELDS, type JudgeState } from "../element/figure/judge/judge_state";
-import { CONTENT_LEFT, RECORDED, steadiest } from "../element/figure/judge/recorded";
-import type { Measure } from "../element/figure/kind";
+import { trialOf } from "../figures/judge/judge_measure";
+import { JUDGE_FIELDS, type JudgeState } from "../figures/judge/judge_state";
+import { CONTENT_LEFT, RECORDED, steadiest } from "../figures/judge/recorded";
+import type { Measure } from "../figures/kind";
 import { initialOf } from "../link/hash";
 import equation from "./equations/judge.tex";
 import { type Lesson, lesson } from "./lesson";

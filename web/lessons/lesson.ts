@@ -1,8 +1,8 @@
 /** The interface of a lesson: figures with their presets, a bet, and exercises judged by the engine's numbers. */
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { withFields } from "../element/figure/kind";
-import type { KindName } from "../element/figure/kinds";
+import type { Measure } from "../figures/kind";
+import { withFields } from "../figures/kind";
+import type { KindName } from "../figures/kinds";
 import type { Fields } from "../link/fields";
 import { initialOf, readHash } from "../link/hash";
 

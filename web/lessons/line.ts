@@ -1,8 +1,8 @@
 /** Lesson: explain the effects of K, λ and β on one prediction. */
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { aboveMean, fitOf, LAMBDAS, leastLambda, sweepOf } from "../element/figure/line/line_measure";
-import { INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "../element/figure/line/line_state";
+import type { Measure } from "../figures/kind";
+import { aboveMean, fitOf, LAMBDAS, leastLambda, sweepOf } from "../figures/line/line_measure";
+import { INSTANTS, LINE_FIELDS, LINE_RANGES, type LineState } from "../figures/line/line_state";
 import { initialOf } from "../link/hash";
 import equation from "./equations/line.tex";
 import { type Lesson, lesson } from "./lesson";

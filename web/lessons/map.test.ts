@@ -1,20 +1,12 @@
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
-import {
-  draggedOf,
-  errorsOf,
-  keyedOf,
-  measureMap,
-  passOf,
-  samplesOf,
-  worstStretch,
-} from "../element/figure/map/map_measure";
-import { BLUR, MAP_FIELDS, type MapState, sharingOf } from "../element/figure/map/map_state";
 import { KeyStyleClips } from "../engine/build/key_style_training";
 import { loadBuiltIn } from "../engine/built_in";
 import { KeyStyleModel } from "../engine/key_style/model";
 import { serveLearnPackage } from "../engine/learn/wasm";
+import { draggedOf, errorsOf, keyedOf, measureMap, passOf, samplesOf, worstStretch } from "../figures/map/map_measure";
+import { BLUR, MAP_FIELDS, type MapState, sharingOf } from "../figures/map/map_state";
 import { DEGREES, POSE_FLOATS } from "../humanoid";
 import { initialOf, readHash } from "../link/hash";
 import { judge } from "./lesson";

@@ -1,8 +1,8 @@
 /** Lesson: follow one update. */
 import type { LearnEngine } from "../client/learn/protocol";
-import { draggedOf, errorsOf, keyedOf, samplesOf } from "../element/figure/map/map_measure";
-import { MAP_FIELDS, type MapState, TEMPERATURE } from "../element/figure/map/map_state";
-import { meanOf } from "../element/figure/pairing";
+import { draggedOf, errorsOf, keyedOf, samplesOf } from "../figures/map/map_measure";
+import { MAP_FIELDS, type MapState, TEMPERATURE } from "../figures/map/map_state";
+import { meanOf } from "../figures/pairing";
 import { DEGREES } from "../humanoid";
 import { initialOf } from "../link/hash";
 import equation from "./equations/map.tex";

@@ -4,6 +4,7 @@ import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
 import { DEFAULT_OPTIONS } from "../client/protocol";
+import { serveLearnPackage } from "../engine/learn/wasm";
 import {
   FLOOR,
   HALF_KNOWN,
@@ -13,9 +14,8 @@ import {
   WIDEST,
   weightAlone,
   widthAt,
-} from "../element/figure/mix/mix_measure";
-import { MIX_FIELDS, type MixState } from "../element/figure/mix/mix_state";
-import { serveLearnPackage } from "../engine/learn/wasm";
+} from "../figures/mix/mix_measure";
+import { MIX_FIELDS, type MixState } from "../figures/mix/mix_state";
 import { readHash } from "../link/hash";
 import { judge } from "./lesson";
 import { mix } from "./mix";

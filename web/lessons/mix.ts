@@ -1,9 +1,9 @@
 /** Lesson: compute weights from distances. */
 
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { firstFrame, measureMix, readingOf, sharesOf, weightAlone } from "../element/figure/mix/mix_measure";
-import { DELTA, MIX_FIELDS, type MixState } from "../element/figure/mix/mix_state";
+import type { Measure } from "../figures/kind";
+import { firstFrame, measureMix, readingOf, sharesOf, weightAlone } from "../figures/mix/mix_measure";
+import { DELTA, MIX_FIELDS, type MixState } from "../figures/mix/mix_state";
 import { initialOf } from "../link/hash";
 import equation from "./equations/mix.tex";
 import { type Lesson, lesson } from "./lesson";

@@ -1,8 +1,8 @@
 /** Lesson: find what the distance ignores. */
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { backwards, distanceOf, foundOf } from "../element/figure/near/near_measure";
-import { NEAR_FIELDS, type NearState, NO_GUESS, WINDOWS } from "../element/figure/near/near_state";
+import type { Measure } from "../figures/kind";
+import { backwards, distanceOf, foundOf } from "../figures/near/near_measure";
+import { NEAR_FIELDS, type NearState, NO_GUESS, WINDOWS } from "../figures/near/near_state";
 import { initialOf } from "../link/hash";
 import equation from "./equations/near.tex";
 import { type Lesson, lesson } from "./lesson";

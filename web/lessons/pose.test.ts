@@ -1,7 +1,8 @@
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
-import { LANGUAGES, WORDS } from "../element/figure/languages";
+import { serveLearnPackage } from "../engine/learn/wasm";
+import { LANGUAGES, WORDS } from "../figures/languages";
 import {
   changedNumbers,
   DOFS,
@@ -12,10 +13,9 @@ import {
   numbersAt,
   rawLog,
   rotationAt,
-} from "../element/figure/pose/pose_measure";
-import { POSE_FIELDS, type PoseState } from "../element/figure/pose/pose_state";
-import { turnOf, withTurn } from "../element/figure/turned_joints";
-import { serveLearnPackage } from "../engine/learn/wasm";
+} from "../figures/pose/pose_measure";
+import { POSE_FIELDS, type PoseState } from "../figures/pose/pose_state";
+import { turnOf, withTurn } from "../figures/turned_joints";
 import {
   DEGREES,
   exp,

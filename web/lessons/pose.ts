@@ -1,9 +1,9 @@
 /** Lesson: read a degree of freedom. */
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { changedNumbers, DOFS, meanOf, measurePose, motionOf, rotationAt } from "../element/figure/pose/pose_measure";
-import { POSE_FIELDS, POSE_RANGES, type PoseState } from "../element/figure/pose/pose_state";
-import { withTurn } from "../element/figure/turned_joints";
+import type { Measure } from "../figures/kind";
+import { changedNumbers, DOFS, meanOf, measurePose, motionOf, rotationAt } from "../figures/pose/pose_measure";
+import { POSE_FIELDS, POSE_RANGES, type PoseState } from "../figures/pose/pose_state";
+import { withTurn } from "../figures/turned_joints";
 import { inverse, log, multiply } from "../humanoid";
 import { initialOf } from "../link/hash";
 import equation from "./equations/pose.tex";

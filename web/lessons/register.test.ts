@@ -3,21 +3,12 @@ import { join } from "node:path";
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
-import { LANGUAGES, WORDS } from "../element/figure/languages";
-import { measureWarp } from "../element/figure/warp/warp_measure";
-import { WARP_FIELDS, type WarpState } from "../element/figure/warp/warp_state";
-import {
-  costAt,
-  costRatio,
-  feetAt,
-  MAX_PACE,
-  msOff,
-  ownPath,
-  type Warping,
-  warpingOf,
-} from "../element/figure/warp/warping";
-import { figure } from "../element/figure/words/words";
 import { serveLearnPackage } from "../engine/learn/wasm";
+import { LANGUAGES, WORDS } from "../figures/languages";
+import { measureWarp } from "../figures/warp/warp_measure";
+import { WARP_FIELDS, type WarpState } from "../figures/warp/warp_state";
+import { costAt, costRatio, feetAt, MAX_PACE, msOff, ownPath, type Warping, warpingOf } from "../figures/warp/warping";
+import { formatNumber } from "../figures/words/words";
 import { initialOf, readHash } from "../link/hash";
 import { judge } from "./lesson";
 import { register } from "./register";
@@ -132,7 +123,7 @@ test("the text's constants are the engine's", async () => {
   const pull = constant("imw.rs", "PULL");
   for (const language of LANGUAGES) {
     const text = await TEXTS[language].lessons.register!();
-    const number = (value: number, digits: number) => figure(value, digits, WORDS[language]);
+    const number = (value: number, digits: number) => formatNumber(value, digits, WORDS[language]);
     const look = text.look.join(" ");
     expect(look).toContain(`λ = ${number(lambda, 0)}`);
     expect(look).toContain(`μ = ${number(pull, 1)}`);

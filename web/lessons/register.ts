@@ -1,8 +1,8 @@
 /** Lesson: read a warp. */
-import type { Measure } from "../element/figure/kind";
-import { measureWarp, mendedFrames } from "../element/figure/warp/warp_measure";
-import { type Anchor, WARP_FIELDS, type WarpState } from "../element/figure/warp/warp_state";
-import { costRatio, moved, ownPath, type Warping, warpingOf } from "../element/figure/warp/warping";
+import type { Measure } from "../figures/kind";
+import { measureWarp, mendedFrames } from "../figures/warp/warp_measure";
+import { type Anchor, WARP_FIELDS, type WarpState } from "../figures/warp/warp_state";
+import { costRatio, moved, ownPath, type Warping, warpingOf } from "../figures/warp/warping";
 import { initialOf } from "../link/hash";
 import equation from "./equations/register.tex";
 import { type Lesson, lesson } from "./lesson";

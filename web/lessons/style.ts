@@ -1,11 +1,11 @@
 /** Lesson: distinguish content from style. */
 
 import type { LearnEngine } from "../client/learn/protocol";
-import type { Measure } from "../element/figure/kind";
-import { farthestJoint, jointMeans, nearestStyle, styleMeans } from "../element/figure/pair_measure";
-import { PAIR_FIELDS, type PairState } from "../element/figure/pair_state";
-import { meanOf, type Pair } from "../element/figure/pairing";
-import { sharedPair } from "../element/figure/shared";
+import type { Measure } from "../figures/kind";
+import { farthestJoint, jointMeans, nearestStyle, styleMeans } from "../figures/pair_measure";
+import { PAIR_FIELDS, type PairState } from "../figures/pair_state";
+import { meanOf, type Pair } from "../figures/pairing";
+import { sharedPair } from "../figures/shared";
 import { ROLES } from "../humanoid";
 import { initialOf } from "../link/hash";
 import equation from "./equations/style.tex";

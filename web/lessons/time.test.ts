@@ -1,7 +1,8 @@
 import { beforeAll, expect, test } from "vitest";
 import { saidIn } from "../app/views/learn/said";
 import { createLearnTable } from "../client/learn/learn_table";
-import { STYLES } from "../element/figure/built_in";
+import { serveLearnPackage } from "../engine/learn/wasm";
+import { STYLES } from "../figures/built_in";
 import {
   frameAtSecond,
   kernelAt,
@@ -10,9 +11,8 @@ import {
   measurePace,
   pacedOf,
   ratioOf,
-} from "../element/figure/pace/pace_measure";
-import { lookOf, PACE_FIELDS, type PaceState } from "../element/figure/pace/pace_state";
-import { serveLearnPackage } from "../engine/learn/wasm";
+} from "../figures/pace/pace_measure";
+import { lookOf, PACE_FIELDS, type PaceState } from "../figures/pace/pace_state";
 import { initialOf, readHash } from "../link/hash";
 import { judge } from "./lesson";
 import { TEXTS } from "./text";

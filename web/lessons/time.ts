@@ -1,7 +1,7 @@
 /** Lesson: compute the pace of a blend. */
-import type { Measure } from "../element/figure/kind";
-import { longestOf, pacedOf, ratioOf } from "../element/figure/pace/pace_measure";
-import { PACE_FIELDS, type PaceState, WEIGHT } from "../element/figure/pace/pace_state";
+import type { Measure } from "../figures/kind";
+import { longestOf, pacedOf, ratioOf } from "../figures/pace/pace_measure";
+import { PACE_FIELDS, type PaceState, WEIGHT } from "../figures/pace/pace_state";
 import { initialOf } from "../link/hash";
 import equation from "./equations/time.tex";
 import { type Lesson, lesson } from "./lesson";

@@ -1,5 +1,5 @@
 /** The lessons in each language: a language is a folder, and a line here. */
-import type { Language } from "../../element/figure/languages";
+import type { Language } from "../../figures/languages";
 import * as de from "./de";
 import * as en from "./en";
 import type { LearnText, LessonTexts } from "./text";

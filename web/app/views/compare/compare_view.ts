@@ -2,7 +2,6 @@
 
 import "./compare.css";
 import type { InputInfo } from "../../../client/protocol";
-import { SPEEDS } from "../../../link/page";
 import { stepSecs } from "../../../player/clock";
 import { clipIn, clipValue, MOST_CLIPS } from "../../../player/input_library";
 import { measure, poseAt } from "../../../player/measured";
@@ -13,6 +12,7 @@ import { html, setText } from "../../../ui/dom";
 import { allOf } from "../../../ui/polygon/selection";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
+import { AnimatedView } from "../../animated_view";
 import { candidatesOf, MAX_COLUMNS } from "../../state/compare";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
@@ -46,7 +46,7 @@ export function createView(host: ViewHost): View {
 /** Time between two updates of the measurements, so that they are readable. */
 const FIGURES_MS = 120;
 
-class CompareView implements View {
+class CompareView extends AnimatedView {
   readonly element: HTMLElement;
   readonly keys: KeyTable = {
     " ": () => this.#togglePlay(),
@@ -55,7 +55,6 @@ class CompareView implements View {
     Home: () => this.#goTo(0),
     End: () => this.#goTo(Number.MAX_SAFE_INTEGER),
   };
-  readonly #host: ViewHost;
   readonly #title = html("h1", { class: "page-title" });
   readonly #summary = html("p", { class: "compare-summary" });
   readonly #input = html("select", { "aria-label": strings.play.input.motion });
@@ -72,14 +71,14 @@ class CompareView implements View {
     make: (request) => this.#make(request),
     cancel: () => this.#progress.cancel(),
     onMade: () => this.#showMade(),
-    onError: (error) => this.#host.toasts.failure(error),
+    onError: (error) => this.host.toasts.failure(error),
   });
   readonly #search: SearchStrip;
   readonly #searched = new SearchMeasurement({
     measure: ({ neighbours, candidates }, call) =>
-      this.#baselines.compareSearch(this.#host.session, neighbours, candidates, call),
+      this.#baselines.compareSearch(this.host.session, neighbours, candidates, call),
     onChange: () => this.#showSearch(),
-    onError: (error) => this.#host.toasts.failure(error),
+    onError: (error) => this.host.toasts.failure(error),
   });
   #columns: CompareColumn[] = [];
   #viewer: SideBySideViewer | undefined;
@@ -92,16 +91,13 @@ class CompareView implements View {
   #frame = 0;
   #lastTick = 0;
   #figuresShownAt = 0;
-  #request = 0;
-  #listening = new AbortController();
-  #shown = false;
   /** The last state of the playhead. */
   #followed: Pick<AppState, "playing" | "frame">;
   /** The frame whose poses are set in the viewer; `undefined` if they must be set again. */
   #drawnFrame: number | undefined;
 
   constructor(host: ViewHost) {
-    this.#host = host;
+    super(host);
     const { store } = host;
     this.#followed = store.state;
     this.#input.addEventListener("change", () => void this.#choose(this.#input.value));
@@ -121,7 +117,6 @@ class CompareView implements View {
       onFrame: (by) => this.#step(by),
       onScrub: (frame) => this.#goTo(frame),
       onSpeed: (speed) => store.edit({ speed }),
-      speeds: SPEEDS,
     });
     this.#search = new SearchStrip((search) => store.edit({ search }));
     const select = (element: HTMLSelectElement) => html("div", { class: "select outlined" }, element, icon("chevron"));
@@ -153,29 +148,21 @@ class CompareView implements View {
     );
   }
 
-  get history() {
-    return this.#host.store;
-  }
-
-  show(): void {
-    this.#shown = true;
-    this.#listening = new AbortController();
-    const { signal } = this.#listening;
+  protected appear(signal: AbortSignal): void {
     onSystemTheme(() => this.refresh(), signal);
-    this.#host.store.subscribe(() => this.refresh(), signal);
+    this.host.store.subscribe(() => this.refresh(), signal);
     this.#motions.resume();
-    this.#frame = this.#host.playhead.at;
-    this.#followed = this.#host.store.state;
+    this.#frame = this.host.playhead.at;
+    this.#followed = this.host.store.state;
     this.#beginWithRecording();
     this.refresh();
     this.#lastTick = performance.now();
-    this.#request = requestAnimationFrame(this.#tick);
   }
 
   /** Opens an input of the library, or a clip of the open database. */
   async #choose(value: string): Promise<void> {
     const clip = clipIn(value);
-    await (clip === undefined ? this.#host.chooseInput(value) : this.#host.chooseClip(clip));
+    await (clip === undefined ? this.host.chooseInput(value) : this.host.chooseClip(clip));
   }
 
   /**
@@ -183,24 +170,21 @@ class CompareView implements View {
    * so similar to each other that copying a frame would be the best method.
    */
   #beginWithRecording(): void {
-    const { store, session } = this.#host;
+    const { store, session } = this.host;
     const { databaseSource, library } = session;
     if (store.state.input !== "" || databaseSource?.kind !== "strutdb") return;
     const first = library.clips.find(({ name }) => /walk/i.test(name)) ?? library.clips[0];
-    if (first) void this.#host.chooseClip(first.clip);
+    if (first) void this.host.chooseClip(first.clip);
   }
 
-  hide(): void {
-    if (this.#shown && this.#openInput) this.#host.playhead.takeOver(this.#frame);
-    this.#shown = false;
-    this.#listening.abort();
+  protected disappear(): void {
+    if (this.#openInput) this.host.playhead.takeOver(this.#frame);
     this.#motions.pause();
     this.#searched.stop();
-    cancelAnimationFrame(this.#request);
   }
 
-  dispose(): void {
-    this.hide();
+  override dispose(): void {
+    super.dispose();
     this.#viewer?.dispose();
     this.#viewer = undefined;
     this.#baselines.dispose();
@@ -208,9 +192,9 @@ class CompareView implements View {
 
   /** Shows the open objects and the state. */
   refresh(): void {
-    const { session } = this.#host;
+    const { session } = this.host;
     const { database, input } = session;
-    const { state } = this.#host.store;
+    const { state } = this.host.store;
     if (this.#viewer) this.#viewer.theme = isDark(state.theme) ? "dark" : "light";
     const columns = this.#columnNames();
     this.#showColumns(columns, state);
@@ -260,13 +244,13 @@ class CompareView implements View {
   }
 
   #columnNames(): ColumnName[] {
-    return this.#host.store.state.columns.filter((name): name is ColumnName =>
+    return this.host.store.state.columns.filter((name): name is ColumnName =>
       COLUMN_NAMES.some((known) => known === name),
     );
   }
 
   #showColumns(names: readonly ColumnName[], state: Readonly<AppState>): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     if (names.join() !== this.#columns.map((column) => column.name).join()) {
       this.#columns = names.map(
         (name, i) =>
@@ -288,7 +272,7 @@ class CompareView implements View {
   }
 
   #showSearch(): void {
-    const { search, k } = this.#host.store.state;
+    const { search, k } = this.host.store.state;
     const { figures, fraction } = this.#searched;
     this.#search.show({ search, neighbours: k, figures, fraction });
   }
@@ -325,7 +309,7 @@ class CompareView implements View {
   }
 
   async #make(request: MotionRequest): Promise<ColumnMotion | undefined> {
-    const { session } = this.#host;
+    const { session } = this.host;
     if (request.kind === "counterpart") {
       const { styles } = request;
       if (!styles) return undefined;
@@ -356,7 +340,7 @@ class CompareView implements View {
   /** Updates texts and measurements after a motion was made. */
   #showMade(): void {
     this.#drawnFrame = undefined;
-    this.#showWords(this.#host.store.state, this.#host.session);
+    this.#showWords(this.host.store.state, this.host.session);
   }
 
   /** Moves the clock to the playhead set by a link, undo or a pause; during playback the state has no frame. */
@@ -366,10 +350,9 @@ class CompareView implements View {
     this.#followed = state;
   }
 
-  readonly #tick = (now: number): void => {
-    this.#request = requestAnimationFrame(this.#tick);
+  protected tick(now: number): void {
     const input = this.#openInput;
-    const { state } = this.#host.store;
+    const { state } = this.host.store;
     if (!input) return;
     const dt = stepSecs(this.#lastTick, now);
     this.#lastTick = now;
@@ -377,10 +360,10 @@ class CompareView implements View {
       const { frame, event } = advanced(this.#frame, dt, { ...state, rateHz: input.rateHz, frames: input.frames });
       this.#frame = frame;
       if (event === "restarted") this.#viewer?.settle();
-      if (event === "ended") this.#host.store.edit({ playing: false, frame });
+      if (event === "ended") this.host.store.edit({ playing: false, frame });
     }
     this.#draw(now);
-  };
+  }
 
   #draw(now: number): void {
     this.#viewer ??= this.#makeViewer();
@@ -418,10 +401,10 @@ class CompareView implements View {
   #makeViewer(): SideBySideViewer {
     const viewer = new SideBySideViewer(
       this.#picture,
-      isDark(this.#host.store.state.theme) ? "dark" : "light",
+      isDark(this.host.store.state.theme) ? "dark" : "light",
       this.#comparison ? pictureOf(this.#comparison) : "",
     );
-    const { database } = this.#host.session;
+    const { database } = this.host.session;
     if (database) viewer.setProportions(database.proportions);
     return viewer;
   }
@@ -429,11 +412,11 @@ class CompareView implements View {
   #addColumn(): void {
     const names = this.#columnNames();
     const next = COLUMN_NAMES.find((name) => !names.includes(name));
-    if (next) this.#host.store.edit({ columns: [...names, next] });
+    if (next) this.host.store.edit({ columns: [...names, next] });
   }
 
   #togglePlay(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     store.edit({ playing: !store.state.playing, frame: Math.round(this.#frame) });
   }
 
@@ -443,12 +426,12 @@ class CompareView implements View {
     const far = Math.abs(frame - this.#frame) > input.rateHz / 2;
     this.#frame = Math.min(Math.max(0, frame), input.frames - 1);
     if (far) this.#viewer?.settle();
-    if (!this.#host.store.state.playing) this.#host.store.edit({ frame: Math.round(this.#frame) });
+    if (!this.host.store.state.playing) this.host.store.edit({ frame: Math.round(this.#frame) });
   }
 
   #step(by: number): void {
     const frame = Math.round(this.#frame);
-    this.#host.store.edit({ playing: false, frame });
+    this.host.store.edit({ playing: false, frame });
     this.#goTo(frame + by);
   }
 }

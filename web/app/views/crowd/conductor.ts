@@ -5,7 +5,7 @@
 
 import type { Crowd } from "../../../client/crowd/crowd_client";
 import type { FieldVertex, Place } from "../../../client/crowd/limits";
-import { Latest } from "../../../element/figure/latest";
+import { LatestOnly } from "../../../ui/latest_only";
 
 /** Settings of a crowd. */
 export interface Conducted {
@@ -20,7 +20,7 @@ const NOTHING = { count: 0, field: "", route: "" };
 
 export class Conductor {
   readonly #onFailed: (error: unknown) => void;
-  readonly #fields = new Latest<readonly FieldVertex[]>((field) => this.#try(this.#crowd?.setField(field)));
+  readonly #fields = new LatestOnly<readonly FieldVertex[]>((field) => this.#try(this.#crowd?.setField(field)));
   #crowd: Crowd | undefined;
   /** Settings that were sent, lists as text. */
   #sent = NOTHING;

@@ -9,6 +9,7 @@ import { button, Segment } from "../../../ui/controls/buttons";
 import { formatNumber, html, setText } from "../../../ui/dom";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { graphics } from "../../../viewer";
+import { AnimatedView } from "../../animated_view";
 import { CROWD_CAMERAS, type CrowdCamera } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
@@ -45,9 +46,8 @@ const SOFTWARE_COUNT = 100;
 /** Updates of the figures and the card per second of the crowd's time. */
 const FIGURES_HZ = 5;
 
-class CrowdView implements View {
+class CrowdView extends AnimatedView {
   readonly element: HTMLElement;
-  readonly #host: ViewHost;
   readonly #progress = new ProgressLine();
   readonly #settings: Settings;
   readonly #gathering: Gathering;
@@ -83,12 +83,9 @@ class CrowdView implements View {
   #census: Census | undefined;
   #drawsRoute = false;
   #films = false;
-  #request = 0;
-  /** Aborts, with all listeners, when the view is hidden; `undefined` while it is hidden. */
-  #shown: AbortController | undefined;
 
   constructor(host: ViewHost) {
-    this.#host = host;
+    super(host);
     const { store } = host;
     this.#conductor = new Conductor((error) => host.toasts.error(errorText(error)));
     this.#settings = new Settings(store, (sentence) => host.toasts.error(sentence));
@@ -163,14 +160,8 @@ class CrowdView implements View {
     );
   }
 
-  get history() {
-    return this.#host.store;
-  }
-
-  show(): void {
-    this.#shown = new AbortController();
-    const { signal } = this.#shown;
-    const { store } = this.#host;
+  protected appear(signal: AbortSignal): void {
+    const { store } = this.host;
     this.#colours.theme = isDark(store.state.theme) ? "dark" : "light";
     this.#picture = new CrowdPicture(
       this.#stage,
@@ -193,14 +184,10 @@ class CrowdView implements View {
     document.addEventListener("keydown", (event) => this.#onKey(event), { signal });
     this.#chart.attach(signal);
     this.refresh();
-    this.#request = requestAnimationFrame(this.#draw);
   }
 
-  hide(): void {
-    this.#shown?.abort();
-    this.#shown = undefined;
+  protected disappear(): void {
     this.#gathering.cancel();
-    cancelAnimationFrame(this.#request);
     this.#close();
     this.#picture = undefined;
     // The next model may have other styles.
@@ -212,23 +199,19 @@ class CrowdView implements View {
 
   /** Shows walkers of the open database, or agents that perform the input on it. */
   refresh(): void {
-    if (!this.#shown) return;
-    const { state } = this.#host.store;
-    const { database } = this.#host.session;
+    if (!this.isShown) return;
+    const { state } = this.host.store;
+    const { database } = this.host.session;
     this.#showState();
     // A database stored on this device is opened first; the page calls again when it is open.
     if (state.database !== "" && !database) return;
     if (!this.#canBegin) return;
-    const { name, file } = this.#host.databaseFile();
+    const { name, file } = this.host.databaseFile();
     if (this.#replaced?.file !== file) this.#replaced = undefined;
     const source = this.#replaced || !file ? BUILT_IN : { name, file, neutral: database?.neutral ?? "" };
     const { gathered } = this.#gathering;
     const performs = this.#performance()?.key ?? "";
     if (!gathered || gathered.source.file !== source.file || gathered.performs !== performs) this.#open(source);
-  }
-
-  dispose(): void {
-    this.hide();
   }
 
   // --- the crowd ---
@@ -248,14 +231,14 @@ class CrowdView implements View {
 
   /** Whether all requirements are met: agents that perform need an input. */
   get #canBegin(): boolean {
-    return this.#read().kind === "walkers" || this.#host.session.input !== undefined;
+    return this.#read().kind === "walkers" || this.host.session.input !== undefined;
   }
 
   /** The motion to perform: the input of Play with its options. */
   #performance(): Performance | undefined {
-    const { session, store } = this.#host;
+    const { session, store } = this.host;
     const { state } = store;
-    const { name } = this.#host.databaseFile();
+    const { name } = this.host.databaseFile();
     if (this.#read().kind !== "performers") return undefined;
     const options = { ...engineOptions(state, session.database?.neutral ?? ""), styles: {}, parts: {}, track: [] };
     const key = JSON.stringify([name, session.inputName, session.input?.frames, state.range, options]);
@@ -264,7 +247,7 @@ class CrowdView implements View {
 
   #fieldOf(all: readonly string[], { neutral }: WalkSource): readonly FieldVertex[] {
     this.#styles = { all, neutral: all.includes(neutral) ? neutral : "" };
-    if (all.length === 1) this.#host.toasts.note(words.of[this.#read().kind].oneStyle);
+    if (all.length === 1) this.host.toasts.note(words.of[this.#read().kind].oneStyle);
     return this.#read().field;
   }
 
@@ -300,7 +283,7 @@ class CrowdView implements View {
   /** Shows why there is no crowd, and what can be done. An existing crowd continues. */
   #refuse(source: WalkSource, why: string): void {
     if (this.#crowd) {
-      if (why !== "") this.#host.toasts.error(why);
+      if (why !== "") this.host.toasts.error(why);
       return;
     }
     const again = { label: words.startAgain, onChoose: () => this.#open(source) };
@@ -314,7 +297,7 @@ class CrowdView implements View {
     const { kind } = this.#read();
     const walk = {
       label: words.letWalk,
-      onChoose: () => this.#host.store.edit({ crowdKind: "walkers" }),
+      onChoose: () => this.host.store.edit({ crowdKind: "walkers" }),
     };
     const [none, instead] =
       kind === "performers"
@@ -338,8 +321,8 @@ class CrowdView implements View {
 
   #showState(): void {
     const picture = this.#picture;
-    if (!this.#shown || !picture) return;
-    const { store } = this.#host;
+    if (!this.isShown || !picture) return;
+    const { store } = this.host;
     const { kind, people, field, route } = this.#read();
     const { state } = store;
     const crowd = this.#crowd;
@@ -381,7 +364,7 @@ class CrowdView implements View {
     this.#map.setAttribute("aria-pressed", String(state.crowdMap));
     this.#footer.show(state.playing, state.speed, crowd !== undefined && !this.#films);
     setText(this.#title, crowd ? crowdTitle(kind, count, field) : words.opening);
-    const { session } = this.#host;
+    const { session } = this.host;
     const motion = inputTitle(session.library, session.inputName);
     setText(this.#caption, this.#performs ? words.performed(motion, formatNumber(this.#performs.secs, 1)) : caption);
     this.#chart.kind = kind;
@@ -397,18 +380,18 @@ class CrowdView implements View {
   }
 
   #change(index: number, patch: Partial<FieldVertex>, gesture: string): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     store.edit({ field: withVertex(this.#read().field, index, patch), crowdVertex: index }, gesture);
   }
 
   #add(style: string): void {
     const field = withStyle(this.#read().field, style, this.#radius);
-    this.#host.store.edit({ field, crowdVertex: field.length - 1 });
+    this.host.store.edit({ field, crowdVertex: field.length - 1 });
   }
 
   #remove(index: number): void {
     const field = withoutVertex(this.#read().field, index);
-    this.#host.store.edit({ field, crowdVertex: Math.max(0, index - 1) });
+    this.host.store.edit({ field, crowdVertex: Math.max(0, index - 1) });
   }
 
   #drawRoute(draws: boolean): void {
@@ -441,7 +424,7 @@ class CrowdView implements View {
   #onHalved(count: number): void {
     this.#slowed = count;
     this.#conductor.count = count;
-    this.#host.toasts.note(words.slowed(count, words.of[this.#read().kind].does));
+    this.host.toasts.note(words.slowed(count, words.of[this.#read().kind].does));
     this.#showState();
   }
 
@@ -450,21 +433,20 @@ class CrowdView implements View {
     if (this.#crowd && this.#tick && !this.#crowd.playing) this.#picture?.setTick(this.#tick, this.#crowd.styles, true);
   }
 
-  readonly #draw = (now: number): void => {
-    this.#request = requestAnimationFrame(this.#draw);
+  protected tick(now: number): void {
     if (this.#films) return;
     const crowd = this.#crowd;
     const share = crowd?.playing ? Math.min(1, Math.max(0, (performance.now() - this.#tickAt) / crowd.periodMs)) : 1;
     this.#picture!.draw(now, share);
-  };
+  }
 
   #togglePlay(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     if (this.#crowd) store.edit({ playing: !store.state.playing });
   }
 
   #step(): void {
-    this.#host.store.edit({ playing: false });
+    this.host.store.edit({ playing: false });
     void this.#crowd?.step();
   }
 
@@ -513,9 +495,9 @@ class CrowdView implements View {
   /** Shows what was saved, or the error, unless it was cancelled. */
   async #say(saving: Promise<string>): Promise<void> {
     try {
-      this.#host.toasts.note(strings.page.outputs.saved(await saving));
+      this.host.toasts.note(strings.page.outputs.saved(await saving));
     } catch (error) {
-      if (!isCancellation(error)) this.#host.toasts.error(errorText(error));
+      if (!isCancellation(error)) this.host.toasts.error(errorText(error));
     }
   }
 }

@@ -5,6 +5,7 @@ import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
 import { clock, html, setText } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
+import { SpeedChoice } from "../../ui/transport";
 import type { ShareChart } from "./share_chart";
 
 const words = strings.crowd;
@@ -21,11 +22,7 @@ export class Footer {
   readonly element: HTMLElement;
   readonly #play: PlayButton;
   readonly #step: HTMLButtonElement;
-  readonly #speed = html("select", {
-    class: "speed",
-    "aria-label": strings.play.transport.speed,
-    title: strings.play.transport.speed,
-  });
+  readonly #speed: SpeedChoice;
   readonly #clock = html("span", { class: "clock" });
   readonly #running = html("span", { class: "caption" });
   readonly #outputs: readonly HTMLButtonElement[];
@@ -33,8 +30,7 @@ export class Footer {
   constructor(chart: ShareChart, listeners: FooterListeners) {
     this.#play = new PlayButton(listeners.onPlay);
     this.#step = button(words.step, listeners.onStep, { icon: "next", keys: "→" });
-    this.#speed.append(...SPEEDS.map((speed) => html("option", { value: speed }, `${speed}×`)));
-    this.#speed.addEventListener("change", () => listeners.onSpeed(Number(this.#speed.value)));
+    this.#speed = new SpeedChoice(listeners.onSpeed);
     const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
     const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
     // On a narrow screen there is no room for their text.
@@ -50,7 +46,7 @@ export class Footer {
       html(
         "div",
         { class: "crowd-transport" },
-        html("div", {}, this.#play.element, this.#step, this.#speed),
+        html("div", {}, this.#play.element, this.#step, this.#speed.element),
         html("p", {}, this.#clock, this.#running),
       ),
       chart.element,
@@ -60,7 +56,7 @@ export class Footer {
 
   show(playing: boolean, speed: number, ready: boolean): void {
     this.#play.playing = playing;
-    this.#speed.value = String(SPEEDS.find((one) => one >= speed) ?? SPEEDS.at(-1)!);
+    this.#speed.value = SPEEDS.find((one) => one >= speed) ?? SPEEDS.at(-1)!;
     setText(this.#running, words.clockState[playing ? "running" : "paused"]);
     for (const element of [this.#play.element, this.#step, ...this.#outputs]) element.disabled = !ready;
   }

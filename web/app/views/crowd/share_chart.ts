@@ -2,8 +2,10 @@
 
 import { formatNumber, html } from "../../../ui/dom";
 import { sizeOf } from "../../../ui/drawing";
+import { pixelOf, type Scale } from "../../../ui/scale";
 import type { CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
+import { prepareCanvas } from "../../ui/canvas";
 import { readColours } from "../../ui/colours";
 import { onResize } from "../../ui/resize";
 import { capitalised, spoken } from "../../ui/words";
@@ -46,29 +48,27 @@ export class ShareChart {
 
   draw(): void {
     const { width, height } = sizeOf(this.element);
-    const context = this.#canvas.getContext("2d");
-    if (width === 0 || height === 0 || !context) return;
-    const ratio = (devicePixelRatio * this.element.clientWidth) / width;
-    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (this.#canvas.width !== w || this.#canvas.height !== h) Object.assign(this.#canvas, { width: w, height: h });
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
+    if (width === 0 || height === 0) return;
+    const context = prepareCanvas(this.#canvas, width, height, this.element.clientWidth / width);
     const font = getComputedStyle(this.element).fontFamily;
     context.font = `11px ${font}`;
     context.textBaseline = "middle";
-    const area = { left: PAD.left, right: width - PAD.right, top: PAD.top, bottom: height - PAD.bottom };
+    const area: Area = {
+      // Seconds ago.
+      time: { min: REMEMBERED_SECS, max: 0, from: PAD.left, to: width - PAD.right },
+      share: { min: 0, max: 1, from: height - PAD.bottom, to: PAD.top },
+    };
     const tokens = readColours(this.element);
     this.#drawAxis(context, area, tokens.ink3, tokens.line);
     const samples = this.#census?.samples ?? [];
     if (!this.#census || samples.length === 0) return;
     const order = this.#census.present;
     const edges = samples.map((sample) => stacked(sample, order));
-    const x = (i: number) =>
-      area.right - ((samples.length - 1 - i) / (REMEMBERED_SECS * COUNTS_HZ)) * (area.right - area.left);
-    const y = (share: number) => area.bottom - share * (area.bottom - area.top);
+    const x = (i: number) => pixelOf(area.time, (samples.length - 1 - i) / COUNTS_HZ);
+    const y = (share: number) => pixelOf(area.share, share);
     // The first count is drawn one pixel wide.
     const columns = samples.length === 1 ? [0, 0] : samples.map((_, i) => i);
-    const xs = samples.length === 1 ? [area.right - 1, area.right] : columns.map(x);
+    const xs = samples.length === 1 ? [area.time.to - 1, area.time.to] : columns.map(x);
     for (const [layer, kind] of order.entries()) {
       const colour = this.#colourOf(kind);
       context.beginPath();
@@ -89,52 +89,53 @@ export class ShareChart {
     this.#drawLabels(context, area, order, edges.at(-1)!, samples.at(-1)!, tokens.ink2, tokens.ink);
   }
 
-  #drawAxis(context: CanvasRenderingContext2D, area: Area, ink: string, line: string): void {
+  #drawAxis(context: CanvasRenderingContext2D, { time, share }: Area, ink: string, line: string): void {
+    const { from: left, to: right } = time;
+    const { from: bottom, to: top } = share;
     context.fillStyle = ink;
     context.textAlign = "left";
-    context.fillText(words.of[this.kind].chart, area.left, 7);
+    context.fillText(words.of[this.kind].chart, left, 7);
     context.strokeStyle = line;
     context.lineWidth = 1;
-    context.strokeRect(area.left + 0.5, area.top - 0.5, area.right - area.left - 1, area.bottom - area.top + 1);
-    const room = (area.right - area.left) / (REMEMBERED_SECS / MARK_SECS);
+    context.strokeRect(left + 0.5, top - 0.5, right - left - 1, bottom - top + 1);
+    const room = (right - left) / (REMEMBERED_SECS / MARK_SECS);
     const every = room < 48 ? 2 : 1;
     for (let n = 0; n * MARK_SECS <= REMEMBERED_SECS; n += every) {
       const secs = n * MARK_SECS;
-      const x = area.right - (secs / REMEMBERED_SECS) * (area.right - area.left);
       context.textAlign = secs === 0 ? "right" : secs === REMEMBERED_SECS ? "left" : "center";
-      context.fillText(secs === 0 ? words.now : words.secsAgo(secs), x, area.bottom + 11);
+      context.fillText(secs === 0 ? words.now : words.secsAgo(secs), pixelOf(time, secs), bottom + 11);
     }
   }
 
   /** Draws names at the left and numbers at the right of the layers; of the thickest ones if there is no room for all. */
   #drawLabels(
     context: CanvasRenderingContext2D,
-    area: Area,
+    { time, share }: Area,
     order: readonly number[],
     edges: readonly number[],
     counts: ArrayLike<number>,
     ink2: string,
     ink: string,
   ): void {
-    const most = Math.floor((area.bottom - area.top) / LABEL_PX) + 1;
+    const { from: bottom, to: top } = share;
+    const most = Math.floor((bottom - top) / LABEL_PX) + 1;
     const shown = [...order.keys()]
       .filter((layer) => counts[order[layer]!]! >= 0.5)
       .sort((a, b) => counts[order[b]!]! - counts[order[a]!]!)
       .slice(0, most)
       .sort((a, b) => b - a);
-    const middle = (layer: number) =>
-      area.bottom - ((edges[layer]! + edges[layer + 1]!) / 2) * (area.bottom - area.top);
-    const places = spread(shown.map(middle), LABEL_PX, area.top + 4, area.bottom - 4);
+    const middle = (layer: number) => pixelOf(share, (edges[layer]! + edges[layer + 1]!) / 2);
+    const places = spread(shown.map(middle), LABEL_PX, top + 4, bottom - 4);
     const said: string[] = [];
     for (const [i, layer] of shown.entries()) {
       const kind = order[layer]!;
       const [name, count] = [this.#nameOf(kind), formatNumber(counts[kind]!, 0)];
       context.fillStyle = ink2;
       context.textAlign = "right";
-      context.fillText(name, area.left - 10, places[i]!, PAD.left - 14);
+      context.fillText(name, time.from - 10, places[i]!, PAD.left - 14);
       context.fillStyle = ink;
       context.textAlign = "left";
-      context.fillText(count, area.right + 10, places[i]!);
+      context.fillText(count, time.to + 10, places[i]!);
       said.push(words.people2(name, Number(count)));
     }
     this.#canvas.setAttribute("aria-label", words.chartLabel(capitalised(words.of[this.kind].chart), said.join(", ")));
@@ -151,9 +152,8 @@ export class ShareChart {
   }
 }
 
+/** The scales of the chart. */
 interface Area {
-  left: number;
-  right: number;
-  top: number;
-  bottom: number;
+  time: Scale;
+  share: Scale;
 }

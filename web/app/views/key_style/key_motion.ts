@@ -8,11 +8,11 @@ import type {
   Span,
   Styling,
 } from "../../../client/models/key_style";
+import { type Extent, paddedExtent } from "../../../ui/scale";
 import type { TimedValue } from "../../state/key_style";
-import { extentOf } from "../../ui/scale";
 import type { Grid } from "./contours";
 import { cycleOf, keysOfCycle, keysOfRecording } from "./first_keys";
-import type { Extent, RowName } from "./timeline_rows";
+import type { RowName } from "./timeline_rows";
 
 /** Share of the range of the training data by which the axes extend beyond it. */
 const MARGIN = 0.14;
@@ -44,7 +44,7 @@ export class KeyMotion {
     this.#poser = model.poser();
     this.#styling = model.styling();
     const axes = model.axes.length;
-    this.ranges = model.axes.map((_, axis) => extentOf(valuesOf(model.values, axis, axes), MARGIN));
+    this.ranges = model.axes.map((_, axis) => paddedExtent(valuesOf(model.values, axis, axes), MARGIN));
     this.rows = model.axes.map((axis, i) => {
       const { min, max } = this.ranges[i]!;
       const unit = model.units[i]!;

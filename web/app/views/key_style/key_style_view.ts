@@ -6,6 +6,7 @@ import type { DroppedFile } from "../../../client/build/protocol";
 import type { Between, KeyStyleFrame } from "../../../client/models/key_style";
 import { html, setAttributes } from "../../../ui/dom";
 import { onSystemTheme } from "../../../ui/theme";
+import { AnimatedView } from "../../animated_view";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
 import type { AppState } from "../../state/state";
 import { strings } from "../../strings/strings";
@@ -36,9 +37,8 @@ const TRAIN_DELAY_MS = 250;
 /** Fields on which the motion of the keys depends. */
 const MOTION_FIELDS = ["keys", "keyChosen", "keyLength", "keyCurve", "keyHard", "loop"] as const;
 
-class KeyStyleView implements View {
+class KeyStyleView extends AnimatedView {
   readonly element: HTMLElement;
-  readonly #host: ViewHost;
   readonly #trainer: ModelTrainer;
   readonly #picture: PicturePanel;
   readonly #pad: PadPanel;
@@ -48,15 +48,12 @@ class KeyStyleView implements View {
   readonly #editor: KeyEditor;
   readonly #recorder = new Recorder();
   #open: OpenModel | undefined;
-  /** Aborts, with all listeners, when the view is hidden; `undefined` while it is hidden. */
-  #shown: AbortController | undefined;
   #dirty = false;
   readonly #player: Player;
-  #request = 0;
   #trainingTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: ViewHost) {
-    this.#host = host;
+    super(host);
     const { store } = host;
     this.#trainer = new ModelTrainer(
       host,
@@ -127,19 +124,13 @@ class KeyStyleView implements View {
     );
   }
 
-  get history() {
-    return this.#host.store;
-  }
-
-  show(): void {
-    this.#shown = new AbortController();
-    const { signal } = this.#shown;
-    const { store } = this.#host;
+  protected appear(signal: AbortSignal): void {
+    const { store } = this.host;
     const { state } = store;
     store.subscribe((state, changed) => this.#onChange(state, changed), signal);
     for (const part of [this.#pad, this.#timeline, this.#recordings]) part.attach(signal);
     onSystemTheme(() => this.#showState(), signal);
-    this.#picture.take((container) => this.#host.borrowViewer(container));
+    this.#picture.take((container) => this.host.borrowViewer(container));
     if (this.#open) this.#picture.present(this.#open);
     // A link followed meanwhile omits defaults.
     if (this.#motion && this.#trainer.has(state)) store.adopt(completed(state, this.#motion));
@@ -147,30 +138,26 @@ class KeyStyleView implements View {
     this.#dirty = true;
     this.#adoptSet();
     this.#showState();
-    this.#trainer.request(this.#host.store.state);
-    this.#request = requestAnimationFrame(this.#tick);
+    this.#trainer.request(this.host.store.state);
   }
 
-  hide(): void {
-    this.#shown?.abort();
-    this.#shown = undefined;
+  protected disappear(): void {
     this.#trainer.cancel();
     clearTimeout(this.#trainingTimer);
-    cancelAnimationFrame(this.#request);
     this.#picture.give();
   }
 
   refresh(): void {
-    if (!this.#shown) return;
+    if (!this.isShown) return;
     this.#adoptSet();
     this.#showState();
-    this.#trainer.request(this.#host.store.state);
+    this.#trainer.request(this.host.store.state);
   }
 
   takeFiles(files: DroppedFile[]): void {
     this.#trainer.files = files;
-    this.#host.workChanged();
-    const { store } = this.#host;
+    this.host.workChanged();
+    const { store } = this.host;
     store.edit({ ...anotherSet("files"), playing: true });
     this.#trainer.request(store.state);
   }
@@ -184,8 +171,8 @@ class KeyStyleView implements View {
     return this.holdsWork;
   }
 
-  dispose(): void {
-    this.hide();
+  override dispose(): void {
+    super.dispose();
     this.#trainer.dispose();
   }
 
@@ -193,17 +180,17 @@ class KeyStyleView implements View {
 
   /** A link may name files or a database that do not exist here. */
   #adoptSet(): void {
-    const { store, toasts } = this.#host;
+    const { store, toasts } = this.host;
     const { source, action } = parseSet(store.state.keySet);
     if (source === "files" && this.#trainer.files.length === 0) {
       toasts.note(words.filesMissing);
       store.adopt(anotherSet("walk"));
-    } else if (source === "open" && this.#host.session.database && !this.#host.databaseFile().file)
+    } else if (source === "open" && this.host.session.database && !this.host.databaseFile().file)
       store.adopt({ keySet: action || "walk" });
   }
 
   #present(open: OpenModel): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const former = this.#open;
     this.#open = open;
     this.#player.motion = open.motion;
@@ -251,12 +238,12 @@ class KeyStyleView implements View {
     if (this.#recording) this.#recorder.add(now / 1000, values);
     this.#player.follow(now, values);
     const moved = this.#recording ? { keyTrail: this.#recorder.trail } : {};
-    this.#host.store.edit({ keyHandle: values, playing: false, ...moved });
+    this.host.store.edit({ keyHandle: values, playing: false, ...moved });
   }
 
   #drop(): void {
     this.#recording = false;
-    this.#host.store.endGesture();
+    this.host.store.endGesture();
   }
 
   /** Moves the handle to a recorded pose. */
@@ -268,15 +255,14 @@ class KeyStyleView implements View {
 
   // --- time ---
 
-  readonly #tick = (now: number): void => {
-    this.#request = requestAnimationFrame(this.#tick);
+  protected tick(now: number): void {
     this.#player.tick(now);
     this.#picture.draw(now);
-  };
+  }
 
   #showTime(secs: number, values: readonly number[]): void {
     this.#timeline.setPlayhead(secs, values);
-    this.#pad.played = secs / this.#host.store.state.keyLength;
+    this.#pad.played = secs / this.host.store.state.keyLength;
     this.#footer.secs = secs;
   }
 
@@ -291,7 +277,7 @@ class KeyStyleView implements View {
   /** Sets the keys of the state on the motion, if they have changed. */
   #prepare(): void {
     const motion = this.#motion;
-    const { state } = this.#host.store;
+    const { state } = this.host.store;
     if (!this.#dirty || !motion || state.keys.some(({ values }) => values.length !== motion.rows.length)) return;
     this.#dirty = false;
     const { keys, keyChosen, keyLength, keyCurve, keyHard, loop } = state;
@@ -308,11 +294,11 @@ class KeyStyleView implements View {
   #onChange(state: Readonly<AppState>, changed: ReadonlySet<keyof AppState>): void {
     if (MODEL_FIELDS.some((name) => changed.has(name))) {
       clearTimeout(this.#trainingTimer);
-      this.#trainingTimer = setTimeout(() => this.#trainer.request(this.#host.store.state), TRAIN_DELAY_MS);
+      this.#trainingTimer = setTimeout(() => this.#trainer.request(this.host.store.state), TRAIN_DELAY_MS);
     }
     // A link omits defaults.
     const left = changed.has("keyHandle") && state.keyHandle.length === 0;
-    if (left && this.#motion && this.#trainer.has(state)) this.#host.store.adopt(completed(state, this.#motion));
+    if (left && this.#motion && this.#trainer.has(state)) this.host.store.adopt(completed(state, this.#motion));
     if (MOTION_FIELDS.some((name) => changed.has(name))) {
       this.#dirty = true;
       // An edit of the keys is shown on their curve.
@@ -324,10 +310,10 @@ class KeyStyleView implements View {
   }
 
   #showState(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const { state } = store;
-    const { name, file } = this.#host.databaseFile();
-    const open = file ? { name, actions: this.#host.session.database?.actions ?? [] } : undefined;
+    const { name, file } = this.host.databaseFile();
+    const open = file ? { name, actions: this.host.session.database?.actions ?? [] } : undefined;
     const trained = this.#open?.trained;
     const set = {
       set: state.keySet,
@@ -353,9 +339,9 @@ class KeyStyleView implements View {
     Home: () => this.#player.seek(0),
     k: () => this.#editor.add(),
     Delete: () => this.#editor.remove(),
-    l: () => this.#host.store.edit({ loop: !this.#host.store.state.loop }),
+    l: () => this.host.store.edit({ loop: !this.host.store.state.loop }),
     r: () => this.#player.replay(),
-    g: () => this.#host.store.edit({ keyGhost: !this.#host.store.state.keyGhost }),
+    g: () => this.host.store.edit({ keyGhost: !this.host.store.state.keyGhost }),
   };
 
   /** Saves a file of the keys' motion. */
@@ -363,15 +349,15 @@ class KeyStyleView implements View {
     save: (motion: KeyMotion, length: number, between: Between) => string | Promise<string>,
   ): Promise<void> {
     const motion = this.#motion;
-    const { keyLength, keyMethod } = this.#host.store.state;
+    const { keyLength, keyMethod } = this.host.store.state;
     if (!motion) return;
     // Changes since the last display frame are saved as well.
     this.#prepare();
     try {
       const name = await save(motion, keyLength, keyMethod === "all" ? "style" : keyMethod);
-      this.#host.toasts.note(strings.synthesis.saved(name));
+      this.host.toasts.note(strings.synthesis.saved(name));
     } catch (error) {
-      this.#host.toasts.failure(error);
+      this.host.toasts.failure(error);
     }
   }
 }

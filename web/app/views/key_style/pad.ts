@@ -3,14 +3,14 @@
 import { formatNumber, html, setAttributes, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
+import type { Extent } from "../../../ui/scale";
+import { clampedValueAt, pixelOf, type Scale } from "../../../ui/scale";
 import type { TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
-import { clampedValueAt, pixelOf, type Scale } from "../../ui/scale";
 import type { Grid } from "./contours";
 import { PadField } from "./pad_field";
 import { drawPad } from "./pad_picture";
-import type { Extent } from "./timeline_rows";
 
 /** Margins of the plot, units. */
 const ROOM = { left: 62, right: 12, top: 34, bottom: 50 };

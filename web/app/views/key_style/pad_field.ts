@@ -1,7 +1,7 @@
 /** A number field on an axis of the pad: the handle's value there, to read and to type. */
 import { html, setAttributes } from "../../../ui/dom";
 import { rem } from "../../../ui/drawing";
-import type { Extent } from "./timeline_rows";
+import type { Extent } from "../../../ui/scale";
 
 /** Digits are tabular: width of a field per character, units of the pad's drawing. */
 const CHARACTER = 7;

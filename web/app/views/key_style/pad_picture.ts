@@ -1,8 +1,8 @@
 /** Draws the background of the pad: the density of the training data, its poses, the area without support by data, the axes. */
 
 import { formatNumber, svg } from "../../../ui/dom";
+import { pixelOf, type Scale, ticks } from "../../../ui/scale";
 import { strings } from "../../strings/strings";
-import { pixelOf, type Scale, ticks } from "../../ui/scale";
 import { contour, density, type Grid, type Loop } from "./contours";
 
 /** Contents of the drawing, in units of the plot and values of both axes. */

@@ -4,22 +4,12 @@ import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html, svg } from "../../../ui/dom";
 import { listenToDrags } from "../../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
+import { type Extent, pixelOf, valueAt } from "../../../ui/scale";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
-import { pixelOf, valueAt } from "../../ui/scale";
 import { spoken } from "../../ui/words";
 import { Playhead } from "../synthesis/playhead";
-import {
-  type Extent,
-  type Layout,
-  layOut,
-  lineOf,
-  type RowName,
-  RULER_Y,
-  rowGround,
-  rowScale,
-  rulerOf,
-} from "./timeline_rows";
+import { type Layout, layOut, lineOf, type RowName, RULER_Y, rowGround, rowScale, rulerOf } from "./timeline_rows";
 
 export interface RecordingsModel {
   rows: readonly RowName[];

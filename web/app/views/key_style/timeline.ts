@@ -3,23 +3,13 @@
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
+import { clampedValueAt, type Extent, pixelOf, type Scale, valueAt } from "../../../ui/scale";
 import type { TimedValue } from "../../state/key_style";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
-import { clampedValueAt, pixelOf, type Scale, valueAt } from "../../ui/scale";
 import { Playhead } from "../synthesis/playhead";
 import { MIN_GAP, moveKey, removeKey, withValues } from "./keys";
-import {
-  type Extent,
-  type Layout,
-  layOut,
-  lineOf,
-  type RowName,
-  RULER_Y,
-  rowGround,
-  rowScale,
-  rulerOf,
-} from "./timeline_rows";
+import { type Layout, layOut, lineOf, type RowName, RULER_Y, rowGround, rowScale, rulerOf } from "./timeline_rows";
 
 /** Step of an arrow key as a share of the range; the fine one with Shift. */
 const STEP = { coarse: 0.02, fine: 0.004 };

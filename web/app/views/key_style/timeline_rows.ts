@@ -1,8 +1,8 @@
 /** Shared by the timelines of keys and of recordings: the positions of their rows, the ruler, and the line of a variable. */
 import "./timeline.css";
 import { svg } from "../../../ui/dom";
+import { type Extent, pixelOf, type Scale } from "../../../ui/scale";
 import { strings } from "../../strings/strings";
-import { pixelOf, type Scale } from "../../ui/scale";
 import { timeRuler } from "../synthesis/time_ruler";
 
 /** Width left of the rows, for their names, and right of them, units. */
@@ -21,12 +21,6 @@ const MIN_HEIGHT = 120;
 const ROW_PADDING = 6;
 /** Minimum distance of two labels of the ruler, units. */
 const LABEL_PX = 72;
-
-/** A range of values. */
-export interface Extent {
-  min: number;
-  max: number;
-}
 
 /** A style variable as labelled in its row. */
 export interface RowName {

@@ -1,5 +1,5 @@
 /** The code to embed a figure of a lesson in another page. Pure functions. */
-import type { Language } from "../../../element/figure/languages";
+import type { Language } from "../../../figures/languages";
 import { escaped, frameOf } from "../../ui/frame_code";
 
 /** An embedded figure. */

@@ -3,8 +3,8 @@ import "../../../ui/controls/text_field.css";
 import "katex/dist/katex.min.css";
 import "./learn.css";
 import { isCancellation } from "../../../client/protocol";
-import { LANGUAGES, type Language } from "../../../element/figure/languages";
-import { joinEngine, leaveEngine, startEngine } from "../../../element/figure/shared";
+import { LANGUAGES, type Language } from "../../../figures/languages";
+import { engines, startEngine } from "../../../figures/shared";
 import { BEATS, judge, type Lesson } from "../../../lessons/lesson";
 import { LESSONS, type LessonEntry, lessonBeside, lessonOf } from "../../../lessons/lessons";
 import { TEXTS } from "../../../lessons/text";
@@ -48,7 +48,7 @@ class LearnView implements View {
   readonly #progress = new ProgressStore();
   readonly #text = html("section", { class: "learn-text" });
   readonly #head = html("header", { class: "learn-head" });
-  readonly #engine = joinEngine();
+  readonly #engine = engines.lease();
   #open: Open | undefined;
   /** Key of the lesson and language that are open, or are being loaded. */
   #wanted = "";
@@ -97,7 +97,7 @@ class LearnView implements View {
   dispose(): void {
     this.hide();
     this.element.replaceChildren();
-    leaveEngine();
+    this.#engine.release();
   }
 
   get #state(): Readonly<AppState> {
@@ -335,7 +335,7 @@ class LearnView implements View {
     try {
       // The engine answers in order: the visible figures come first.
       await figures.ready();
-      const { answer, measure } = await lesson.bet.reveal(this.#engine);
+      const { answer, measure } = await lesson.bet.reveal(this.#engine.value);
       const how = bet === "" ? learn.skipped : bet === answer ? learn.right : learn.wrong;
       page.reveal(how, text.bet.reveal(saidIn(language, measure, lesson.decimals)));
     } catch (error) {
@@ -357,7 +357,7 @@ class LearnView implements View {
     const exercise = open?.lesson.exercises.find(({ id }) => id === task);
     if (!open || !exercise) return;
     try {
-      const figures = await exercise.solve(this.#engine);
+      const figures = await exercise.solve(this.#engine.value);
       if (this.#open !== open) return;
       this.#host.store.edit({ task, figures });
       open.figures.bring(exercise.figure);

@@ -1,7 +1,7 @@
 /** The figures of a lesson with one common state. */
-import { defineFigure, type StateChange, type StrutFigure } from "../../../element/figure/figure_element";
-import type { Measure } from "../../../element/figure/kind";
-import type { Language } from "../../../element/figure/languages";
+import { defineFigure, type StateChange, type StrutFigure } from "../../../figures/figure_element";
+import type { Measure } from "../../../figures/kind";
+import type { Language } from "../../../figures/languages";
 import { BEATS, type Lesson } from "../../../lessons/lesson";
 import { html } from "../../../ui/dom";
 

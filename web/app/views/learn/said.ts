@@ -1,7 +1,7 @@
 /** Formats measurements in a language. */
-import type { Measure } from "../../../element/figure/kind";
-import { type Language, WORDS } from "../../../element/figure/languages";
-import { figure } from "../../../element/figure/words/words";
+import type { Measure } from "../../../figures/kind";
+import { type Language, WORDS } from "../../../figures/languages";
+import { formatNumber } from "../../../figures/words/words";
 import type { Said } from "../../../lessons/text/text";
 
 /** Decimals of numbers in sentences. */
@@ -16,7 +16,7 @@ export function saidIn(language: Language, measure: Measure, decimals: Readonly<
   const names: Readonly<Record<string, string>> = { ...words.joints, ...words.inputs, ...words.styles };
   const say = (name: string, value: number | string) =>
     typeof value === "number"
-      ? figure(value, decimals[name] ?? DIGITS, words)
+      ? formatNumber(value, decimals[name] ?? DIGITS, words)
       : Object.hasOwn(names, value)
         ? names[value]!
         : value;

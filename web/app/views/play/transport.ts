@@ -2,14 +2,13 @@
 
 import "./transport.css";
 import type { InputInfo } from "../../../client/protocol";
-import { SPEEDS } from "../../../link/page";
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
-import { rangeInput } from "../../../ui/controls/range_input";
-import { clock, html, setText, svg } from "../../../ui/dom";
+import { html, svg } from "../../../ui/dom";
 import type { AppState } from "../../state/state";
 import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
+import { Scrubber, SpeedChoice } from "../../ui/transport";
 
 type Stretches = readonly (readonly [from: number, to: number])[];
 
@@ -27,13 +26,10 @@ export class Transport {
   readonly element: HTMLElement;
   readonly #play: PlayButton;
   readonly #loop: HTMLButtonElement;
-  readonly #speed: HTMLSelectElement;
-  readonly #clock = html("span", { class: "clock" });
-  readonly #duration = html("span", { class: "caption" });
-  readonly #scrub: HTMLInputElement;
+  readonly #speed: SpeedChoice;
+  readonly #scrubber: Scrubber;
   /** Contacts of the left and the right foot, left above right: the timeline of a narrow screen. */
   readonly #contacts = svg("svg", { class: "scrub-contacts", preserveAspectRatio: "none", "aria-hidden": "true" });
-  #rateHz = 60;
 
   constructor(store: Store, listeners: TransportListeners) {
     this.#play = new PlayButton(listeners.onPlay);
@@ -47,36 +43,28 @@ export class Transport {
       keys: "L",
     });
     const key = button(strings.play.transport.key, listeners.onKey, { icon: "key", keys: "K" });
-    this.#speed = html("select", {
-      class: "speed",
-      "aria-label": strings.play.transport.speed,
-      title: strings.play.transport.speed,
-    });
-    for (const speed of SPEEDS) this.#speed.append(html("option", { value: speed }, `${speed}×`));
-    this.#speed.addEventListener("change", () => store.edit({ speed: Number(this.#speed.value) }));
-    this.#scrub = rangeInput({ min: 0, step: 1, "aria-label": strings.play.transport.time });
-    this.#scrub.addEventListener("input", () => listeners.onScrub(Number(this.#scrub.value)));
-    this.#scrub.addEventListener("change", () => listeners.onScrubEnd());
+    this.#speed = new SpeedChoice((speed) => store.edit({ speed }));
+    this.#scrubber = new Scrubber("clock", listeners.onScrub);
+    this.#scrubber.element.addEventListener("change", () => listeners.onScrubEnd());
+    const { element: scrub, clock, duration } = this.#scrubber;
     this.element = html(
       "div",
       { class: "transport-controls" },
       this.#play.element,
-      html("div", { class: "transport-buttons" }, previous, next, this.#loop, key, this.#speed),
-      html("div", { class: "scrub" }, this.#scrub, this.#contacts),
-      html("p", { class: "time" }, this.#clock, this.#duration),
+      html("div", { class: "transport-buttons" }, previous, next, this.#loop, key, this.#speed.element),
+      html("div", { class: "scrub" }, scrub, this.#contacts),
+      html("p", { class: "time" }, clock, duration),
     );
   }
 
   set input(input: InputInfo) {
-    this.#rateHz = input.rateHz;
-    this.#scrub.max = String(Math.max(0, input.frames - 1));
+    this.#scrubber.input = input;
     this.contacts = [[], []];
-    setText(this.#duration, strings.play.transport.of(clock(input.durationSecs)));
   }
 
   /** Ranges of frames in which the left and the right foot are planted. */
   set contacts(planted: [Stretches, Stretches]) {
-    this.#contacts.setAttribute("viewBox", `0 0 ${Math.max(1, Number(this.#scrub.max))} 9`);
+    this.#contacts.setAttribute("viewBox", `0 0 ${Math.max(1, this.#scrubber.lastFrame)} 9`);
     this.#contacts.replaceChildren(
       ...planted.flatMap((stretches, foot) =>
         stretches.map(([from, to]) => svg("rect", { x: from, y: 6 * foot, width: to - from, height: 3 })),
@@ -86,14 +74,12 @@ export class Transport {
 
   /** Moves the clock to an input frame. */
   set frame(frame: number) {
-    setText(this.#clock, clock(frame / this.#rateHz));
-    this.#scrub.value = String(Math.round(frame));
-    this.#scrub.style.setProperty("--share", String(frame / Math.max(1, Number(this.#scrub.max))));
+    this.#scrubber.frame = frame;
   }
 
   show(state: Readonly<AppState>): void {
     this.#play.playing = state.playing;
     this.#loop.setAttribute("aria-pressed", String(state.loop));
-    this.#speed.value = String(state.speed);
+    this.#speed.value = state.speed;
   }
 }

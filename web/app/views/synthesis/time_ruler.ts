@@ -1,6 +1,6 @@
 /** The ruler of a timeline, seconds, with an area above it that seeks when pressed. */
 import { svg } from "../../../ui/dom";
-import { type RulerMark, ruler, type Scale } from "../../ui/scale";
+import { type RulerMark, ruler, type Scale } from "../../../ui/scale";
 
 export interface TimeRulerOptions {
   time: Scale;

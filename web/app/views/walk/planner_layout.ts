@@ -1,5 +1,5 @@
 /** Positions of the planner's rows and steps, units. */
-import type { Scale } from "../../ui/scale";
+import type { Scale } from "../../../ui/scale";
 import type { PlannedWalk } from "./plan_walker";
 
 /** Width left of the rows, for their names, and right of them. */

@@ -4,6 +4,7 @@ import type { Side, WalkModel, Weights } from "../../../client/models/walk";
 import { JOINT, type Role } from "../../../humanoid";
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
 import { setSize, sizeOf } from "../../../ui/drawing";
+import { pixelOf, type Scale } from "../../../ui/scale";
 import { strings } from "../../strings/strings";
 
 /** Height, width while the plot is not displayed, and margins, units. */
@@ -56,7 +57,8 @@ export class Plot {
     const own = endsOf(model, weights, side);
     const average = endsOf(model, averageOf(model), side);
     const last = Math.max(...[...own, ...average].map(({ mean, deviation }) => mean + 2 * deviation));
-    const x = (secs: number) => area.left + (secs / last) * (area.right - area.left);
+    const time: Scale = { min: 0, max: last, from: area.left, to: area.right };
+    const x = (secs: number) => pixelOf(time, secs);
     // Heights are the square roots of the densities', so that the wide last states stay visible.
     const tallest = Math.max(...[...own, ...average].map(({ deviation }) => deviation ** -0.5));
     const bell = ({ mean, deviation }: End) => {
@@ -68,7 +70,7 @@ export class Plot {
       }).join("L");
     };
     this.#picture.replaceChildren(
-      ...secondsAxis(last, x, area),
+      ...secondsAxis(time, area),
       ...average.map((end) => svg("path", { class: "walk-average", d: `M${bell(end)}` })),
       ...own.map((end) =>
         svg("path", { class: "walk-under", d: `M${x(0)} ${area.bottom}L${bell(end)}L${x(last)} ${area.bottom}Z` }),
@@ -87,15 +89,16 @@ export class Plot {
     const curve = model.curve(weights, JOINT[subject as Role]);
     const average = model.curve(averageOf(model), JOINT[subject as Role]);
     const frames = Math.max(curve.angle.length, average.angle.length);
-    const secs = frames / model.rateHz;
-    const x = (frame: number) => area.left + (frame / frames) * (area.right - area.left);
+    const time: Scale = { min: 0, max: frames / model.rateHz, from: area.left, to: area.right };
+    const x = (frame: number) => pixelOf(time, frame / model.rateHz);
     const [low, high] = [
       curve.mean.map((m, i) => m - curve.deviation[i]!),
       curve.mean.map((m, i) => m + curve.deviation[i]!),
     ];
     const all = [...low, ...high, ...curve.angle, ...average.angle];
     const [min, max] = [Math.min(...all), Math.max(...all)];
-    const y = (angle: number) => area.bottom - ((angle - min) / (max - min || 1)) * (area.bottom - area.top);
+    const angles: Scale = { min, max, from: area.bottom, to: area.top };
+    const y = (angle: number) => pixelOf(angles, angle);
     const line = (values: Float32Array) =>
       Array.from(values, (value, i) => `${x(i).toFixed(1)} ${y(value).toFixed(1)}`).join("L");
     // Mean and deviation are constant within a state.
@@ -112,7 +115,7 @@ export class Plot {
     ].join("L");
     const change = curve.side.findIndex((side, i) => i > 0 && side !== curve.side[i - 1]);
     this.#picture.replaceChildren(
-      ...secondsAxis(secs, (at) => x(at * model.rateHz), area),
+      ...secondsAxis(time, area),
       svg("line", { class: "walk-grid", x1: x(change), x2: x(change), y1: area.top, y2: area.bottom }),
       svg("path", { class: "walk-band", d: `M${band}Z` }),
       svg("path", { class: "walk-average", d: `M${line(average.angle)}` }),
@@ -169,14 +172,14 @@ function endsOf(model: WalkModel, weights: Weights, side: Side): End[] {
   });
 }
 
-function secondsAxis(last: number, x: (secs: number) => number, area: Area): SVGElement[] {
-  const every = last > 1.2 ? 0.4 : 0.2;
+function secondsAxis(time: Scale, area: Area): SVGElement[] {
+  const every = time.max > 1.2 ? 0.4 : 0.2;
   const marks: SVGElement[] = [
     svg("line", { class: "walk-grid", x1: area.left, x2: area.right, y1: area.bottom, y2: area.bottom }),
   ];
-  for (let secs = 0; secs < last - 0.3 * every; secs += every) {
+  for (let secs = 0; secs < time.max - 0.3 * every; secs += every) {
     const said = secs === 0 ? strings.synthesis.zero : formatNumber(secs, 1);
-    marks.push(tick(x(secs), area.bottom + 15, said, secs === 0 ? "start" : "middle"));
+    marks.push(tick(pixelOf(time, secs), area.bottom + 15, said, secs === 0 ? "start" : "middle"));
   }
   return marks;
 }

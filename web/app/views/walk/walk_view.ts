@@ -8,6 +8,7 @@ import { formatNumber, html, setText } from "../../../ui/dom";
 import { isNarrow } from "../../../ui/media";
 import { normalised, type Selection, toTriangle, vertexOrder } from "../../../ui/polygon/selection";
 import { onSystemTheme } from "../../../ui/theme";
+import { AnimatedView } from "../../animated_view";
 import { VIDEO_SIZES } from "../../outputs/formats";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
 import { checkVideoLength } from "../../outputs/video_length";
@@ -56,9 +57,8 @@ const PLAN_FIELDS = [
   "loop",
 ] as const satisfies readonly (keyof AppState)[];
 
-class WalkView implements View {
+class WalkView extends AnimatedView {
   readonly element: HTMLElement;
-  readonly #host: ViewHost;
   readonly #models = new WalkModels();
   readonly #progress = new ProgressLine();
   readonly #loader: ModelLoader<WalkSource, PlanWalker>;
@@ -77,12 +77,9 @@ class WalkView implements View {
   #lease: ViewerLease | undefined;
   /** The step whose number is displayed in the picture. */
   #labelled = -1;
-  #request = 0;
-  /** Aborts, with all listeners, when the view is hidden; `undefined` while it is hidden. */
-  #shown: AbortController | undefined;
 
   constructor(host: ViewHost) {
-    this.#host = host;
+    super(host);
     const { store } = host;
     this.#loader = new ModelLoader<WalkSource, PlanWalker>({
       isSame: (a, b) => a.file === b.file,
@@ -157,14 +154,8 @@ class WalkView implements View {
     );
   }
 
-  get history() {
-    return this.#host.store;
-  }
-
-  show(): void {
-    this.#shown = new AbortController();
-    const { signal } = this.#shown;
-    const { store } = this.#host;
+  protected appear(signal: AbortSignal): void {
+    const { store } = this.host;
     store.subscribe((_, changed) => {
       if (PLAN_FIELDS.some((name) => changed.has(name))) this.#player.changePlan();
       this.#showState();
@@ -178,39 +169,35 @@ class WalkView implements View {
     onResize(this.element, onWidth, signal);
     this.#planner.attach(signal);
     this.#strip.attach(signal);
-    this.#lease = this.#host.borrowViewer(this.#stage);
+    this.#lease = this.host.borrowViewer(this.#stage);
     this.#lease.viewer.description = words.picture;
     this.#labelled = -1;
     this.#player.start(performance.now());
     this.refresh();
-    this.#request = requestAnimationFrame(this.#tick);
   }
 
-  hide(): void {
-    this.#shown?.abort();
-    this.#shown = undefined;
+  protected disappear(): void {
     this.#loader.cancel();
     this.#progress.cancel();
-    cancelAnimationFrame(this.#request);
     this.#lease = undefined;
   }
 
   /** Shows the model of the open database. */
   refresh(): void {
-    if (!this.#shown) return;
-    const { state } = this.#host.store;
-    const { database } = this.#host.session;
+    if (!this.isShown) return;
+    const { state } = this.host.store;
+    const { database } = this.host.session;
     setText(this.#title, words.training);
     this.#showState();
     // A database stored on this device is opened first; the page calls again when it is open.
     if (state.database !== "" && !database) return;
-    const { name, file } = this.#host.databaseFile();
+    const { name, file } = this.host.databaseFile();
     if (this.#replaced?.file !== file) this.#replaced = undefined;
     this.#open(this.#replaced || !file ? BUILT_IN : { name, file, neutral: database?.neutral ?? "" });
   }
 
-  dispose(): void {
-    this.hide();
+  override dispose(): void {
+    super.dispose();
     this.#panel.dispose();
     this.#loader.dispose();
   }
@@ -233,7 +220,7 @@ class WalkView implements View {
     const model = await WalkModel.open(trained.file);
     const { styles, clips, secs } = trained;
     if (fresh && !call.signal?.aborted)
-      this.#host.toasts.note(words.trained(styles.length, clips, formatNumber(secs, 1)));
+      this.host.toasts.note(words.trained(styles.length, clips, formatNumber(secs, 1)));
     return new PlanWalker(model);
   }
 
@@ -259,7 +246,7 @@ class WalkView implements View {
         this.refresh();
       },
     };
-    const data = { label: words.goToData, onChoose: () => this.#host.store.edit({ view: "data" }) };
+    const data = { label: words.goToData, onChoose: () => this.host.store.edit({ view: "data" }) };
     const message = `${words.noModel(source.name || words.builtInDatabase)} ${why}`;
     this.#empty.show(message, source.file ? [builtIn, data] : [again]);
   }
@@ -271,7 +258,7 @@ class WalkView implements View {
 
   /** Applies the model's body to the picture and its styles to the plan. */
   #present(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const walker = this.#walker!;
     const { styles, proportions } = walker.model;
     const neutral = this.#neutral;
@@ -289,7 +276,7 @@ class WalkView implements View {
   }
 
   /** A selection as mixed by the polygon: three styles between which the handle moves, or all. */
-  #mixed(styles: Selection, whole = this.#host.store.state.walkWhole): Selection {
+  #mixed(styles: Selection, whole = this.host.store.state.walkWhole): Selection {
     const vertices = vertexOrder(this.#walker!.model.styles, this.#neutral ?? "");
     return whole ? normalised(styles) : toTriangle(styles, vertices);
   }
@@ -303,14 +290,14 @@ class WalkView implements View {
   // --- the plan ---
 
   get #chosen(): number {
-    const { walk, walkBlock } = this.#host.store.state;
+    const { walk, walkBlock } = this.host.store.state;
     return Math.min(walkBlock, walk.length - 1);
   }
 
   readonly #nameOf = (block: WalkBlock): string => blockName(block, this.#neutral);
 
   #showPlan(walk: PlannedWalk): void {
-    const { state } = this.#host.store;
+    const { state } = this.host.store;
     const { walk: blocks } = state;
     const chosen = this.#chosen;
     const block = blocks[chosen]!;
@@ -335,7 +322,7 @@ class WalkView implements View {
 
   #showPlot({ segments }: PlannedWalk, block: WalkBlock, chosen: number): void {
     const { model } = this.#walker!;
-    const { walkPlot } = this.#host.store.state;
+    const { walkPlot } = this.host.store.state;
     const subject: PlotSubject = PLOT_SUBJECTS.find((name) => name === walkPlot) ?? "states";
     const { first } = segments.find((segment) => segment.kind === "block" && segment.block === chosen)!;
     const side = first % 2 === 0 ? 0 : 1;
@@ -345,13 +332,13 @@ class WalkView implements View {
   }
 
   #editBlock(patch: Partial<WalkBlock>, gesture?: string): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     store.edit({ walk: withBlock(store.state.walk, this.#chosen, patch) }, gesture);
   }
 
   /** Switches the polygon between all styles and three. */
   #mixWhole(walkWhole: boolean): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const { styles, right } = store.state.walk[this.#chosen]!;
     const mixed = (selection: Selection) => this.#mixed(selection, walkWhole);
     const patch = { styles: mixed(styles), right: right && mixed(right) };
@@ -360,7 +347,7 @@ class WalkView implements View {
 
   /** Adds a block after the selected one, with a style that no block has yet. */
   #addBlock(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const { walk } = store.state;
     const used = new Set(walk.map(mainStyle));
     const all = this.#walker!.model.styles;
@@ -370,18 +357,17 @@ class WalkView implements View {
   }
 
   #removeBlock(): void {
-    const { store } = this.#host;
+    const { store } = this.host;
     const chosen = this.#chosen;
     store.edit({ walk: removeBlock(store.state.walk, chosen), walkBlock: Math.max(0, chosen - 1) });
   }
 
   // --- time ---
 
-  readonly #tick = (now: number): void => {
-    this.#request = requestAnimationFrame(this.#tick);
+  protected tick(now: number): void {
     this.#player.tick(now);
     this.#strip.draw(now);
-  };
+  }
 
   #showFrame(frame: WalkFrame, secs: number, step: number): void {
     const { viewer } = this.#lease!;
@@ -399,7 +385,7 @@ class WalkView implements View {
 
   /** Shows the fields of the state on which the plan does not depend. */
   #showState(): void {
-    const { state } = this.#host.store;
+    const { state } = this.host.store;
     const ready = this.#walker !== undefined;
     this.element.classList.toggle("without-model", !ready);
     this.element.classList.toggle("as-strip", state.walkStrip);
@@ -414,7 +400,7 @@ class WalkView implements View {
     ArrowLeft: () => this.#player.stepBy(-1),
     ArrowRight: () => this.#player.stepBy(1),
     Home: () => this.#player.seek(0),
-    l: () => this.#host.store.edit({ loop: !this.#host.store.state.loop }),
+    l: () => this.host.store.edit({ loop: !this.host.store.state.loop }),
     b: () => this.#player.tapBeat(),
   };
 
@@ -426,9 +412,9 @@ class WalkView implements View {
     const { walk } = this.#player;
     if (!model || !walk) return;
     try {
-      this.#host.toasts.note(strings.synthesis.saved(await save(model, walk.poses)));
+      this.host.toasts.note(strings.synthesis.saved(await save(model, walk.poses)));
     } catch (error) {
-      this.#host.toasts.failure(error);
+      this.host.toasts.failure(error);
     }
   }
 
@@ -456,10 +442,10 @@ class WalkView implements View {
           { signal, size: VIDEO_SIZES[VIDEO_SIZE] },
         );
       });
-      if (name === undefined) this.#host.toasts.error(noVideo);
-      else this.#host.toasts.note(saved(name));
+      if (name === undefined) this.host.toasts.error(noVideo);
+      else this.host.toasts.note(saved(name));
     } catch (error) {
-      if (!isCancellation(error)) this.#host.toasts.failure(error);
+      if (!isCancellation(error)) this.host.toasts.failure(error);
     }
   }
 
@@ -469,7 +455,7 @@ class WalkView implements View {
     const { walk } = this.#player;
     if (!model || !walk) return;
     const bvh = new TextEncoder().encode(model.toBvh(walk.poses));
-    await this.#host.playMotion(`${words.fileName}.bvh`, bvh.buffer);
+    await this.host.playMotion(`${words.fileName}.bvh`, bvh.buffer);
   }
 }
 

@@ -1,6 +1,8 @@
 /** Chart of the speed over the last half minute: requested and actual. */
 import type { DriveControl, DriveFrame, DriveInfo } from "../../../../client/drive/protocol";
 import { formatNumber, html, setAttributes } from "../../../../ui/dom";
+import { pixelOf, type Scale } from "../../../../ui/scale";
+import { prepareCanvas } from "../../../ui/canvas";
 import { type Colours, readColours } from "../../../ui/colours";
 import { driveWords } from "./strings.en";
 
@@ -46,19 +48,18 @@ export class DriveChart {
     const { element: canvas } = this;
     const { clientWidth: width, clientHeight: height } = canvas;
     if (width * height === 0) return;
-    const ratio = devicePixelRatio;
-    if (canvas.width !== Math.round(width * ratio)) canvas.width = Math.round(width * ratio);
-    if (canvas.height !== Math.round(height * ratio)) canvas.height = Math.round(height * ratio);
-    const pen = canvas.getContext("2d")!;
+    const pen = prepareCanvas(canvas, width, height, 1);
     this.#colours ??= readColours(document.body);
     const { line, ink3, input, signal } = this.#colours;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, width, height);
     const rem = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
     const [left, top, bottom] = [4.75 * rem, 1.25 * rem, height - 0.5 * rem];
     const most = Math.max(this.#speeds[1], 1.25 * this.#speeds[0]);
-    const xOf = (point: number) => left + ((POINTS - this.#points.length + point) / (POINTS - 1)) * (width - left);
-    const yOf = (speed: number) => bottom - (Math.min(speed, 1.1 * most) / (1.1 * most)) * (bottom - top);
+    // The last point is at the right.
+    const points: Scale = { min: this.#points.length - POINTS, max: this.#points.length - 1, from: left, to: width };
+    const speeds: Scale = { min: 0, max: 1.1 * most, from: bottom, to: top };
+    const ago: Scale = { min: SPAN_SECS, max: 0, from: left, to: width };
+    const xOf = (point: number) => pixelOf(points, point);
+    const yOf = (speed: number) => pixelOf(speeds, Math.min(speed, speeds.max));
     pen.font = `${0.6875 * rem}px ${getComputedStyle(canvas).fontFamily}`;
     pen.textBaseline = "middle";
     pen.lineWidth = 1;
@@ -67,7 +68,7 @@ export class DriveChart {
     pen.strokeStyle = line;
     pen.beginPath();
     for (let secs = shift; secs <= SPAN_SECS; secs += TICK_SECS) {
-      const x = Math.round(width - (secs / SPAN_SECS) * (width - left)) - 0.5;
+      const x = Math.round(pixelOf(ago, secs)) - 0.5;
       pen.moveTo(x, top);
       pen.lineTo(x, bottom);
     }

@@ -5,9 +5,9 @@
 
 import type { FrameRange } from "../../../../client/protocol";
 import { formatNumber } from "../../../../ui/dom";
+import { clampedValueAt, pixelOf, ruler, type Scale } from "../../../../ui/scale";
 import { strings } from "../../../strings/strings";
 import type { Colours } from "../../../ui/colours";
-import { clampedValueAt, pixelOf, ruler, type Scale } from "../../../ui/scale";
 import type { ReadStretch } from "./curves";
 import type { ExampleCurves } from "./examples";
 
@@ -96,26 +96,6 @@ export class Axis {
   frame(x: number): number {
     return clampedValueAt(this.#frames, x);
   }
-}
-
-/** Sizes a canvas for sharp pixels and returns its context, cleared. `zoom` is the number of CSS pixels per unit. */
-export function prepare(
-  canvas: HTMLCanvasElement,
-  width: number,
-  height: number,
-  zoom: number,
-): CanvasRenderingContext2D {
-  // In main memory: a canvas on the GPU would wait for the 3-D picture.
-  const context = canvas.getContext("2d", { willReadFrequently: true })!;
-  const ratio = (devicePixelRatio || 1) * zoom;
-  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-  if (canvas.width !== w || canvas.height !== h) {
-    canvas.width = w;
-    canvas.height = h;
-  }
-  context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  context.clearRect(0, 0, width, height);
-  return context;
 }
 
 /** Ruler, contacts, curves and timing ticks. */

@@ -12,6 +12,7 @@ import { formatNumber, html, setAttributes } from "../../../../ui/dom";
 import { type Drag, listenToDrags } from "../../../../ui/drag";
 import { textZoom } from "../../../../ui/media";
 import { strings } from "../../../strings/strings";
+import { prepareCanvas } from "../../../ui/canvas";
 import { type Colours, readColours } from "../../../ui/colours";
 import { capitalised, spoken } from "../../../ui/words";
 import {
@@ -26,7 +27,7 @@ import {
   unitOf,
 } from "./curves";
 import { exampleCurves } from "./examples";
-import { Axis, describeBand, paintMoving, paintStill, prepare, ROWS, type TimelineData } from "./paint";
+import { Axis, describeBand, paintMoving, paintStill, ROWS, type TimelineData } from "./paint";
 
 /** Minimum span of the curve row, degrees: a still joint remains a flat line. */
 const MIN_SPAN = 20;
@@ -38,6 +39,8 @@ const MAP_SECS = 0.1;
  */
 const SELECT_PX = 4;
 const FLAG_PX = 9;
+/** In main memory: a canvas on the GPU would wait for the 3-D picture. */
+const IN_MEMORY: CanvasRenderingContext2DSettings = { willReadFrequently: true };
 
 export interface TimelineListeners {
   /** Called when the playhead was moved to an input frame. */
@@ -144,7 +147,7 @@ export class Timeline {
       html("div", { class: "timeline-stage" }, this.#rows, keys),
     );
     // Created now, while the GPU is idle: creating a canvas waits for it.
-    for (const canvas of [this.#still, this.#moving]) prepare(canvas, 1, 1, 1);
+    for (const canvas of [this.#still, this.#moving]) prepareCanvas(canvas, 1, 1, 1, IN_MEMORY);
     this.#listenToPointer();
     this.#observer.observe(this.#rows);
   }
@@ -266,14 +269,15 @@ export class Timeline {
     if (!this.#data || width === 0) return;
     this.#axis = new Axis(this.#data.frames, width, height);
     this.#colours ??= readColours(this.#rows);
-    paintStill(prepare(this.#still, width, height, this.#zoom), this.#axis, this.#data, this.#colours);
+    const still = prepareCanvas(this.#still, width, height, this.#zoom, IN_MEMORY);
+    paintStill(still, this.#axis, this.#data, this.#colours);
     this.#paintMoving();
     this.onLayout?.();
   }
 
   #paintMoving(): void {
     if (!this.#data || !this.#colours || this.#axis.width === 0) return;
-    const context = prepare(this.#moving, this.#axis.width, this.#axis.height, this.#zoom);
+    const context = prepareCanvas(this.#moving, this.#axis.width, this.#axis.height, this.#zoom, IN_MEMORY);
     const overlay = {
       frame: this.#frame,
       hover: this.#hover,
