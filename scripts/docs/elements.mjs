@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { root } from "../steps.mjs";
 import { codesOf } from "./codes.mjs";
 
-const FIGURE = join(root, "web", "element", "figure");
+const FIGURE = join(root, "web", "figures");
 
 /** A tag with its attributes. */
 const TAG = /<(strut-[\w-]+)((?:\s+[\w-]+(?:=(?:"[^"]*"|'[^']*'|\{[^}]*\}))?)*)\s*\/?>/g;
