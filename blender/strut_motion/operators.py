@@ -61,7 +61,7 @@ class STRUT_OT_open_database(bpy.types.Operator):
 
 
 class STRUT_OT_find_roles(bpy.types.Operator):
-    """Find which bone is which joint of the body, by the names of bones and by their place. What is wrong can be corrected"""
+    """Find the bone of each body joint, by the names and positions of the bones. You can correct the result"""
 
     bl_idname = "strut_motion.find_roles"
     bl_label = "Find Roles"
@@ -110,7 +110,7 @@ def _rest_motion(scene: Any, armature: Any) -> Any:
 
 
 class STRUT_OT_stylize(bpy.types.Operator):
-    """Give the armature's motion another style, in a new action. Esc cancels"""
+    """Style the armature's motion, in a new action. Esc cancels"""
 
     bl_idname = "strut_motion.stylize"
     bl_label = "Stylize"

@@ -67,7 +67,7 @@ class StyleWeight(bpy.types.PropertyGroup):
 
     weight: FloatProperty(
         name="Weight",
-        description="Share of this style. What all weights lack to 1 is neutral; above 1 exaggerates",
+        description="Weight of this style. If the sum of all weights is below 1, the rest is neutral; above 1 exaggerates",
         min=-1,
         max=2,
         soft_min=0,
@@ -80,7 +80,7 @@ class PartStyle(bpy.types.PropertyGroup):
     """A style for a part of the body; the name of the item is the part's."""
 
     label: StringProperty()
-    style: StringProperty(name="Style", description="Style of this part. Empty: as the whole body")
+    style: StringProperty(name="Style", description="Style of this part. Empty: the style of the whole body")
     weight: FloatProperty(name="Weight", default=1, min=-1, max=2, soft_min=0, soft_max=1, step=5)
 
 
@@ -88,7 +88,7 @@ class RoleBone(bpy.types.PropertyGroup):
     """The bone of a role; the name of the item is the role's."""
 
     label: StringProperty()
-    bone: StringProperty(name="Bone", description="The bone that is this joint of the body. Empty: there is none")
+    bone: StringProperty(name="Bone", description="The bone of this body joint. Empty: no bone")
 
 
 class Settings(bpy.types.PropertyGroup):
@@ -97,7 +97,7 @@ class Settings(bpy.types.PropertyGroup):
     source: EnumProperty(
         name="Database",
         items=[
-            ("BUILT_IN", "Built-in", "The styles that come with the extension"),
+            ("BUILT_IN", "Built-in", "The styles that the extension includes"),
             ("FILE", "File", "Styles of a database that 'strut build-db' or the web page made"),
         ],
         update=_database_changed,
@@ -108,14 +108,14 @@ class Settings(bpy.types.PropertyGroup):
     styles: CollectionProperty(type=StyleWeight)
     parts: CollectionProperty(type=PartStyle)
     timing: BoolProperty(
-        name="Timing", description="Change the speed as the style does; the result then has another length", default=True
+        name="Timing", description="Let the style change the timing, and so the length", default=True
     )
-    footplant: BoolProperty(name="Plant Feet", description="Keep feet in place while they stand", default=True)
+    footplant: BoolProperty(name="Plant Feet", description="Hold feet in place while they touch the ground", default=True)
     output: EnumProperty(
         name="Output",
         items=[
             ("ACTION", "Action", "A new action, which the armature plays; the source action is kept"),
-            ("STRIP", "NLA Strip", "A strip in a track of the Nonlinear Animation, above one with the source action"),
+            ("STRIP", "NLA Strip", "A strip in the Nonlinear Animation editor, in a track above the source action"),
         ],
     )
 

@@ -279,7 +279,7 @@ def test_errors_are_sentences_in_the_panel(settings: Any, clip: Path, tmp_path: 
     broken = tmp_path / "broken.strutdb"
     broken.write_bytes(b"no database")
     settings.path = str(broken)
-    assert len(settings.styles) == 0 and message().startswith("broken.strutdb: this is no Strut database")
+    assert len(settings.styles) == 0 and message().startswith("broken.strutdb: this is not a Strut database")
     assert message() in " ".join(drawn())
     settings.path = str(tmp_path / "missing.strutdb")
     assert "missing.strutdb" in message()

@@ -169,7 +169,7 @@ test("models that are no bodies are refused in words", async () => {
   });
   expect(await refusal(oneBone)).toEqual({
     code: "bad-file",
-    message: "This skeleton has no legs and arms that we can find. Drop a file of a humanoid.",
+    message: "No legs and arms were found in this skeleton. Use a file of a humanoid.",
   });
 });
 

@@ -185,7 +185,7 @@ describe("a performer", () => {
       sender.say(message);
     await eventually(() => figure("Not understood").textContent()).toBe("5");
     sender.say('{"strut":1,"names":["a"],"parents":[-1],"offsets":[[0,0,0]]}');
-    await eventually(() => panel().locator(".live-fault").textContent()).toMatch(/^This skeleton has no legs and arms/);
+    await eventually(() => panel().locator(".live-fault").textContent()).toMatch(/^No legs and arms/);
     const { inputFrame } = await page.evaluate(() => window.strut.frame);
     await eventually(() => page.evaluate(() => window.strut.frame.inputFrame)).toBeGreaterThan(inputFrame + 10);
   });

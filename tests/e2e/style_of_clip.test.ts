@@ -98,7 +98,7 @@ describe("a walk that falls on the polygon", () => {
     await page.getByRole("button", { name: "Make it a style" }).click();
     // A walk is not a jump: the previous result is kept.
     await eventually(alert).toContain(
-      "does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'",
+      "does not fit 'jump': it contains walking or running, unlike the other clips of the action; it fits 'walk'",
     );
     expect(await vertices()).toContain("stooping");
     await page.getByRole("button", { name: "Dismiss" }).first().click();
@@ -116,9 +116,7 @@ describe("a walk that falls on the polygon", () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
     await eventually(() => page.getByRole("dialog").textContent()).toContain("An action takes 1 s at least");
     await page.getByRole("button", { name: "Make it a style" }).click();
-    await eventually(alert).toContain(
-      "It lasts 0.7 s; an action from its beginning to its end, of at least 1.0 s, was expected",
-    );
+    await eventually(alert).toContain("It lasts 0.7 s; a complete action of at least 1.0 s was expected");
     expect(await vertices()).toContain("weary");
   });
 

@@ -129,8 +129,7 @@ test("a database of fifty million frames is refused by what its header says", as
   const client = await playing();
   const before = await client.step(0);
   const bytes = instance().memory.buffer.byteLength;
-  const sentence =
-    /^The database has 50000000 frames: to style with them takes \d+ MB of memory, of which 3000 MB can be had\.$/;
+  const sentence = /^The database has 50000000 frames: styling needs \d+ MB of memory; 3000 MB are available\.$/;
   await expect(open(forged(50_000_000))).rejects.toMatchObject({
     code: "bad-file",
     message: expect.stringMatching(sentence),
@@ -146,7 +145,7 @@ test("one for which there is no memory any more is refused, and what is open pla
   fill(2 ** 29);
   await expect(open(forged(1_500_000))).rejects.toMatchObject({
     code: "bad-file",
-    message: expect.stringMatching(/^The database has 1500000 frames: .* MB of memory, of which less can be had\.$/),
+    message: expect.stringMatching(/^The database has 1500000 frames: .* MB of memory; less is available\.$/),
   });
   expect((await client.step(0)).pose).toEqual(before.pose);
 });

@@ -56,7 +56,7 @@ const PACKAGES = [
     folder: "web/engine/character/pkg",
     name: "strut_wasm_character",
     file: (glue: Glue) => character(glue, 1),
-    message: "This skeleton has no legs and arms that we can find. Drop a file of a humanoid.",
+    message: "No legs and arms were found in this skeleton. Use a file of a humanoid.",
     argument: (glue: Glue) => character(glue, 0),
   },
 ];

@@ -117,7 +117,7 @@ describe.skipIf(casesAbsent)("files of other programs", async () => {
       "This skeleton has no joint 'Paw', which was chosen as the left wrist.",
     );
     expect(() => open("00_clean", { up: "w" as "x" })).toThrow("There is no up axis 'w'");
-    expect(() => open("00_clean", { unit: 0 })).toThrow("'unit 0' is no length that files have.");
+    expect(() => open("00_clean", { unit: 0 })).toThrow("'unit 0' is not a valid length in metres.");
   });
 
   it("have the joints that were found as what can be said of them", () => {

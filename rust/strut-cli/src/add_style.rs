@@ -15,20 +15,20 @@ use strut_tasks::threads::ThreadPool;
 
 /// Make a single clip a style of a database
 ///
-/// The clip is registered with the clips of its action; all others stay as they are. A given action is used even if the
-/// clip moves differently; a note says so.
+/// The clip is registered with the clips of its action; the clips of other actions do not change. The action given with
+/// --action is used even if the clip looks different; a note then says so.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
     #[arg(long, value_name = "DB")]
     db: PathBuf,
-    /// The .bvh file, for example of a walk of three seconds or more
+    /// The .bvh file, for example a walk of at least three seconds
     #[arg(long, value_name = "IN.bvh")]
     input: PathBuf,
     /// Name of the style
     #[arg(long, value_name = "NAME")]
     style: String,
-    /// Action of the clip [default: the action of the database that it fits best]
+    /// Action of the clip [default: the best-matching action of the database]
     #[arg(long, value_name = "NAME")]
     action: Option<String>,
     /// The database to write
@@ -58,6 +58,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
         print_warnings(&format!("note: {}: {doubt}\n", args.input.display()));
     }
     let action = &added.database.actions[usize::from(added.action)];
-    print(&format!("{}: style '{}', from '{action}', cost {:.1}\n", args.output.display(), args.style, added.cost));
+    let output = args.output.display();
+    print(&format!(
+        "{output}: added style '{}' to action '{action}', registration cost {:.1}\n",
+        args.style, added.cost
+    ));
     Ok(())
 }

@@ -30,20 +30,22 @@ use strut_tasks::threads::ThreadPool;
 const JSON_HELP: &str = "\
 The report of --json:
   database, seconds, rate_hz, neutral, styles
-  actions  [{action, method, reference_clip, canonical_frames, canonical_contact {left, right}: the share of clips or
-            cycles that have the foot planted, for every canonical frame}]
+  actions  [{action, method, reference_clip, canonical_frames, canonical_contact {left, right}:
+           for every canonical frame, the share of clips or cycles in which the foot is planted}]
   totals   {clips, frames, cycles, refused, bytes}
-  two_manners  [{action, style, separation (in distances of two takes of a class as they usually are), clips [[name], [name]]}]:
-            styles that are performed in two manners, of at least 2 clips each
-  clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees, registration_cost,
-            residual_cm, residual_ratio (to the median of its action and style, or of the action if that has fewer than 3
-            clips), contact_agreement_percent (with canonical_contact), faulty_cycles [{first_frame, frames, fault}],
-            notes [{code, text}]: what may be wrong in how the file was read}]
+  two_manners  [{action, style, separation, clips [[name], [name]]}]: styles whose clips form two
+               groups of at least 2 clips; separation is the distance of the groups, as a multiple
+               of the usual distance of two takes of a class
+  clips    [{file, name, action, style, take, frames, cycles, mean_cycle_secs, turn_degrees,
+           registration_cost, residual_cm, residual_ratio (to the median of its action and style;
+           to that of its action if there are fewer than 3 clips), contact_agreement_percent (with
+           canonical_contact), faulty_cycles [{first_frame, frames, fault}], notes [{code, text}]:
+           possible problems in reading the file}]
   refused  [{file, reason}]";
 
 /// Build a database from labelled clips
 ///
-/// A clip that cannot be used is left out with a warning.
+/// Clips that cannot be used are skipped with a warning.
 #[derive(clap::Args)]
 #[command(after_long_help = JSON_HELP)]
 pub(crate) struct Args {
@@ -57,10 +59,10 @@ pub(crate) struct Args {
     /// {action}_{style}_{take}.bvh]
     #[arg(long, value_name = "P")]
     pattern: Option<Pattern>,
-    /// A table with the columns file,action,style[,take]; takes precedence over the pattern
+    /// A table of labels with the columns file,action,style[,take]; it replaces the labels in file names
     #[arg(long, value_name = "CSV")]
     labels: Option<PathBuf>,
-    /// The neutral style [default: neutral or normal, else the first]
+    /// The neutral style [default: 'neutral' or 'normal', else the first style]
     #[arg(long, value_name = "NAME")]
     neutral: Option<String>,
     /// Frames per second of the database
@@ -68,10 +70,10 @@ pub(crate) struct Args {
     rate: f32,
     #[command(flatten)]
     reading: ReadArgs,
-    /// How clips are registered
+    /// How clips are aligned in time (registered)
     #[arg(long, value_enum, default_value_t = Registration::Dtw)]
     registration: Registration,
-    /// Write a table of how well every clip registered, worst first, as Markdown
+    /// Write a Markdown table of how well every clip was registered, worst first
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     /// Write a report as JSON
@@ -291,10 +293,10 @@ impl Report {
     /// Returns the refused clips with the reasons, the actions, the bimodal styles, then every clip and its faulty
     /// cycles, worst first.
     fn markdown(&self) -> String {
-        let mut out = format!("# Registration of {}\n\n## Refused\n\n", self.database);
+        let mut out = format!("# Registration of {}\n\n## Refused clips\n\n", self.database);
         // Writing to a string cannot fail.
         if self.refused.is_empty() {
-            out.push_str("Nothing.\n");
+            out.push_str("None.\n");
         }
         for r in &self.refused {
             let _ = writeln!(out, "- `{}`: {}", r.file, r.reason);
@@ -308,7 +310,7 @@ impl Report {
         for a in &self.actions {
             let _ = writeln!(out, "| {} | {} {}|", a.action, a.method, a.canonical_contact.cells());
         }
-        out.push_str("\n## Styles of two manners\n\n");
+        out.push_str("\n## Styles whose takes form two groups\n\n");
         if self.two_manners.is_empty() {
             out.push_str("None.\n");
         }

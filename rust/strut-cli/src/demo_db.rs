@@ -20,13 +20,13 @@ pub(crate) struct Args {
     /// Also write the clips as BVH files named {action}_{style}_{take}.bvh into this folder
     #[arg(long, value_name = "DIR")]
     bvh: Option<PathBuf>,
-    /// The smaller set at 60 Hz that the page loads: every action, but fewer takes and no transitions
+    /// Write the smaller set that the web page loads: 60 Hz, every action, fewer takes, no transitions
     #[arg(long)]
     page: bool,
     /// Write measures of the motions as Markdown into this file
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// A folder with `xia/` and `bandai-namco-2/`: the report compares the motions with their clips
+    /// A folder with `xia/` and `bandai-namco-2/`: the report compares the motions with these recordings
     #[arg(long, value_name = "DIR", requires = "report")]
     recordings: Option<PathBuf>,
 }

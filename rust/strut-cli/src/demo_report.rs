@@ -44,8 +44,11 @@ macro_rules! line {
 }
 
 fn composition(out: &mut String, clips: &[PlannedClip]) {
-    line!(out, "\n## Composition\n\nAt {FULL_RATE_HZ} Hz, as Table 1 of Xia et al. 2015.\n");
-    line!(out, "| Action | Takes a style | Frames | Table 1 |\n| --- | ---: | ---: | ---: |");
+    line!(
+        out,
+        "\n## Composition\n\nThe numbers of frames, at {FULL_RATE_HZ} Hz, are those of Table 1 of Xia et al. 2015.\n"
+    );
+    line!(out, "| Action | Takes per style | Frames | Table 1 |\n| --- | ---: | ---: | ---: |");
     for (action, wanted) in TABLE_1 {
         let of = || clips.iter().filter(|c| c.clip.action == action);
         let frames: usize = of().map(|c| c.planted.len()).sum();
@@ -66,11 +69,17 @@ fn cycles(take: &Performance) -> Vec<Cycle> {
 fn walking(out: &mut String, recordings: Option<&Path>) -> Outcome {
     let cycles = cycles(&paced(Action::Walk, PACES[2], &STYLES[0]));
     line!(out, "\n## Neutral walking against published bands\n");
-    line!(out, "Hip: thigh against the vertical; knee: flexion; ankle: dorsiflexion; degrees, at 0, 10, … 90 % of the");
     line!(
         out,
-        "cycle from heel strike, mean of 12 strides of either leg. The share is that of the cycle within ±1 SD.\n"
+        "The angles are, in degrees, the thigh against the vertical (hip), the flexion of the knee, and the \
+         dorsiflexion"
     );
+    line!(
+        out,
+        "of the ankle. They are means of 12 strides of both legs, at 0, 10, … 90 % of the cycle from heel strike. \
+         *Share*"
+    );
+    line!(out, "is the part of the cycle within ±1 SD of the published values.\n");
     line!(out, "| Angle | | {} | Share |", cells(|i| format!("{i} %")));
     line!(out, "| --- | --- |{}", " ---: |".repeat(11));
     let recorded = recordings.map(recorded_walks).transpose()?;
@@ -82,7 +91,7 @@ fn walking(out: &mut String, recordings: Option<&Path>) -> Outcome {
         });
         line!(out, "| {} | published | {published} | |", band.name);
         let share = 100.0 * measure::share_within(band, &curve);
-        line!(out, "| | ours | {} | **{share:.0} %** |", cells(|i| format!("{:.0}", curve[i].0)));
+        line!(out, "| | built-in | {} | **{share:.0} %** |", cells(|i| format!("{:.0}", curve[i].0)));
         if let Some(recorded) = &recorded {
             let real = measure::mean_and_sd(recorded, angle);
             let share = 100.0 * measure::share_within(band, &real);
@@ -93,10 +102,11 @@ fn walking(out: &mut String, recordings: Option<&Path>) -> Outcome {
     if let Some(recorded) = &recorded {
         line!(
             out,
-            "\nRecorded: {} straight strides of the neutral walks of `xia/` and `bandai-namco-2/`;",
+            "\n*Recorded* are {} straight strides of the neutral walks of `xia/` and `bandai-namco-2/`. A strike is \
+             assumed where",
             recorded.len()
         );
-        line!(out, "their strikes are found by the ankle furthest ahead of the pelvis, some 2 % of a cycle early.");
+        line!(out, "the ankle is farthest in front of the pelvis, which is about 2 % of a cycle too early.");
     }
     Ok(())
 }
@@ -124,7 +134,8 @@ fn speeds(out: &mut String) {
     line!(out, "\n## Cadence and step length against speed\n");
     line!(
         out,
-        "The walk ratio, step length over cadence, does not change with speed (Sekiya et al. 1996); neutral style.\n"
+        "The walk ratio is the step length divided by the cadence. It does not change with speed (Sekiya et al. \
+         1996). The style is neutral.\n"
     );
     line!(
         out,
@@ -147,7 +158,7 @@ fn running(out: &mut String) {
         100.0 * take.planted.iter().filter(|p| of(p)).count() as f32 / take.planted.len() as f32
     };
     let most = |from: usize, to: usize| knee[from..to].iter().map(|k| k.0).fold(f32::MIN, f32::max);
-    line!(out, "\n## Neutral running\n\n| | Ours | Novacheck 1998 |\n| --- | ---: | ---: |");
+    line!(out, "\n## Neutral running\n\n| | Built-in | Novacheck 1998 |\n| --- | ---: | ---: |");
     line!(out, "| Stance, % of the cycle | {:.0} | under 40 |", share(&|p| p[0]));
     line!(out, "| Both feet in the air, % of the cycle | {:.0} | about 25 |", share(&|p| !p[0] && !p[1]));
     line!(out, "| Knee at the strike, degrees | {:.0} | 10–20 |", knee[0].0);
@@ -159,12 +170,15 @@ fn quality(out: &mut String, clips: &[PlannedClip], recordings: Option<&Path>) -
     line!(out, "\n## Skate, anatomy, jerk\n");
     line!(
         out,
-        "Skate: mean speed of what carries a planted foot (heel, ball or toes), worst clip. Anatomy: frames with a joint beyond its limits. Jerk: mean over"
+        "*Skate* is the mean speed of the part that supports a planted foot (heel, ball or toes), in the worst clip. \
+         *Beyond"
     );
     line!(
         out,
-        "joints and frames of the neutral style; recorded: that of the neutral clip of `xia/` at the same rate.\n"
+        "anatomy* counts frames with a joint outside its limits. *Jerk* is the mean over joints and frames of the \
+         neutral"
     );
+    line!(out, "style; it is compared with the neutral clip of `xia/` at the same rate.\n");
     line!(
         out,
         "| Action | Skate cm/s | Beyond anatomy | Jerk m/s³ | Jerk / recorded |\n| --- | ---: | ---: | ---: | ---: |"
@@ -193,7 +207,12 @@ fn quality(out: &mut String, clips: &[PlannedClip], recordings: Option<&Path>) -
 }
 
 fn styles(out: &mut String) {
-    line!(out, "\n## Styles\n\nRows of `rust/strut-demo/src/styles.rs`, each with its source there. Walking:\n");
+    line!(
+        out,
+        "\n## Styles\n\nThese are the rows of `rust/strut-demo/src/styles.rs`, which names the source of each value. \
+         Speed,"
+    );
+    line!(out, "cadence and step are those of walking.\n");
     line!(
         out,
         "| Style | Speed m/s | Cadence | Step m | Jump m | Speed of jump, punch, kick |\n| --- | ---: | ---: | ---: | ---: | ---: |"
@@ -217,9 +236,9 @@ fn styles(out: &mut String) {
 const PREFACE: &str = "\
 # The built-in motions
 
-Written by `npm run strut -- demo-db -o demo.strutdb --report docs/demo-motions.md --recordings ../shared/data`; without
-`--recordings` the comparisons with motion capture are left out. No recorded motion is part of the database: everything
-is synthesised by `rust/strut-demo` from a script, a style and a seed.
+Written by `npm run strut -- demo-db -o demo.strutdb --report docs/demo-motions.md --recordings ../shared/data`. Without
+`--recordings` there are no comparisons with motion capture. The database has no recorded motion: `rust/strut-demo` synthesises
+everything from a script, a style and a seed.
 ";
 
 const CRITICISM: &str = include_str!("demo_criticism.md");

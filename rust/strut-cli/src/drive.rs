@@ -23,9 +23,9 @@ use strut_tasks::weights::StyleWeights;
 /// Longest drive, seconds.
 const MAX_SECS: f32 = 600.0;
 
-/// Drive a character along a path or by a log of controls, in a style
+/// Drive a styled character along a path or by recorded controls
 ///
-/// Motion matching plays neutral clips of the database, which are then styled. The styled character follows the path.
+/// Motion matching chooses neutral clips of the database, which are then styled. The styled character follows the path.
 #[derive(clap::Args)]
 #[command(group = clap::ArgGroup::new("way").args(["path", "controls"]).required(true))]
 pub(crate) struct Args {
@@ -42,7 +42,7 @@ pub(crate) struct Args {
     /// Styles with their weights, as in stylize; neutral by default
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<StyleWeights>,
-    /// Gait along a path: 0 stands, 1 walks, 2 runs
+    /// Gait along a path: 0 stand, 1 walk, 2 run
     #[arg(long, value_name = "G", default_value_t = 1.0)]
     gait: f32,
     /// Seconds to drive [default: to the end of the path, or of the controls]
@@ -54,7 +54,7 @@ pub(crate) struct Args {
     /// Write the neutral motion as well
     #[arg(long, value_name = "IN.bvh")]
     input_out: Option<PathBuf>,
-    /// Write measures of the drive as JSON
+    /// Write measurements of the drive as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -111,7 +111,7 @@ fn check(args: &Args) -> Outcome {
         return Err(Failure::usage(format_args!("the gait is {}; 0 (stand) to 2 (run) was expected", args.gait)));
     }
     if let Some(secs) = args.secs.filter(|secs| !(*secs > 0.0 && *secs <= MAX_SECS)) {
-        return Err(Failure::usage(format_args!("{secs} s are to be driven; more than 0 to {MAX_SECS} were expected")));
+        return Err(Failure::usage(format_args!("--secs is {secs}; more than 0 to {MAX_SECS} seconds were expected")));
     }
     Ok(())
 }
@@ -129,7 +129,7 @@ fn driving_clips(db: &Database) -> Result<(DrivingClips, Option<String>), String
         Err(reason @ DrivingError::TooShort { .. }) => {
             let spare = carried(&strut_demo::database().map_err(|reason| reason.to_string())?)?;
             let clips = DrivingClips::new(body, rate_hz, &own, &spare, &takes).map_err(|reason| reason.to_string())?;
-            Ok((clips, Some(format!("{reason}: built-in clips walk instead"))))
+            Ok((clips, Some(format!("{reason}; built-in walks are used instead"))))
         }
         Err(reason) => Err(reason.to_string()),
     }

@@ -11,10 +11,10 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use strut_tasks::files::Outputs;
 
-/// Measure key-styling on clips that the model was not trained on
+/// Measure key-styling on clips that were not used in training
 ///
-/// DATA contains the folders bandai-namco-1 and bandai-namco-2, or is these folders: the clips that the prototype was
-/// measured on.
+/// DATA is a folder that contains bandai-namco-1 and bandai-namco-2, or these two folders. The prototype was measured on
+/// the same clips.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Folders of clips
@@ -42,13 +42,14 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let sets = sets.collect::<Outcome<Vec<_>>>()?;
     let mut text = String::from("# Key-styling\n\n");
     text.push_str(
-        "Written by `strut evaluate-key-style` on clips of bandai-namco-1 and bandai-namco-2, with 16 components. What \
-         is measured are poses that were not learnt from. *Error* is the mean angle between joints and, with the hips at one \
-         place, their mean distance. In *italics* what the prototype reached.\n\n",
+        "Written by `strut evaluate-key-style` on clips of bandai-namco-1 and bandai-namco-2, with 16 components. \
+         Errors are measured on held-out poses, which the models were not trained on. *Error* is the mean angle \
+         between the joints, and their mean distance with both hips at the same position. The results of the \
+         prototype are in *italics*.\n\n",
     );
     // Writing to a string cannot fail.
     text.push_str(
-        "| data | clips | style | learnt from | tested on | unexplained |\n| --- | --- | --- | ---: | ---: | ---: |\n",
+        "| data | clips | style | trained on | tested on | unexplained |\n| --- | --- | --- | ---: | ---: | ---: |\n",
     );
     for set in &sets {
         let axes: Vec<&str> = set.axes.iter().map(strut_core::somn::Measure::text).collect();
@@ -63,8 +64,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
         );
     }
     text.push_str(
-        "\n*Unexplained* is the share of the poses' variance that the style does not explain, by recorded poses of similar \
-         styles: above 60 % the command advises another style.\n\n",
+        "\n*Unexplained* is the share of the poses' variance that the style does not determine. It is measured \
+         between recorded poses of similar styles. Above 60 %, `strut train-key-style` recommends other style \
+         variables.\n\n",
     );
     tables::errors(&mut text, &sets, args.seeds)?;
     tables::baselines(&mut text, &sets)?;

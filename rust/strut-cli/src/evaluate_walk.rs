@@ -32,7 +32,7 @@ const BETWEEN: [u32; 4] = [0, 2, 4, 6];
 /// Number of timed frames.
 const FRAMES: u32 = 3000;
 
-/// Measure a model of walk styles on takes that it was not trained on
+/// Measure a walk model on takes that were not used in training
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// .bvh files, folders (searched recursively) and .zip archives
@@ -44,7 +44,7 @@ pub(crate) struct Args {
     /// Takes of every style to test on
     #[arg(long, value_name = "TAKES", value_delimiter = ',', default_value = "1,2")]
     held_out: Vec<u32>,
-    /// Walks whose first half of every take predicts the second half; files, folders or archives
+    /// Walks of which the first half of every take predicts the second half: files, folders or archives
     #[arg(long, value_name = "INPUT")]
     halves: Vec<PathBuf>,
     /// Write the tables as Markdown
@@ -58,12 +58,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused, &unwatched)?;
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
-        return Err(Failure::new("--held-out leaves no walk to train on, or none to test"));
+        return Err(Failure::new("--held-out leaves no walk for training or for testing; other takes were expected"));
     }
     let styles: BTreeSet<&str> = rest.iter().map(|walk| walk.style.as_str()).collect();
     if styles.len() < 2 {
         let found = names(&args.inputs);
-        return Err(Failure::new(format_args!("{found}: walks of two styles at least were expected to train on")));
+        return Err(Failure::new(format_args!("{found}: walks of at least two styles were expected for training")));
     }
     let clips: Vec<LabelledClip> = rest.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let begin = Instant::now();
@@ -75,8 +75,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
-        "Written by `strut evaluate-walk` on the walks of {}: {} clips of {} styles to train on in {seconds:.1} s, {} \
-         clips held out. The model file has {} kB.\n",
+        "Written by `strut evaluate-walk` on the walks of {}. Training on {} clips of {} styles took {seconds:.1} s; \
+         {} clips were held out. The model file has {} kB.\n",
         names(&args.inputs),
         rest.len(),
         refined.styles.len(),
@@ -105,7 +105,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     transitions(&mut text, &refined, &runtime).map_err(Failure::new)?;
     contexts(&mut text, &plain, &walks);
     horizon(&mut text, &refined, &runtime, &tests).map_err(Failure::new)?;
-    let _ = writeln!(text, "## Cost\n\n{:.1} µs a frame, natively, with root and joint limits.", cost_us(&runtime));
+    let _ = writeln!(
+        text,
+        "## Cost\n\n{:.1} µs per frame, natively, including the root and the joint limits.",
+        cost_us(&runtime)
+    );
 
     print_warnings(&corpus::warnings(&refused));
     write_or_print(args.output.as_deref(), &text)
@@ -114,9 +118,10 @@ pub(crate) fn run(args: &Args) -> Outcome {
 /// Writes the reconstruction errors of each model on held-out walks.
 fn held_out(text: &mut String, models: &[(&str, &WalkModel)], tests: &[&Walk]) {
     text.push_str(
-        "## Held-out walks\n\nWith the states' likeliest durations. *Amplitude* and *step length* are shares of ",
+        "## Held-out walks\n\nThe walks are synthesised with the likeliest durations of the states. *Amplitude* and \
+         *step length* are shares of the recorded values. *Recognised* counts the steps whose own style is the \
+         likeliest.\n\n",
     );
-    text.push_str("the recorded ones; *recognised* are steps whose style is the likeliest.\n\n");
     text.push_str("| means | rotations | positions | amplitude | step length | recognised |\n");
     text.push_str("| --- | ---: | ---: | ---: | ---: | ---: |\n");
     for (name, model) in models {
@@ -151,11 +156,13 @@ fn pairs(model: &WalkModel) -> impl Iterator<Item = (usize, usize)> {
 fn linearity(text: &mut String, models: [(&WalkModel, &Arc<RuntimeWalkModel>); 2]) -> Result<(), WeightsError> {
     let [adapted, refined] = models.map(|(model, runtime)| deviations(model, runtime));
     text.push_str(
-        "## Interpolation\n\nGreatest deviation from the straight line between two styles, of eleven mixtures, ",
+        "## Interpolation\n\nEleven mixtures are made between two styles. The table has their greatest deviation from \
+         linear interpolation, ",
     );
     let _ = writeln!(
         text,
-        "as a share of what lies between the two: median over all pairs, {STEPS} steps each.\n\n\
+        "as a share of the difference between the two styles. Values are medians over all pairs, with {STEPS} steps \
+         each.\n\n\
          | | adapted | refined |\n| --- | ---: | ---: |"
     );
     for ((name, adapted), (_, refined)) in adapted?.into_iter().zip(refined?) {
@@ -191,35 +198,35 @@ fn contexts(text: &mut String, model: &WalkModel, walks: &[Walk]) {
         .filter_map(|w| Some((model.styles.iter().position(|style| *style == w.style)?, &w.track)))
         .collect();
     text.push_str(
-        "## Contexts\n\nA tree by minimum description length splits the steps of all walks by side and by place in ",
+        "## Contexts\n\nA decision tree splits the steps of all walks by side and by position in the clip. By the \
+         criterion of minimum description length, a split must increase the likelihood by more than it costs.\n\n",
     );
-    text.push_str("the clip. It does so as long as that makes the frames likelier by more than it costs.\n\n");
-    for (name, style_free) in [("As recorded", false), ("With every style's mean pose taken off", true)] {
+    for (name, style_free) in [("As recorded", false), ("With every style's mean pose subtracted", true)] {
         let ContextTree { splits, rejected, cost } = ContextTree::grow(model, &walks, style_free);
         let asked: Vec<String> = splits.iter().map(|s| format!("{} gains {:.0}", s.question, s.gain)).collect();
         let _ = writeln!(
             text,
-            "- {name}, a split costs {cost:.0}: {} leaves ({}); the best question that is not asked gains {rejected:.0}.",
+            "- {name}, a split costs {cost:.0}: {} leaves ({}); the best rejected question gains {rejected:.0}.",
             splits.len() + 1,
             asked.join(", ")
         );
     }
     text.push_str(
-        "\nThe split by side gains far more than it costs. The split by place gains less than it costs, because the clips \
-         are cut out of longer walks: models are those of left and right steps.\n\n",
+        "\nThe split by side gains far more than it costs. The split by position gains less than it costs, because \
+         the clips are cut from longer walks. The model therefore has two contexts: left steps and right steps.\n\n",
     );
 }
 
 /// Writes the joint velocities during changes of style.
 fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {
     text.push_str(
-        "## Transitions\n\nThese are the greatest accelerations while one style gives way to another, as a share of ",
+        "## Transitions\n\nThe table has the greatest accelerations while the style changes, as a share of the \
+         greatest acceleration of steady walking in either style, over all pairs of styles. *Joint* is the joint with \
+         the largest share. *Degree of freedom* is the degree of freedom with the largest share; some hardly move. \
+         *Greatest* compares the joints with the greatest acceleration.\n\n",
     );
-    text.push_str("the greatest of steady walking in either. *Joint* is the joint where that share is largest. ");
-    text.push_str("*Degree of freedom* is the single one, some of which hardly move. *Greatest* are the joints ");
-    text.push_str("that are accelerated most. All pairs.\n\n");
     text.push_str(
-        "| steps in between | joint, median | worst | degree of freedom, median | worst | greatest, worst |\n",
+        "| steps of the change | joint, median | worst | degree of freedom, median | worst | greatest, worst |\n",
     );
     text.push_str("| ---: | ---: | ---: | ---: | ---: | ---: |\n");
     let worst = |peaks: &[Peaks], of: fn(&Peaks) -> f64| peaks.iter().map(of).fold(0.0, f64::max);
@@ -244,7 +251,8 @@ fn transitions(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkMo
         .collect::<Result<Vec<_>, _>>()?;
     let _ = writeln!(
         text,
-        "\nWho stops within two steps, stands and goes again reaches {:.2}, {:.2} and {:.2} of it at worst, in all styles.\n",
+        "\nA walk that stops within two steps, stands and starts again reaches at most {:.2}, {:.2} and {:.2} of it, \
+         over all styles.\n",
         worst(&stops, |p| p.joint),
         worst(&stops, |p| p.freedom),
         worst(&stops, |p| p.greatest)
@@ -264,14 +272,14 @@ fn horizon(
     let worst = errors.iter().map(|e| e[1]).fold(0.0, f64::max);
     let _ = writeln!(
         text,
-        "## Looking ahead\n\nAgainst the trajectory of the whole walk, joints that look {HORIZON} frames ahead are off by \
-         {mean:.3}° on average and {worst:.2}° at most."
+        "## Looking ahead\n\nA walker computes its trajectory with a look-ahead of {HORIZON} frames. Joint angles \
+         differ from the trajectory of the whole walk by {mean:.3}° on average and {worst:.2}° at most."
     );
     let style_of = |walk: &Walk| model.styles.iter().position(|style| *style == walk.style);
     let rounding = tests.iter().filter_map(|walk| recursion_error(model, style_of(walk)?, &walk.track));
     let _ = writeln!(
         text,
-        "Through the states of the walks that were held out, a walker's recursion in single precision is off the banded \
+        "For the states of the held-out walks, the walker's recursion in single precision differs from the banded \
          system in double precision by {:.1e} rad at most.\n",
         rounding.fold(0.0, f64::max)
     );

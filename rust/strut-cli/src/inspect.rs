@@ -25,19 +25,21 @@ const JSON_HELP: &str = "\
 The report of --json on a BVH file:
   file, kind (\"bvh\"), frames, frame_time_secs, rate_hz, duration_secs
   joints         [{name, parent (index), offset, channels, end_site, role}]
-  humanoid       {confidence, metres_per_unit, up, floor_m, mirrored, leg_length_m, travel_m, unmapped,
-                 notes}, or null
-  notes          [{code, text}]: what may be wrong; empty for a clean file
-  not_humanoid   why the skeleton is no humanoid, or null
+  humanoid       {confidence, metres_per_unit, up, floor_m, mirrored, leg_length_m, travel_m,
+                 unmapped, notes}, or null
+  notes          [{code, text}]: possible problems; empty for a clean file
+  not_humanoid   why the skeleton is not a humanoid, or null
   contacts       [[left, right]] for every frame, 1 while the foot is planted
   planted_share  [left, right]
   steps          [left, right]
 
 The report of --json on a database:
-  file, kind (\"database\"), version, generator, rate_hz, frames, duration_secs, counterparts_per_style
+  file, kind (\"database\"), version, generator, rate_hz, frames, duration_secs,
+  counterparts_per_style
   skeleton       {names, parents, offsets_cm, roles}
   actions, styles, neutral
-  two_manners    [{action, style, separation, clips [[name], [name]]}], as build-db reports them
+  two_manners    [{action, style, separation, clips [[name], [name]]}], as in the report of
+                 build-db
   classes        [{action, style, clips, frames, duration_secs, planted_share}]
   clips          [{name, action, style, take, frames, first_frame, source, licence}]";
 

@@ -15,13 +15,13 @@ const MAX_TABLE_BYTES: usize = 16 << 20;
 
 /// Synthesise a motion from style values over time
 ///
-/// Styles farther than half a standard deviation from all recorded ones are brought back to that distance.
+/// Styles that are more than half a standard deviation away from all recorded styles are moved back to that distance.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// A model that train-key-style wrote
     #[arg(long, value_name = "M")]
     model: PathBuf,
-    /// A table with the column time, in seconds, and one for every axis of the model, in its unit
+    /// A table with the column time, in seconds, and one column for every axis of the model, in its unit
     #[arg(long, value_name = "CSV")]
     keys: PathBuf,
     /// Curves through the keys: catmull-rom, or monotone, which never overshoots them
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let guesses = keys.iter().filter(|key| synthesis.support(&key.style) < model.least_support).count();
     let remark = match guesses {
         0 => String::new(),
-        n => format!("; {n} of the keys lie where hardly anything was recorded"),
+        n => format!("; {n} of the keys are far from all recorded styles"),
     };
     let (output, frames) = (args.output.display(), motion.poses.len());
     let secs = frames as f32 / motion.rate_hz;

@@ -41,17 +41,17 @@ const MOST_BEHIND_SECS: f64 = 0.25;
 
 /// Style a performer's motion live
 ///
-/// It takes motion from a motion capture program by the VMC protocol (Open Sound Control over UDP), and sends it in a style
-/// to programs that show it. Ctrl-C ends it.
+/// Receives motion from a motion capture program by the VMC protocol (Open Sound Control over UDP), styles it, and sends
+/// it to programs that show it. Press Ctrl-C to stop.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
     #[arg(long, value_name = "DB", required_unless_present = "send")]
     db: Option<PathBuf>,
-    /// Styles with their weights, as in stylize; neutral by default. Messages /strut/style NAME W change them
+    /// Styles with their weights, as in stylize; neutral by default. A message /strut/style NAME W changes a weight
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<StyleWeights>,
-    /// Address to listen on for the performer [default: 127.0.0.1:39539]
+    /// Address on which the performer's motion is received [default: 127.0.0.1:39539]
     #[arg(long = "in", value_name = "ADDR", conflicts_with = "send")]
     input: Option<Address>,
     /// Address to send to; may be repeated [default: 127.0.0.1:39540; with --send 127.0.0.1:39539]
@@ -66,19 +66,19 @@ pub(crate) struct Args {
     /// Seconds of T-pose at the start, for senders whose bones are rotated in the T-pose
     #[arg(long, value_name = "SECS")]
     calibrate: Option<f64>,
-    /// Write the styled motion into a .bvh file at the end, at most an hour
+    /// Record the styled motion, at most one hour, and write it to a .bvh file at the end
     #[arg(long, value_name = "OUT.bvh")]
     record: Option<PathBuf>,
-    /// Write the performer's motion as well
+    /// Record the performer's motion as well
     #[arg(long, value_name = "IN.bvh")]
     record_input: Option<PathBuf>,
-    /// End after this number of seconds
+    /// Stop after this number of seconds
     #[arg(long, value_name = "N")]
     secs: Option<f64>,
     /// Allow connections with other computers
     #[arg(long)]
     allow_network: bool,
-    /// Write measures of the stream as JSON
+    /// Write measurements of the stream as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Send a .bvh file as a performer instead, once or for --secs seconds
@@ -101,9 +101,9 @@ impl Args {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum PlaceName {
-    /// It is drawn towards it while it walks
+    /// It is pulled towards the performer's position while it walks
     Follow,
-    /// It goes where its steps lead
+    /// It moves as far as its steps go
     Free,
 }
 
@@ -133,7 +133,7 @@ fn check(args: &Args) -> Outcome {
         address.check(args.allow_network)?;
     }
     if let Some(same) = targets.iter().find(|target| args.send.is_none() && source.hears(target)) {
-        return Err(Failure::usage(format_args!("--in and --out are both {same}; it would hear itself")));
+        return Err(Failure::usage(format_args!("--in and --out are both {same}; Strut would receive its own output")));
     }
     if let Some(secs) = args.secs.filter(|secs| !(*secs > 0.0 && secs.is_finite())) {
         return Err(Failure::usage(format_args!("--secs is {secs}; more than 0 was expected")));
@@ -227,7 +227,7 @@ fn finish(args: &Args, session: &Session) -> Outcome {
 /// Returns poses on the database's body as a BVH file.
 fn bvh_of(session: &Session, poses: &[Pose]) -> Result<Vec<u8>, String> {
     if poses.is_empty() {
-        return Err("no motion came that could be recorded".into());
+        return Err("no motion arrived, so nothing could be recorded".into());
     }
     let motion =
         HumanoidMotion { proportions: session.proportions(), rate_hz: session.rate_hz(), poses: poses.to_vec() };

@@ -28,8 +28,9 @@ impl TwoMannersEntry {
     /// Returns a sentence about the style and its consequence.
     pub(crate) fn sentence(&self) -> String {
         format!(
-            "{}/{} is performed in two manners, {:.1} times as far apart as two takes usually are, and styles to the \
-             mean of both; a style of its own for either keeps them apart",
+            "the takes of {}/{} form two groups, {:.1} times as far apart as two takes usually are; the style is the \
+             mean \
+             of both. To keep them apart, label the groups as two styles",
             self.action, self.style, self.separation
         )
     }

@@ -13,7 +13,9 @@ pub(crate) fn read_model(path: &Path, search: Search) -> Outcome<Model> {
     if let Some(took) = indexed_in {
         let (path, ms) = (path.display(), took.as_millis());
         print_warnings(&format!(
-            "note: {path} has no search index of this version; it was built in {ms} ms. 'strut build-db' stores one.\n"
+            "note: {path} has no search index for this version of Strut; it was built in {ms} ms. 'strut build-db' \
+             stores \
+             it in the file.\n"
         ));
     }
     Ok(model)

@@ -12,13 +12,13 @@ pub(crate) struct ReadArgs {
     /// The joint of each role, as JSON: {"joints": {"hips": "Bip01", …}}
     #[arg(long, value_name = "FILE")]
     joints: Option<PathBuf>,
-    /// Up axis of the files [default: detected from the body]
+    /// Up axis of the files: x, -x, y, -y, z or -z [default: detected from the body]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true, value_parser = up_axis)]
     up: Option<UpAxis>,
     /// Height of the ground along the up axis, metres [default: measured at the feet]
     #[arg(long, value_name = "METRES", allow_hyphen_values = true, value_parser = metres)]
     floor: Option<f32>,
-    /// Swap the sides left and right that were detected
+    /// Swap the detected left and right sides
     #[arg(long)]
     swap_sides: bool,
 }

@@ -17,28 +17,28 @@ pub(crate) struct StyleArgs {
     /// The input's own style, if known
     #[arg(long, value_name = "NAME")]
     input_style: Option<String>,
-    /// Neighbours in each class
+    /// K: number of neighbours (most similar examples) in each class
     #[arg(short, default_value_t = Options::DEFAULT.k)]
     k: usize,
-    /// Ridge of the regressions, as a share of K
+    /// Ridge regularisation of the regressions, as a share of K: more is smoother, less shows more detail of the style
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.lambda)]
     lambda: f32,
-    /// Share of the bias that is kept in the output: 0 to 1
+    /// Share of the bias that is kept in the output, 0 to 1; bias is the part of the input that no example explains
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.rho)]
     rho: f32,
-    /// Share of the tempo of a walk or a run that the style determines: 0 keeps the input's tempo, 1 takes the style's
+    /// Tempo of walks and runs: 0 keeps the input's tempo, 1 uses the style's
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.tempo)]
     tempo: f32,
-    /// Distance from the neighbours beyond which input counts as bias, standard deviations
+    /// Tolerance of the bias, in standard deviations of the neighbours: input within it has no bias
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.kappa)]
     kappa: f32,
-    /// How slowly the weight of a class falls with its distance
+    /// How slowly the weight of a class decreases with its distance from the input
     #[arg(long, value_name = "F", default_value_t = Options::DEFAULT.delta)]
     delta: f32,
-    /// Whether output is smoothed where the input is unlike the database
+    /// Whether the output is smoothed where the database has no similar motion
     #[arg(long, default_value = "on")]
     coherence: Switch,
-    /// Whether the style changes durations
+    /// Whether the style changes the timing
     #[arg(long, default_value = "on")]
     timing: Switch,
     /// Whether planted feet are held in place
@@ -52,7 +52,7 @@ pub(crate) struct StyleArgs {
     /// Different weights for a part of the body: head, torso, left-arm, right-arm, arms or legs
     #[arg(long, value_name = "PART:NAME=W[,…]")]
     part: Vec<PartWeights>,
-    /// How neighbours are found: exact, or kdtree:M, among M candidates of a kd-tree in each class
+    /// How neighbours are found: exact, or kdtree:M for M candidates of a kd-tree in each class
     #[arg(long, value_name = "SEARCH", default_value = "exact")]
     search: Search,
 }

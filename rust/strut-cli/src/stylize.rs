@@ -26,8 +26,8 @@ use strut_tasks::weights::StyleWeights;
 
 /// Style BVH files
 ///
-/// An output keeps its input's skeleton, names, units, channel order and frame rate. Without --action and
-/// --input-style the input may be of any action and style: the engine finds the most similar classes.
+/// Each output keeps the skeleton, names, units, channel order and frame rate of its input. Without --action and
+/// --input-style, the engine recognises the action and the style of the input.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// The database
@@ -36,24 +36,24 @@ pub(crate) struct Args {
     /// The .bvh files to style, or folders or .zip archives of them
     #[arg(long, value_name = "IN.bvh", required = true, num_args = 1..)]
     input: Vec<PathBuf>,
-    /// Styles with their weights; a name alone has weight 1, the remainder to 1 is neutral, weights below 0 or above 1
-    /// extrapolate
+    /// Styles with their weights. A name alone has weight 1. If the sum is less than 1, the rest is neutral. Weights below
+    /// 0 or above 1 extrapolate
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: StyleWeights,
-    /// The .bvh file to write; for several inputs, the folder for files of the same names
+    /// The .bvh file to write; for several inputs, the folder to write files of the same names into
     #[arg(short, long, value_name = "OUT.bvh")]
     output: PathBuf,
     #[command(flatten)]
     options: StyleArgs,
     #[command(flatten)]
     reading: ReadArgs,
-    /// Write a trace of every frame of a single input, as JSON lines
+    /// Write how every frame of a single input was computed, as JSON lines
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Write a report on every input as JSON, with notes on what may be wrong
+    /// Write a report on every input as JSON, with notes on possible problems
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Number of threads [default: one per processor]. The outputs do not depend on it
+    /// Number of threads [default: one per processor core]. The outputs do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<NonZero<usize>>,
 }

@@ -21,25 +21,30 @@ const MOST_PRINTED: usize = 10;
 
 /// Help on the outputs and the exit codes.
 const LONG_HELP: &str = "\
-Outputs: DIR/VARIANT/PATH.bvh, where PATH is the input's below the folder or in the archive that was given. The variant of
---style is what was typed, with + for commas. A table of --variants has the columns variant,style[,option…]; options have
-the names of the long ones here, and an empty cell leaves one as it is given beside the table.
+Outputs: DIR/VARIANT/PATH.bvh. PATH is the path of the input below the given folder or in the
+given archive. With --style, VARIANT is the text of that option, with + for commas. A table of
+--variants has the columns variant,style[,option…]. An option column has the name of a long option
+of this command. For an empty cell, the option of the command line is used.
 
-DIR/manifest.jsonl has a line for every job that ended: job, key (SHA-256 of version, database, options and input), input,
-input_sha256, variant, output, output_sha256, bytes, frames, repaired, notes, status, code, message, version, time_ms. The
-latest line of a job counts. The same command again does what is not done: after Ctrl-C, a crash or new inputs.
+DIR/manifest.jsonl has one line for every job that ended: job, key (SHA-256 of version, database,
+options and input), input, input_sha256, variant, output, output_sha256, bytes, frames, repaired,
+notes, status, code, message, version, time_ms. The last line of a job is valid. Run the same
+command again to do the missing jobs: after Ctrl-C, a crash or new inputs.
 
-Jobs end done; skipped, if the input cannot be styled; or failed, if the system or the program failed: input or output twice,
-a panic, or three starts without an end. None stops the others. --retry does those of a kind again.
+A job ends as done; as skipped, if the input cannot be styled; or as failed, after an error of the
+system or a bug: reading or writing failed twice, a panic, or three starts without an end. The
+other jobs continue. --retry repeats such jobs.
 
---shard I/N does the I-th of N shares of the jobs, with a manifest of its own: one for every task of a Slurm array.
+--shard I/N runs the I-th of N shares of the jobs and writes a separate manifest, for example for
+each task of a Slurm array.
 
-The report of --json: jobs, done, styled (by this run), skipped, failed, frames, seconds, problems [{job, input, status,
-code, message}]. Exit codes: 0 also with skipped jobs, unless --strict; 1 with failed ones; 130 after Ctrl-C.";
+The report of --json: jobs, done, styled (by this run), skipped, failed, frames, seconds, problems
+[{job, input, status, code, message}]. Exit codes: 0 done, also with skipped jobs unless --strict;
+1 with failed jobs; 130 after Ctrl-C.";
 
 /// Style many BVH files in one or several styles, each exactly once
 ///
-/// The same command, run again, continues where the last one stopped.
+/// If it was interrupted, run the same command again to continue.
 #[derive(clap::Args)]
 #[command(after_long_help = LONG_HELP)]
 #[command(group = ArgGroup::new("what").args(["style", "variants"]).required(true))]
@@ -53,7 +58,7 @@ pub(crate) struct Args {
     /// Styles with their weights, as in stylize
     #[arg(long, value_name = "NAME[=W][,NAME=W…]")]
     style: Option<String>,
-    /// A table of variants; every input is styled in each of them
+    /// A table of variants; every input is styled in every variant
     #[arg(long, value_name = "CSV")]
     variants: Option<PathBuf>,
     /// The folder to write into
@@ -66,13 +71,13 @@ pub(crate) struct Args {
     /// Run one of several shares of the jobs
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: Shard,
-    /// Number of threads [default: one per processor]. The outputs do not depend on it
+    /// Number of threads [default: one per processor core]. The outputs do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<NonZero<usize>>,
     /// Repeat jobs that failed or were skipped
     #[arg(long)]
     retry: Option<Retry>,
-    /// Check the contents of existing outputs against what was written
+    /// Check that existing outputs are unchanged since they were written
     #[arg(long)]
     verify: bool,
     /// Exit with 1 if a job was skipped
@@ -151,10 +156,10 @@ fn verdict(args: &Args, report: &BatchReport) -> Outcome {
     let BatchReport { jobs, skipped, failed, .. } = report;
     let fail = |reason: String| Err(Failure::in_file(&args.output, reason));
     if *failed > 0 {
-        return fail(format!("{failed} of {jobs} jobs failed; --retry failed does them again"));
+        return fail(format!("{failed} of {jobs} jobs failed; repeat them with --retry failed"));
     }
     if *skipped > 0 && args.strict {
-        return fail(format!("{skipped} of {jobs} jobs were skipped, and --strict was given"));
+        return fail(format!("{skipped} of {jobs} jobs were skipped, which --strict does not allow"));
     }
     Ok(())
 }

@@ -14,12 +14,12 @@ use strut_tasks::files::Outputs;
 use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
 
-/// Train a model that maps a few style variables, measured on poses, to poses
+/// Train a model that maps a few style variables, measured on poses, to whole poses
 ///
 /// Axes in cm: hips_height reach_left reach_right hand_height_left hand_height_right foot_separation
 /// foot_height_difference hands_apart. Others: torso_lean knee_bend_left knee_bend_right (degrees), speed (cm/s). An axis
-/// may also be an expression such as 'hand_l.y - shoulder_l.y'. It has joints by role, x y z in cm to the left, up and
-/// forward, with + - * / ( ) abs min max sqrt and atan2 in degrees. A clip that cannot be used is left out with a warning.
+/// may also be an expression such as 'hand_l.y - shoulder_l.y': joints by role with x, y, z in cm to the left, up and
+/// forward, + - * / ( ), abs min max sqrt, and atan2 in degrees. Clips that cannot be used are skipped with a warning.
 #[derive(clap::Args)]
 #[allow(clippy::doc_markdown)] // The comments are the help.
 pub(crate) struct Args {
@@ -38,7 +38,7 @@ pub(crate) struct Args {
     /// Number of linear maps [default: one per 40 frames, 4 to 16]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(1..=MAX_COMPONENTS as u64))]
     components: Option<u64>,
-    /// A self-organising mixture network, or expectation maximisation for comparison
+    /// How the model is trained: som, a self-organising mixture network; em, expectation maximisation, for comparison
     #[arg(long, value_name = "METHOD", default_value = "som", value_parser = ["som", "em"])]
     method: String,
     /// Write a report as JSON: {model, seconds, components, `unexplained_share`, axes: [{axis, unit, mean, deviation}],
@@ -104,7 +104,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     print_warnings(&corpus::warnings(&report.refused));
     if report.unexplained_share > KeyStyleModel::MAX_UNEXPLAINED_SHARE {
         print_warnings(&format!(
-            "note: these style variables do not explain {:.0} % of the poses' variance; poses will be means of different ones\n",
+            "note: these style variables do not explain {:.0} % of the poses' variance, so poses are averages of \
+             different ones; try other variables\n",
             100.0 * report.unexplained_share
         ));
     }

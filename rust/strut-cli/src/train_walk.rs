@@ -15,7 +15,7 @@ use strut_tasks::walks::train_walks;
 
 /// Train a model of walk styles on labelled clips
 ///
-/// If any clips have the action 'walk', only those are used. A clip that cannot be used is left out with a warning.
+/// If there are clips of the action 'walk', only these are used. Clips that cannot be used are skipped with a warning.
 /// Takes of a style that differ by more than 6 degrees per joint become separate styles: 'proud A', 'proud B'.
 #[derive(clap::Args)]
 pub(crate) struct Args {
@@ -29,7 +29,7 @@ pub(crate) struct Args {
     /// {action}_{style}_{take}.bvh]
     #[arg(long, value_name = "P")]
     pattern: Option<Pattern>,
-    /// A table with the columns file,action,style[,take]; takes precedence over the pattern
+    /// A table of labels with the columns file,action,style[,take]; it replaces the labels in file names
     #[arg(long, value_name = "CSV")]
     labels: Option<PathBuf>,
     /// Write a report as JSON: {model, seconds, styles: [{style, clips, steps, `step_secs`}], refused: [{file, reason}]}

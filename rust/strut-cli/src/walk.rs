@@ -16,7 +16,7 @@ use strut_tasks::weights::StyleWeights;
 /// Synthesise a walk in a style or a mixture of styles
 ///
 /// Weights are relative to the average of all styles: old=0.5 is half as old, old=1.5 exaggerates, old=-1 is the
-/// opposite. Where the model has 'proud A' and 'proud B', proud is both in equal parts.
+/// opposite. If the model has 'proud A' and 'proud B', 'proud' means both in equal parts.
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// A model that train-walk wrote
@@ -28,7 +28,7 @@ pub(crate) struct Args {
     /// Number of steps
     #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u64).range(1..=MAX_STEPS))]
     steps: u64,
-    /// Change to a style at STEP (the first step is 0), gradually over LENGTH steps; may be repeated
+    /// Change to a style: begin at STEP (the first step is 0), finish LENGTH steps later; may be repeated
     #[arg(long, value_name = "NAME@STEP:LENGTH")]
     transition: Vec<Transition>,
     /// Steps per minute [default: the style's own]
@@ -37,7 +37,7 @@ pub(crate) struct Args {
     /// Step length relative to the style's, 0.6 to 1.3
     #[arg(long, value_name = "SHARE", default_value_t = 1.0)]
     stride: f32,
-    /// Stop at the end, within two more steps, and stand
+    /// Stop at the end within two more steps, and stand still
     #[arg(long)]
     stop: bool,
     /// Turn per step, degrees to the left, -10 to 10

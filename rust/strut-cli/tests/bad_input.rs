@@ -82,8 +82,12 @@ fn truncated_files() {
     assert_bvh_refused(folder.path(), &walk[..hierarchy], "has the end of the file; MOTION was expected");
     let lines: Vec<&str> = walk.lines().collect();
     let frames = |count: usize| lines[..lines.len() - 120 + count].join("\n");
-    assert_bvh_refused(folder.path(), frames(0), "after 0 frames; 120 were announced");
-    assert_bvh_refused(folder.path(), frames(10), "in.bvh: the file announces 120 frames; what follows has room for ");
+    assert_bvh_refused(folder.path(), frames(0), "after 0 frames; 120 were declared");
+    assert_bvh_refused(
+        folder.path(),
+        frames(10),
+        "in.bvh: the file declares 120 frames; the rest of the file can hold at most ",
+    );
     let cut_off = frames(1).rsplit_once(' ').unwrap().0.to_owned();
     assert_bvh_refused(folder.path(), cut_off, "has 65 numbers; this skeleton needs 66");
 }
@@ -97,7 +101,7 @@ fn a_file_that_ends_early_is_styled_with_a_note() {
     fs::write(folder.path().join("in.bvh"), cut.rsplit_once(' ').unwrap().0).unwrap();
     let output = strut(folder.path(), &[&STYLIZE[..], &["--json", "out.json"]].concat());
     assert!(output.status.success());
-    let note = "The file announces 120 frames and has 99. Its last row was cut off and left out.";
+    let note = "The file declares 120 frames and has 99. Its last row is incomplete and was left out.";
     assert!(String::from_utf8_lossy(&output.stderr).contains(note), "{}", String::from_utf8_lossy(&output.stderr));
     let report: serde_json::Value = serde_json::from_slice(&fs::read(folder.path().join("out.json")).unwrap()).unwrap();
     assert_eq!(report["notes"][0]["code"], "frame-count");
@@ -125,7 +129,7 @@ fn impossible_numbers() {
 fn too_few_frames() {
     let folder = folder();
     let at = folder.path();
-    assert_bvh_refused(at, walk_of(0), "announces 0 frames; 1 to 1000000 were expected");
+    assert_bvh_refused(at, walk_of(0), "declares 0 frames; 1 to 1000000 were expected");
     for (frames, expected) in [
         (1, "in.bvh: the motion lasts 0.00 s from its first frame to its last; at least "),
         (2, "lasts 0.02 s from its first frame to its last; at least "),
@@ -167,11 +171,11 @@ fn skeletons_that_cannot_be_used() {
     let many = ["HIERARCHY\nROOT", &vec![joint; 10_000].join("JOINT")].concat();
     assert_bvh_refused(at, many, "in.bvh: line 2050 begins joint 513; at most 512 are supported");
     let two_roots = demo_walk().replace("MOTION", "ROOT Other\n{\nOFFSET 0 0 0\n}\nMOTION");
-    assert_bvh_refused(at, two_roots, "begins a second ROOT; one skeleton a file is supported");
+    assert_bvh_refused(at, two_roots, "begins a second ROOT; one skeleton per file is supported");
     let chain =
         "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\nMOTION\nFrames: 2\nFrame Time: 0.1\n1\n2\n";
     fs::write(at.join("in.bvh"), chain).unwrap();
-    assert_refused(at, &STYLIZE, "in.bvh: This skeleton has no ");
+    assert_refused(at, &STYLIZE, "in.bvh: No ");
 }
 
 #[test]
@@ -200,8 +204,8 @@ fn damaged_databases() {
     for (bytes, expected) in [
         (&good[..good.len() / 2], "demo.strutdb: the file is cut short or damaged"),
         (&flipped, "demo.strutdb: the Strut database is damaged: its checksum is "),
-        (b"", "demo.strutdb: this is no Strut database"),
-        (demo_walk().as_bytes(), "demo.strutdb: this is no Strut database"),
+        (b"", "demo.strutdb: this is not a Strut database"),
+        (demo_walk().as_bytes(), "demo.strutdb: this is not a Strut database"),
     ] {
         fs::write(at.join("demo.strutdb"), bytes).unwrap();
         assert_refused(at, &STYLIZE, expected);
@@ -230,7 +234,7 @@ fn labels_and_outputs_that_do_not_fit() {
     assert_refused(
         at,
         &["build-db", "in.bvh", "-o", "new.strutdb"],
-        "in.bvh: its name does not match '{action}_{style}_{take}.bvh'; say how clips are labelled with --pattern or --labels",
+        "in.bvh: its name does not match '{action}_{style}_{take}.bvh'; give the labels with --pattern or --labels",
     );
 }
 

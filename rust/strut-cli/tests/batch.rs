@@ -140,7 +140,7 @@ fn what_cannot_be_styled_or_written_stops_nothing_else() {
     let stderr = String::from_utf8(failed.stderr).unwrap();
     assert_eq!(failed.status.code(), Some(1), "{stderr}");
     assert!(stderr.contains("warning: failed proud/0.bvh: out/proud/0.bvh: "), "{stderr}");
-    assert!(stderr.ends_with("error: out: 1 of 3 jobs failed; --retry failed does them again\n"), "{stderr}");
+    assert!(stderr.ends_with("error: out: 1 of 3 jobs failed; repeat them with --retry failed\n"), "{stderr}");
     fs::remove_dir(at.join("out/proud/0.bvh")).unwrap();
     assert_eq!(strut(at, &batch(&["--style", "proud"])).status.code(), Some(1), "it is not done again unasked");
     assert_eq!(counts(&report(at, &["--style", "proud", "--retry", "failed"])), [3, 3, 1, 0, 0]);
@@ -163,10 +163,10 @@ fn impossible_batches_are_refused_with_a_sentence() {
     fs::create_dir(at.join("other")).unwrap();
     fs::write(at.join("other/0.bvh"), demo_walk()).unwrap();
     let collision = ["stylize-batch", "clips", "other", "--db", "demo.strutdb", "--style", "old", "-o", "out"];
-    assert_refused(at, &collision, "other/0.bvh: its output has the same name as that of clips/0.bvh");
+    assert_refused(at, &collision, "other/0.bvh: its output would have the same name as that of clips/0.bvh");
     assert_refused(at, &batch(&["--style", "odl"])[..], "there is no style 'odl'; did you mean 'old'?");
     let inside = ["stylize-batch", "clips", "--db", "demo.strutdb", "--style", "old", "-o", "clips/out"];
-    assert_refused(at, &inside, "it lies in the input clips");
+    assert_refused(at, &inside, "the output folder is inside the input clips");
     for usage in [
         &[][..],
         &["--style", "old", "--variants", "v.csv"],
@@ -257,7 +257,7 @@ fn after_ctrl_c_nothing_is_half_done() {
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(130), "{stderr}");
     assert!(
-        stderr.starts_with("error: it was cancelled; ") && stderr.contains(" of 12 jobs are done, and the same"),
+        stderr.starts_with("error: it was cancelled; ") && stderr.contains(" of 12 jobs are done; run the same"),
         "{stderr}"
     );
     let recorded: BTreeSet<String> = records(at).iter().map(|r| r["output"].as_str().unwrap().to_owned()).collect();
@@ -289,6 +289,6 @@ fn a_full_disk_is_told_in_a_sentence_and_blames_no_job() {
     let stderr = String::from_utf8(full.stderr).unwrap();
     assert_eq!(full.status.code(), Some(1), "{stderr}");
     assert!(stderr.starts_with("error: out/") && stderr.contains(": the disk is full; "), "{stderr}");
-    assert!(stderr.trim_end().ends_with("of 8 jobs are done, and the same command goes on with the rest"), "{stderr}");
+    assert!(stderr.trim_end().ends_with("of 8 jobs are done; run the same command again to continue"), "{stderr}");
     assert!(records > 0 && records == files, "{records} records, {files} files");
 }

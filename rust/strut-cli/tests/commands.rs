@@ -263,9 +263,9 @@ fn a_clip_becomes_a_style_that_others_can_be_given() {
     fs::write(at.join("long.bvh"), bvh::write(&walk)).unwrap();
     let args = ["add-style", "--db", "demo.strutdb", "--input", "long.bvh", "--style"];
     let said = strut_ok(at, &[&args[..], &["weary", "-o", "more.strutdb"]].concat());
-    assert!(said.starts_with("more.strutdb: style 'weary', from 'walk'"), "{said}");
+    assert!(said.starts_with("more.strutdb: added style 'weary' to action 'walk'"), "{said}");
     strut_ok(at, &["stylize", "--db", "more.strutdb", "--input", "in.bvh", "--style", "weary", "-o", "out.bvh"]);
-    assert_refused(at, &[&args[..], &["old", "-o", "x.strutdb"]].concat(), "has a style 'old' already");
+    assert_refused(at, &[&args[..], &["old", "-o", "x.strutdb"]].concat(), "already has a style 'old'");
 }
 
 #[test]
@@ -278,10 +278,11 @@ fn an_action_that_is_given_is_taken_with_a_note_where_the_clip_fits_it_badly() {
     let args = ["add-style", "--db", "demo.strutdb", "--input", "walk.bvh", "--style", "weary", "--action"];
     let output = strut(at, &[&args[..], &["run", "-o", "more.strutdb"]].concat());
     let [said, noted] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
-    assert!(said.starts_with("more.strutdb: style 'weary', from 'run'"), "{said} {noted}");
-    let doubt = "it moves too differently from the clips of 'run' to look right; it fits 'walk'";
+    assert!(said.starts_with("more.strutdb: added style 'weary' to action 'run'"), "{said} {noted}");
+    let doubt = "its motion differs so much from the clips of 'run' that the style may look wrong; it fits 'walk'";
     assert_eq!(noted.trim_end(), format!("note: walk.bvh: {doubt}"));
-    let refused = "it does not fit 'jump': it walks or runs, which the action does not; it fits 'walk'";
+    let refused = "it does not fit 'jump': it contains walking or running, unlike the other clips of the action; it \
+                   fits 'walk'";
     assert_refused(at, &[&args[..], &["jump", "-o", "x.strutdb"]].concat(), refused);
     assert_refused(at, &[&args[..], &["rnu", "-o", "x.strutdb"]].concat(), "'run'");
 }
@@ -313,7 +314,7 @@ fn walks_are_learnt_and_walked_in_any_mixture() {
     };
     refused(&["walks.strutwalk", "--style", "prod"], "there is no style 'prod'; did you mean 'proud'?");
     refused(&["demo.strutdb", "--style", "old"], "it has no 'strut-walk' metadata");
-    refused(&["clips/walk_old_001.bvh", "--style", "old"], "this is no walk model");
+    refused(&["clips/walk_old_001.bvh", "--style", "old"], "this is not a walk model");
     let standing = ["train-walk", "clips/walk_sad_001.bvh", "-o", "new.strutwalk"];
     assert_refused(at, &standing, "walk_sad_001.bvh");
 }

@@ -141,13 +141,13 @@ fn what_cannot_be_followed_gets_a_sentence() {
         );
     };
     refused("x,z\n0,0\nNaN,1\n", "path.csv: line 3: the x is 'NaN'; a number was expected");
-    refused("x,z\n0,0\n", "the path has fewer than two distinct points");
+    refused("x,z\n0,0\n", "the path has fewer than two distinct points; two or more were expected");
     refused("x,y\n0,0\n", "line 1: there is a column 'y'; the columns x,z[,gait] were expected");
     refused("x\n0\n", "line 1: the columns x,z[,gait] were expected");
-    refused("x,z\n0,0,0\n", "line 2: it has not as many fields as line 1");
+    refused("x,z\n0,0,0\n", "line 2: the number of fields differs from line 1");
     fs::write(folder.path().join("log.csv"), "time,gait,heading\n2,1,0\n1,1,0\n").unwrap();
     let args = ["drive", "--db", "db.strutdb", "--controls", "log.csv", "-o", "out.bvh"];
-    assert_refused(folder.path(), &args, "the times do not rise from line to line");
+    assert_refused(folder.path(), &args, "the times do not increase from line to line");
     fs::write(folder.path().join("log.csv"), "time,gait,heading,action\n0,1,0,\n2,1,0,dance\n").unwrap();
     assert_refused(folder.path(), &args, "line 3: the action is 'dance'; one of jump, punch, kick was expected");
 }

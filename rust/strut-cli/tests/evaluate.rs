@@ -113,8 +113,8 @@ fn wrong_questions_get_a_sentence() {
         (vec!["--intensity", "99"], 2, "the intensity is 99"),
         (vec!["--targets", "prod"], 1, "proud"),
         (vec!["--protocol", "off-database"], 2, "needs --inputs"),
-        (vec!["--inputs", "bvh"], 2, "goes with --protocol off-database"),
-        (vec!["--protocol", "off-database", "--inputs", "bvh", "--progress"], 2, "--progress goes with --protocol loo"),
+        (vec!["--inputs", "bvh"], 2, "--inputs needs --protocol off-database"),
+        (vec!["--protocol", "off-database", "--inputs", "bvh", "--progress"], 2, "--progress needs --protocol loo"),
     ] {
         let output = strut(folder.path(), &[&WALK[..], &args].concat());
         let said = String::from_utf8_lossy(&output.stderr);

@@ -122,14 +122,14 @@ fn whatever_is_wrong_is_said_in_a_sentence() {
     );
     refuse("time,foot_separation\n0,1\n", &format!("'time,{AXES}' was expected"));
     refuse(&format!("time,{AXES}\n1,1,2\n0,1,2\n"), "line 3: the time 0 s does not come after the one before");
-    refuse(&format!("time,{AXES}\n0,1,2\n90000,1,2\n"), "bad.csv: the keys span 90000 s; at most 3600 s are made");
+    refuse(&format!("time,{AXES}\n0,1,2\n90000,1,2\n"), "bad.csv: the keys span 90000 s; at most 3600 s are supported");
     let model = fs::read(at.join("m.strutkeys")).unwrap();
     fs::write(at.join("cut.strutkeys"), &model[..model.len() / 2]).unwrap();
     let with = |model: &str, expected: &str| {
         assert_refused(at, &["key-style", "--model", model, "--keys", "keys.csv", "-o", "out.bvh"], expected);
     };
     with("cut.strutkeys", "cut.strutkeys: the file is cut short or damaged");
-    with("walk.bvh", "walk.bvh: this is no key-style model");
+    with("walk.bvh", "walk.bvh: this is not a key-style model");
 }
 
 /// Reads recordings onto the body of the first.

@@ -331,18 +331,21 @@ fn what_cannot_be_gets_a_sentence() {
     let address = taken.local_addr().unwrap().to_string();
     let live = ["live", "--db", "db.strutdb"];
     let refused = |args: &[&str], expected: &str| assert_refused(folder.path(), &[&live[..], args].concat(), expected);
-    refused(&["--in", &address], &format!("another program listens on {address}; --in names another port"));
+    refused(&["--in", &address], &format!("another program listens on {address}; choose another port with --in"));
     refused(&["--style", "prod"], "there is no style 'prod'; did you mean 'proud'?");
     refused(&["--record", "nowhere/out.bvh"], "its folder does not exist");
-    refused(&["--in", "127.0.0.1:0", "--secs", "0.1", "--record", "out.bvh"], "no motion came that could be recorded");
+    refused(
+        &["--in", "127.0.0.1:0", "--secs", "0.1", "--record", "out.bvh"],
+        "no motion arrived, so nothing could be recorded",
+    );
     let misused = |args: &[&str], expected: &str| {
         let output = strut(folder.path(), &[&live[..], args].concat());
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{args:?}: {stderr}");
         assert!(stderr.contains(expected), "{args:?}: {stderr}");
     };
-    misused(&["--in", "0.0.0.0:5000"], "0.0.0.0:5000 is not this computer alone; with --allow-network it may be used");
-    misused(&["--out", "192.168.0.7:39540"], "with --allow-network");
+    misused(&["--in", "0.0.0.0:5000"], "0.0.0.0:5000 is not a local address; add --allow-network to use it");
+    misused(&["--out", "192.168.0.7:39540"], "add --allow-network");
     misused(&["--in", "4000", "--out", "127.0.0.1:4000"], "--in and --out are both 127.0.0.1:4000");
     misused(&["--out", "39539"], "--in and --out are both 127.0.0.1:39539");
     misused(&["--in", "nobody"], "an address such as 127.0.0.1:39539, or a port, was expected");

@@ -165,7 +165,7 @@ fn walks_of_one_style_are_not_compared_with_each_other() {
         let name = format!("walk_old_{take}.bvh");
         std::fs::write(folder.path().join(name), bvh_of(&demo_walk())).unwrap();
     }
-    assert_refused(folder.path(), &["evaluate-walk", "."], "walks of two styles at least were expected");
+    assert_refused(folder.path(), &["evaluate-walk", "."], "walks of at least two styles were expected");
 }
 
 /// Removes the joints of the toes from BVH text: their parents end at the toes' positions.

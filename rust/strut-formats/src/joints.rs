@@ -26,7 +26,7 @@ pub struct JointAssignment {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum JointsError {
     /// The JSON does not have the form above.
-    #[error("this is no assignment of joints: {0}; {{\"joints\": {{\"hips\": \"name\", …}}}} was expected")]
+    #[error("this is not a joint mapping: {0}; {{\"joints\": {{\"hips\": \"name\", …}}}} was expected")]
     Json(String),
     /// A role does not exist.
     #[error("there is no role '{0}'; one of {expected} was expected", expected = Role::ALL.map(Role::name).join(", "))]
@@ -111,7 +111,7 @@ mod tests {
         let refusal = |text: &str| JointAssignment::parse(text.as_bytes()).unwrap_err().to_string();
         assert!(refusal(r#"{"joints": {"hip": "Bip01"}}"#).starts_with("there is no role 'hip'; one of hips, spine"));
         for text in ["", "[]", r#"{"roles": {}}"#, r#"{"joints": {"hips": 3}}"#] {
-            assert!(refusal(text).starts_with("this is no assignment of joints: "), "{text}");
+            assert!(refusal(text).starts_with("this is not a joint mapping: "), "{text}");
         }
     }
 }

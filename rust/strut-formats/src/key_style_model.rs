@@ -53,7 +53,7 @@ pub enum KeyStyleModelError {
     #[error(transparent)]
     File(#[from] ContainerError),
     /// The body or the frame rate is not supported.
-    #[error("the key-style model's {0} differ from those of this Strut")]
+    #[error("the key-style model's {0} differ from those of this release of Strut")]
     Layout(&'static str),
     /// A count is out of range.
     #[error("the key-style model has {found} {what}; {least} to {most} were expected")]
@@ -278,7 +278,7 @@ mod tests {
     fn other_files_are_refused_with_a_reason() {
         let bytes = write(&model(), "test");
         let refused = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
-        assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no key-style model"));
+        assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("not a key-style model"));
         let changed = |change: &dyn Fn(&mut KeyStyleModel)| {
             let mut other = model();
             change(&mut other);

@@ -15,13 +15,13 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ReadingError {
     /// A line contains no option.
-    #[error("'{0}' does not say how a file is read; up, floor, swapSides, mirrored, unit and joints do")]
+    #[error("there is no reading option '{0}'; up, floor, swapSides, mirrored, unit or joints was expected")]
     Line(String),
     /// An axis does not exist.
     #[error("there is no up axis '{0}'; x, -x, y, -y, z or -z was expected")]
     Up(String),
     /// A height or a unit is out of range for bodies.
-    #[error("'{0}' is no length that files have")]
+    #[error("'{0}' is not a valid length in metres")]
     Length(String),
     /// A role does not exist.
     #[error(transparent)]
@@ -120,12 +120,12 @@ mod tests {
         let refusal = |text: &str| Reading::parse(text).unwrap_err().to_string();
         assert_eq!(
             refusal("flor 1"),
-            "'flor 1' does not say how a file is read; up, floor, swapSides, mirrored, unit and joints do"
+            "there is no reading option 'flor 1'; up, floor, swapSides, mirrored, unit or joints was expected"
         );
-        assert!(refusal("mirrored 1").starts_with("'mirrored 1' does not say"));
+        assert!(refusal("mirrored 1").starts_with("there is no reading option 'mirrored 1'"));
         assert_eq!(refusal("up w"), "there is no up axis 'w'; x, -x, y, -y, z or -z was expected");
         for line in ["unit 0", "unit -1", "unit", "floor 1e39", "floor low", "floor NaN"] {
-            assert_eq!(refusal(line), format!("'{line}' is no length that files have"));
+            assert_eq!(refusal(line), format!("'{line}' is not a valid length in metres"));
         }
         assert!(refusal("joint hip Bip01").starts_with("there is no role 'hip'"));
     }

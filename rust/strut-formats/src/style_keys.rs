@@ -60,7 +60,7 @@ pub enum StyleKeysError {
 /// # Errors
 /// Returns the line and the expected content.
 pub fn parse(bytes: &[u8], axes: &[Measure]) -> Result<Vec<Key>, StyleKeysError> {
-    let no_csv = |e: csv::Error| StyleKeysError::Csv(format!("this is no CSV file: {e}"));
+    let no_csv = |e: csv::Error| StyleKeysError::Csv(format!("this is not a CSV file: {e}"));
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(bytes);
     let header: Vec<String> = reader.headers().map_err(no_csv)?.iter().map(str::to_owned).collect();
     // Spaces in expressions are ignored.

@@ -59,7 +59,7 @@ pub enum WalkModelError {
     #[error(transparent)]
     File(#[from] ContainerError),
     /// The body, the frame rate or the contexts are not supported.
-    #[error("the walk model's {0} differ from those of this Strut")]
+    #[error("the walk model's {0} differ from those of this release of Strut")]
     Layout(&'static str),
     /// There are no styles, or too many.
     #[error("the walk model has {0} styles; 1 to {MAX_STYLES} were expected")]
@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn other_files_are_refused_with_a_reason() {
         let refused = |bytes: &[u8]| read(bytes).unwrap_err().to_string();
-        assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no walk model"));
+        assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("not a walk model"));
         let mut other = model();
         other.variances[0][0][0][0] = 0.0;
         assert!(refused(&write(&other, "test")).contains("'variances' holds 0; a variance of 1e-10 to 10000 rad²"));

@@ -76,7 +76,7 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         (replaced("OFFSET 10 -5 0", "OFFSET 10 x 0"), "line 8, column 13 has 'x'; a number was expected"),
         (replaced("\tOFFSET 0 90 0\n", ""), "line 5, column 2 has 'JOINT'; OFFSET was expected"),
         (replaced("CHANNELS 3", "CHANNELS x"), "line 9, column 12 has 'x'; the number of channels was expected"),
-        (replaced("CHANNELS 3", "CHANNELS 300"), "line 9 announces 300 channels; at most 12 a joint are supported"),
+        (replaced("CHANNELS 3", "CHANNELS 300"), "line 9 declares 300 channels; at most 12 per joint are supported"),
         (
             replaced("CHANNELS 3", "CHANNELS 4"),
             "line 10, column 3 has 'End'; a channel such as Xposition or Zrotation was expected",
@@ -87,27 +87,27 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         (replaced("Left Leg", "Left Leg {{"), "line 6, column 18 has '{'; OFFSET was expected"),
         (
             replaced("Left Leg", "Left\tLeg"),
-            "line 6 has the joint name 'Left\u{FFFD}Leg' with a tab in it; blanks or underscores were expected",
+            "line 6 has the joint name 'Left\u{FFFD}Leg' with a tab in it; spaces or underscores were expected",
         ),
         (
             replaced("Left Leg", "Left\u{7}Leg"),
             "line 6, column 8 has 'Left\u{FFFD}Leg'; a joint name without control characters was expected",
         ),
+        (replaced("Frames: 2", "Frames: 1000000000"), "line 17 declares 1000000000 frames; 1 to 1000000 were expected"),
         (
-            replaced("Frames: 2", "Frames: 1000000000"),
-            "line 17 announces 1000000000 frames; 1 to 1000000 were expected",
+            replaced("\t}\n}", "\t}\n}\nROOT Other\n{"),
+            "line 16 begins a second ROOT; one skeleton per file is supported",
         ),
-        (replaced("\t}\n}", "\t}\n}\nROOT Other\n{"), "line 16 begins a second ROOT; one skeleton a file is supported"),
         (replaced("\t\t}\n\t}", "\t\t}\n\t\tEnd Site\n\t}"), "line 15, column 2 has '}'; { was expected"),
         (replaced("MOTION", "Motion?"), "line 16, column 1 has 'Motion?'; MOTION was expected"),
         (replaced("Frames: 2", "Frames 2"), "line 17, column 8 has '2'; 'Frames:' was expected"),
-        (replaced("Frames: 2", "Frames: 0"), "line 17 announces 0 frames; 1 to 1000000 were expected"),
+        (replaced("Frames: 2", "Frames: 0"), "line 17 declares 0 frames; 1 to 1000000 were expected"),
         (replaced("Frames: 2", "Frames: -2"), "line 17, column 9 has '-2'; the number of frames was expected"),
         (
             replaced("Frames: 2", "Frames: 99999999999999999999999"),
-            "line 17 announces 18446744073709551615 frames; 1 to 1000000 were expected",
+            "line 17 declares 18446744073709551615 frames; 1 to 1000000 were expected",
         ),
-        (replaced("Frames: 2", "Frames: 300"), "the file announces 300 frames; what follows has room for 3"),
+        (replaced("Frames: 2", "Frames: 300"), "the file declares 300 frames; the rest of the file can hold at most 3"),
         (replaced("0.0333333", "0"), "line 18 has a frame time of 0 s; 0.0001 to 10 s were expected"),
         (replaced("0.0333333", "-0.03"), "line 18 has a frame time of -0.03 s; 0.0001 to 10 s were expected"),
         (replaced("0.0333333", "nan"), "line 18, column 13 has 'nan'; the frame time in seconds was expected"),
@@ -116,8 +116,8 @@ fn says_where_a_file_is_wrong_and_what_was_expected() {
         (replaced("0 91 2", "0 NaN 2"), "line 19, column 3 has 'NaN'; a number was expected"),
         (
             replaced("0 91 2", "0 1,5 2"),
-            "line 19, column 3 has '1,5', a decimal comma; decimal points were expected. Export the file again with the number format \
-             of English",
+            "line 19, column 3 has '1,5', a decimal comma; decimal points were expected. Export the file again with \
+             English number formatting",
         ),
         (replaced("0 91 2", "0 inf 2"), "line 19, column 3 has 'inf'; a number was expected"),
         (replaced("0 91 2", "0 1e30 2"), "line 19, column 3 has '1e30'; a number within ±10000000 was expected"),
@@ -180,7 +180,7 @@ fn a_last_row_that_was_cut_off_is_left_out() {
     // Also if the remaining number of frames is the announced one.
     let (file, notes) = bvh::parse_noted([WALK, "1 2 3\n"].concat().as_bytes()).unwrap();
     assert_eq!((file.frames, notes.len()), (2, 1));
-    assert_eq!(notes[0].text, "The file announces 2 frames and has 2. Its last row was cut off and left out.");
+    assert_eq!(notes[0].text, "The file declares 2 frames and has 2. Its last row is incomplete and was left out.");
 }
 
 #[test]

@@ -141,16 +141,16 @@ fn a_database_that_does_not_fit_is_refused_before_it_is_read() {
         matches!(refusal, StrutdbError::Memory { frames: 50_000_005, most: Some(3_000_000_000), .. }),
         "{refusal:?}"
     );
-    let sentence = "the database has 50000005 frames: to style with them takes ";
+    let sentence = "the database has 50000005 frames: styling needs ";
     assert!(refusal.to_string().starts_with(sentence), "{refusal}");
-    assert!(refusal.to_string().ends_with(" MB of memory, of which 3000 MB can be had"), "{refusal}");
+    assert!(refusal.to_string().ends_with(" MB of memory; 3000 MB are available"), "{refusal}");
     let unlimited = strutdb::read_catalogue(&file, None).expect_err("refused");
     assert_eq!(unlimited.to_string(), "the database is not consistent: more than 4000000 frames");
     // More than any machine has, and more than the numbers can represent.
     let endless = checked(|json| json.replace(r#""frames":"#, r#""frames":1844674407370955161"#));
     let refusal = strutdb::read_catalogue(&endless, Some(u64::MAX)).expect_err("refused");
     assert!(matches!(refusal, StrutdbError::Memory { most: None, .. }), "{refusal:?}");
-    assert!(refusal.to_string().ends_with(" MB of memory, of which less can be had"), "{refusal}");
+    assert!(refusal.to_string().ends_with(" MB of memory; less is available"), "{refusal}");
 }
 
 /// The small file with changed metadata, and their correct checksum.
@@ -217,18 +217,18 @@ fn damage_is_described_in_a_sentence() {
         error(&file[..file.len() / 2]),
         "the file is cut short or damaged: its length does not agree with its header"
     );
-    let no_database = "this is no Strut database, or its beginning is damaged; a safetensors header was expected";
+    let no_database = "this is not a Strut database, or its beginning is damaged; a safetensors header was expected";
     assert_eq!(error(b""), no_database);
     assert_eq!(error(b"HIERARCHY\nROOT Hips\n{\n"), no_database);
     assert_eq!(
         error(&replaced("\\\"version\\\":\\\"1.0", "\\\"version\\\":\\\"2.0")),
-        "the Strut database has version 2.0; this Strut reads version 1.0"
+        "the Strut database has version 2.0; this release of Strut reads version 1.0"
     );
     assert_eq!(error(&replaced("__metadata__", "__metadatb__")), no_database);
     let flipped = replaced("proud", "prouD");
     assert!(matches!(strutdb::read(&flipped), Err(StrutdbError::File(ContainerError::Checksum { .. }))));
     let other = safetensors::serialize(Vec::<(&str, safetensors::tensor::TensorView)>::new(), None).unwrap();
-    assert_eq!(error(&other), "this safetensors file is no Strut database: it has no 'strut' metadata");
+    assert_eq!(error(&other), "this safetensors file is not a Strut database: it has no 'strut' metadata");
 }
 
 /// The duration of a style's step is a ratio of two of these.

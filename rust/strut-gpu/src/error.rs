@@ -4,13 +4,13 @@
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GpuError {
     /// There is no GPU that wgpu can use.
-    #[error("no graphics processor was found: {0}")]
+    #[error("no GPU was found: {0}")]
     NoAdapter(String),
     /// The GPU could not be opened.
-    #[error("the graphics processor could not be opened: {0}")]
+    #[error("the GPU could not be opened: {0}")]
     NoDevice(String),
     /// Data exceed the size limit of one binding.
-    #[error("{bytes} bytes exceed the {limit} that the graphics processor takes at once")]
+    #[error("{bytes} bytes exceed the GPU's limit of {limit}")]
     TooLarge {
         /// Required size.
         bytes: u64,
@@ -18,7 +18,7 @@ pub enum GpuError {
         limit: u64,
     },
     /// There are more windows than workgroups.
-    #[error("{windows} windows exceed the {limit} that the graphics processor compares at once")]
+    #[error("{windows} windows exceed the GPU's limit of {limit}")]
     TooMany {
         /// Number of windows, including the padding of classes to whole tiles.
         windows: u64,
@@ -32,9 +32,9 @@ pub enum GpuError {
     #[error("the arrays of {0} do not fit each other")]
     Malformed(&'static str),
     /// The device stopped working permanently.
-    #[error("the graphics processor stopped: {0}")]
+    #[error("the GPU stopped responding: {0}")]
     Lost(String),
     /// The device rejected a command.
-    #[error("the graphics processor failed: {0}")]
+    #[error("the GPU failed: {0}")]
     Failed(String),
 }

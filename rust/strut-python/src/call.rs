@@ -76,5 +76,5 @@ pub(crate) fn watched<T: Send>(
 /// Returns the error of a panic.
 fn fault(panic: &(dyn Any + Send)) -> TaskError {
     let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
-    TaskError::of(Code::Fault, format_args!("a fault of the program: {}", text.unwrap_or("it panicked")))
+    TaskError::of(Code::Fault, format_args!("a bug in Strut: {}", text.unwrap_or("it panicked")))
 }

@@ -46,7 +46,7 @@ pub(crate) fn reading(
     swap_sides: bool,
 ) -> PyResult<Reading> {
     let read = |roles: &Bound<'_, PyDict>| {
-        let wrong = || PyTypeError::new_err("roles are a dict of names of joints, or None, by the names of roles");
+        let wrong = || PyTypeError::new_err("roles must be a dict of joint names (or None) by role name");
         let pair = |(role, joint): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
             Ok((role.extract().map_err(|_| wrong())?, joint.extract().map_err(|_| wrong())?))
         };

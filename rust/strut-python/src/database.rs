@@ -141,7 +141,8 @@ impl Database {
 
 #[pymethods]
 impl Database {
-    /// Opens a file by its path, or from its bytes. With `sha256`, another file is refused.
+    /// Opens a file by its path, or from its bytes. If the file does not have the given `sha256`, it
+    /// is refused.
     #[staticmethod]
     #[pyo3(signature = (source, *, sha256=None))]
     fn open(py: Python<'_>, source: &Bound<'_, PyAny>, sha256: Option<&str>) -> PyResult<Self> {
@@ -323,7 +324,7 @@ impl Database {
         strut_tasks::stylize::class_names(self.shared.model.catalogue())
     }
 
-    /// Why files were not used in it, by their paths.
+    /// The reasons why files were not used, by path.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         reasons(py, &self.refused)

@@ -140,7 +140,7 @@ impl KeyStyleModel {
         self.model.axes.iter().map(ToString::to_string).collect()
     }
 
-    /// Why files were not used, by their paths.
+    /// The reasons why files were not used, by path.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         reasons(py, &self.refused)
@@ -182,7 +182,7 @@ impl KeyStyleModel {
             "hard" => Mode::Hard,
             other => return Err(bad_input(py, format_args!("the mode is '{other:.40}'; smooth or hard was expected"))),
         };
-        let wrong = || PyTypeError::new_err("keys are pairs of a time in seconds and a sequence of numbers");
+        let wrong = || PyTypeError::new_err("keys must be pairs of a time in seconds and a sequence of numbers");
         let key = |pair: PyResult<Bound<'_, PyAny>>| {
             let (secs, numbers): (f64, Vec<f64>) = pair?.extract().map_err(|_| wrong())?;
             Ok(Key { secs, style: self.style(py, &numbers)?, row: None })

@@ -47,7 +47,7 @@ pub(crate) fn pose_error(
     let (first, second) = (motion_of(db, first)?, motion_of(db, second)?);
     if first.poses.len() != second.poses.len() {
         let lengths = format_args!("the motions have {} and {} poses", first.poses.len(), second.poses.len());
-        return Err(bad_input(py, format_args!("{lengths}; as many were expected")));
+        return Err(bad_input(py, format_args!("{lengths}; equal numbers were expected")));
     }
     Ok(py.detach(|| metrics::pose_error(&points_of(&first), &points_of(&second))))
 }

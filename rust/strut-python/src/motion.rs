@@ -70,7 +70,7 @@ impl Arrays {
             let squared: f32 = rotation.to_array().iter().map(|v| v * v).sum();
             if !(1e-6..1e6).contains(&squared) {
                 let place = format_args!("of joint {} in frame {}", i % joints, i / joints);
-                return Err(TaskError::new(format_args!("the rotation {place} is no quaternion")));
+                return Err(TaskError::new(format_args!("the rotation {place} is not a quaternion")));
             }
             let rotation = rotation.normalized();
             rotations.push(if is_root(i) { turn * rotation } else { rotation });
@@ -90,8 +90,8 @@ type Reopened<'py> =
 
 #[pymethods]
 impl Motion {
-    /// Opens a BVH file by its path, or from its bytes. `roles` has names of joints, or None, for roles that are
-    /// detected wrongly. `up` is the file's up axis: x, -x, y, -y, z or -z. `floor` is the height of the ground along
+    /// Opens a BVH file by its path, or from its bytes. `roles` maps roles that are detected wrongly to the
+    /// names of joints, or to None. `up` is the file's up axis: x, -x, y, -y, z or -z. `floor` is the height of the ground along
     /// it, metres. `swap_sides` swaps left and right. Options that are not given are detected.
     #[staticmethod]
     #[pyo3(signature = (source, *, roles=None, up=None, floor=None, swap_sides=false))]
@@ -136,7 +136,7 @@ impl Motion {
         let joints = names.len();
         if parents.len() != joints {
             let count = format_args!("there are {joints} names and {} parents", parents.len());
-            return Err(bad_input(py, format_args!("{count}; as many were expected")));
+            return Err(bad_input(py, format_args!("{count}; equal numbers were expected")));
         }
         if !["y", "z"].contains(&up) {
             return Err(bad_input(py, format_args!("up is '{up:.40}'; y or z was expected")));

@@ -18,7 +18,7 @@ pub(crate) fn styles(value: &Bound<'_, PyAny>) -> PyResult<StyleWeights> {
     if let Ok(text) = value.extract::<String>() {
         return text.parse().map_err(|reason: String| bad_input(py, reason));
     }
-    let wrong = || PyTypeError::new_err("styles are a dict of numbers by name, or a text such as 'proud=0.7,old=0.2'");
+    let wrong = || PyTypeError::new_err("styles must be a dict of numbers by name, or a string such as 'proud=0.7'");
     let dict = value.cast::<PyDict>().map_err(|_| wrong())?;
     let pairs = dict.iter().map(|(name, weight)| {
         Ok((name.extract::<String>().map_err(|_| wrong())?, weight.extract::<f64>().map_err(|_| wrong())? as f32))
@@ -43,7 +43,7 @@ pub(crate) fn set_parts(settings: &mut StyleSettings, parts: Option<&Bound<'_, P
     let Some(parts) = parts else { return Ok(()) };
     settings.parts.clear();
     for (name, value) in parts {
-        let name: String = name.extract().map_err(|_| PyTypeError::new_err("a body part is a text"))?;
+        let name: String = name.extract().map_err(|_| PyTypeError::new_err("a body part must be a string"))?;
         let of = BodyPart::from_name(&name);
         let known = ["head", "torso", "left_arm", "right_arm", "arms", "legs"];
         let of = of.ok_or_else(|| bad_input(value.py(), unknown("body part", &name, &known)))?;

@@ -17,7 +17,8 @@ use strut_tasks::threads::with_threads;
 use strut_tasks::weights::StyleWeights;
 use strut_tasks::{Outcome, TaskError};
 
-/// A batch whose jobs are done by workers, each with a copy of it. The process that plans it records them.
+/// A batch for several processes. One process plans the jobs and records their results. Workers, each with a copy of
+/// the plan, perform the jobs.
 ///
 /// `variants` are styles as in `strut stylize-batch --style`, a dict of styles by the names of the variants, or the
 /// path of a table of variants. The files and the manifest are those of `strut stylize-batch`, byte for byte.
@@ -92,7 +93,7 @@ impl Plan {
         pending.iter().map(|job| job_dict(py, job)).collect()
     }
 
-    /// Does a job of `pending`, in any process and on any thread, and returns a row about its result.
+    /// Performs a job of `pending`, in any process and on any thread, and returns a row with its result.
     fn perform<'py>(&self, py: Python<'py>, job: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyDict>> {
         let job = PlannedJob { job: field(job, "job")?, input: field(job, "input")?, variant: field(job, "variant")? };
         let record = watched(py, None, |on_progress| self.plan.perform(&job, on_progress))?;
@@ -105,7 +106,7 @@ impl Plan {
         watched(py, None, |_| self.plan.record(records))
     }
 
-    /// SHA-256 of everything that outputs depend on apart from the inputs.
+    /// SHA-256 of everything that the outputs depend on, except the inputs.
     #[getter]
     fn sha256(&self) -> String {
         self.plan.sha256()
@@ -129,7 +130,7 @@ fn variants(value: &Bound<'_, PyAny>, settings: &impl Fn(StyleWeights) -> StyleS
         return Ok(vec![Variant::of_styles(typed, settings(styles(value)?)).map_err(fail)?]);
     }
     if let Ok(dict) = value.cast::<PyDict>() {
-        let wrong = || PyTypeError::new_err("the name of a variant is a text");
+        let wrong = || PyTypeError::new_err("the name of a variant must be a string");
         let named = dict.iter().map(|(name, of)| {
             let name: String = name.extract().map_err(|_| wrong())?;
             Variant::new(&name, settings(styles(&of)?)).map_err(fail)

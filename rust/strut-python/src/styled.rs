@@ -148,7 +148,7 @@ impl StyledMotion {
         bvh::write_text(&self.file)
     }
 
-    /// Writes that file.
+    /// Writes the BVH file.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         watched(py, None, |_| {
             let mut outputs = Outputs::default();
@@ -236,7 +236,7 @@ fn json_lines(log: TraceLog<'_>, styled: &Styled) -> io::Result<Vec<u8>> {
 
 /// Returns the keys of a track that starts with styles.
 fn keys_of(track: &Bound<'_, PyAny>, begin: &Bound<'_, PyAny>) -> PyResult<Vec<StyleKey>> {
-    let wrong = || PyTypeError::new_err("a track is a sequence of pairs of a time in seconds and styles");
+    let wrong = || PyTypeError::new_err("a track must be a sequence of pairs of a time in seconds and styles");
     let mut keys = Vec::new();
     for pair in track.try_iter()? {
         let (secs, of): (f64, Bound<'_, PyAny>) = pair?.extract().map_err(|_| wrong())?;

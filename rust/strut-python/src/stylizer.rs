@@ -23,7 +23,7 @@ impl Stylizer {
     /// Applies other settings. The former ones are kept if they do not match the database.
     fn apply(&mut self, py: Python<'_>, settings: StyleSettings) -> PyResult<()> {
         if settings.search != self.settings.search {
-            return Err(bad_input(py, "the search of a stylizer cannot be changed; another stylizer was expected"));
+            return Err(bad_input(py, "the search of a stylizer cannot be changed; create another stylizer"));
         }
         let new = settings.stylizer(self.engine.model(), Path::new(&self.name));
         let new = new.map_err(|error| exception(py, &error))?;
@@ -93,7 +93,7 @@ impl Stylizer {
         styled.call1((array_of(py, &out)?, column::<f64>(py, times), planted))
     }
 
-    /// Restarts, for example after a seek: the output starts at the place of the next pose.
+    /// Restarts, for example after a seek: the output starts at the position of the next pose.
     fn reset(&mut self) {
         self.engine.reset(None);
     }

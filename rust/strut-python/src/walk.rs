@@ -103,7 +103,7 @@ impl WalkModel {
         self.model.styles.clone()
     }
 
-    /// Why files were not used, by their paths.
+    /// The reasons why files were not used, by path.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         reasons(py, &self.refused)
@@ -150,7 +150,7 @@ impl WalkModel {
 }
 
 fn transitions_of(value: &Bound<'_, PyAny>) -> PyResult<Vec<Transition>> {
-    let wrong = || PyTypeError::new_err("transitions are triples of styles, a step and the number of steps in between");
+    let wrong = || PyTypeError::new_err("transitions must be triples of styles, a step and a number of steps");
     let of = |triple: PyResult<Bound<'_, PyAny>>| {
         let (of, step, between): (Bound<'_, PyAny>, u64, u32) = triple?.extract().map_err(|_| wrong())?;
         Ok(Transition { styles: styles(&of)?, step, between })
@@ -169,7 +169,8 @@ pub(crate) struct Walker {
 
 #[pymethods]
 impl Walker {
-    /// Sets the styles from the next frame on. What the weights lack to a sum of 1 is the average of all styles.
+    /// Sets the styles from the next frame on. If the sum of the weights is below 1, the rest is the average
+    /// of all styles.
     fn set_styles(&mut self, py: Python<'_>, #[pyo3(from_py_with = styles)] styles: StyleWeights) -> PyResult<()> {
         let weights = styles.of_walks(&self.styles).map_err(|reason| bad_input(py, reason))?;
         self.engine.set_styles(&weights).map_err(|reason| bad_input(py, reason))
@@ -213,7 +214,7 @@ impl Walker {
         styled.call1((array_of(py, &poses)?, column::<f64>(py, times), flags(py, planted.into_iter())?))
     }
 
-    /// Number of the last frame's step.
+    /// Index of the step that contains the last frame.
     #[getter]
     fn step(&self) -> u64 {
         self.engine.step().0

@@ -195,7 +195,7 @@ def test_metrics_are_those_of_the_positions(db: strut.Database, jump: strut.Moti
     assert strut.metrics.foot_skate(db, sliding, planted) == pytest.approx(1, rel=1e-3)
     with pytest.raises(strut.StrutError, match=r"\[10, 2\] was expected"):
         strut.metrics.foot_skate(db, sliding, planted[:5])
-    with pytest.raises(strut.StrutError, match="as many were expected"):
+    with pytest.raises(strut.StrutError, match="equal numbers were expected"):
         strut.metrics.pose_error(db, poses, poses[:5])
 
 

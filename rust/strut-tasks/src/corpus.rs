@@ -71,7 +71,7 @@ pub fn label<'a>(
         }
     }
     if labelled.is_empty() {
-        let advice = "say how clips are labelled with --pattern or --labels";
+        let advice = "give the labels with --pattern or --labels";
         let RefusedFile { file, reason } = &refused[0];
         return Err(TaskError::new(format_args!("{file}: {reason}")).with_hint(advice));
     }

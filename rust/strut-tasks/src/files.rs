@@ -18,7 +18,7 @@ pub fn read(path: &Path, most: usize) -> Outcome<Vec<u8>> {
         return Err(TaskError::in_file(path, "this is a folder; a file was expected"));
     }
     let too_large = || {
-        let reason = format_args!("the file is larger than {} MiB, the most supported", most >> 20);
+        let reason = format_args!("the file is larger than {} MiB; larger files are not supported", most >> 20);
         Err(TaskError::in_file(path, reason))
     };
     if metadata.len() > most as u64 {
@@ -257,6 +257,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("large");
         File::create(&path).unwrap().set_len(5 << 20).unwrap();
-        assert!(read(&path, 4 << 20).unwrap_err().to_string().ends_with("larger than 4 MiB, the most supported"));
+        assert!(
+            read(&path, 4 << 20)
+                .unwrap_err()
+                .to_string()
+                .ends_with("larger than 4 MiB; larger files are not supported")
+        );
     }
 }

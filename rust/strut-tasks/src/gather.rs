@@ -122,7 +122,7 @@ fn gather_within(inputs: &[PathBuf], mut left: u64) -> Outcome<Vec<Source>> {
 
 fn walk(input: &Path, folder: &Path, depth: usize, found: &mut Found) -> Outcome {
     if depth > MAX_DEPTH {
-        return Err(TaskError::in_file(folder, format_args!("more than {MAX_DEPTH} folders within each other")));
+        return Err(TaskError::in_file(folder, format_args!("folders are nested more than {MAX_DEPTH} deep")));
     }
     let fail = |e: std::io::Error| TaskError::io(folder, &e);
     for entry in std::fs::read_dir(folder).map_err(fail)? {

@@ -32,7 +32,7 @@ impl FromStr for Transition {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected =
-            || format!("'{}' is no transition; NAME@STEP:LENGTH was expected, as in old@6:4", quotation(text, 40));
+            || format!("'{}' is not a transition; NAME@STEP:LENGTH was expected, as in old@6:4", quotation(text, 40));
         let (styles, at) = text.rsplit_once('@').ok_or_else(expected)?;
         let (step, between) = at.split_once(':').ok_or_else(expected)?;
         let (step, between) = (step.trim().parse(), between.trim().parse());

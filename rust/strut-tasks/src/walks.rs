@@ -51,7 +51,7 @@ pub fn read_walks(
         match track {
             Ok(_) if action.as_ref().is_some_and(|action| *action != clip.action) => {
                 let reason = format!(
-                    "it is of action '{}', and walking is '{}'",
+                    "its action is '{}'; that of the walks is '{}'",
                     clip.action,
                     action.as_deref().unwrap_or(WALK)
                 );

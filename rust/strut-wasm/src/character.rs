@@ -169,13 +169,16 @@ impl Character {
         let mut body = Proportions { offsets: [Vec3::ZERO; JOINTS] };
         if offsets.len() != JOINTS || !rest.is_empty() {
             let found = proportions.len();
-            return Err(EngineError::bad_input(format!("a body has {} numbers, not {found}", 3 * JOINTS)));
+            return Err(EngineError::bad_input(format!(
+                "the proportions of a body have {} numbers, not {found}",
+                3 * JOINTS
+            )));
         }
         for (to, from) in body.offsets.iter_mut().zip(offsets) {
             *to = Vec3::from_array(*from);
         }
         if !body.is_valid() {
-            return Err(EngineError::bad_input("these proportions are no body's"));
+            return Err(EngineError::bad_input("these proportions do not describe a body"));
         }
         self.body = body;
         self.retarget = FromHumanoid::for_character(&self.binding, &self.body, &self.sole_points);
@@ -195,7 +198,7 @@ impl Character {
         let (transforms, rest) = locals.as_chunks::<7>();
         let whole = rest.is_empty() && transforms.len().is_multiple_of(self.bind.len());
         if !whole || !locals.iter().all(|x| x.is_finite()) {
-            return Err(EngineError::bad_input("a frame needs seven finite numbers a joint"));
+            return Err(EngineError::bad_input("a frame needs seven finite numbers per joint"));
         }
         let mut retarget = ToHumanoid::new(&self.binding, &self.body);
         let (mut translations, mut rotations) = (self.translations.clone(), self.rotations.clone());
@@ -252,7 +255,7 @@ impl Character {
     pub fn play(&mut self, pose: &[f32; POSE_FLOATS]) -> Result<&[f32], EngineError> {
         let pose = Pose::read_from(pose);
         if !pose.is_finite() {
-            return Err(EngineError::bad_input("a pose must be finite numbers"));
+            return Err(EngineError::bad_input("the numbers of a pose must be finite"));
         }
         for ((translation, rotation), rest) in self.translations.iter_mut().zip(&mut self.rotations).zip(&self.rest) {
             (*translation, *rotation) = *rest;

@@ -51,7 +51,7 @@ impl Performers {
     /// If an array has another length.
     pub fn read(&self, joints: &Float32Array, weights: &Uint8Array) -> Result<(), EngineError> {
         if weights.length() as usize != self.0.weights().len() {
-            return Err(EngineError::bad_input("one weight a performer and style was expected"));
+            return Err(EngineError::bad_input("one weight per performer and style was expected"));
         }
         weights.copy_from(self.0.weights());
         write_floats(self.0.world(), joints)

@@ -148,7 +148,7 @@ describe("what goes wrong", () => {
     const joints = { names: ["a", "b"], parents: [-1, 0], offsets: [0, 0, 0, 0, 1, 0], unit: 1 };
     expect(() => {
       stream.skeleton = { kind: "joints", ...joints };
-    }).toThrow(/^This skeleton has no .*\.$/);
+    }).toThrow(/^No .* in this skeleton\. .*\.$/);
     expect(() => {
       stream.skeleton = { kind: "bvh", header: "HIERARCHY\nROOT {" };
     }).toThrow(/^Line 2, /);

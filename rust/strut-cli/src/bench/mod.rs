@@ -27,19 +27,19 @@ use yardstick::{Comparison, Yardstick};
 /// Measure how long a frame takes
 ///
 /// Styles motion that is not in the database, on one thread. Prints the median and the 95th percentile of every stage
-/// beside the figures of the paper's Table 2, and the share of the nearest windows that kd-trees find.
+/// beside the times of the paper's Table 2. It also prints the share of the nearest windows that kd-trees find.
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// A database to measure on; some of its clips are removed from it and styled
+    /// A database to measure; some of its clips are removed and styled
     #[arg(long, value_name = "DB", conflicts_with = "frames")]
     db: Option<PathBuf>,
-    /// Frames of the procedural databases to measure on otherwise, one after the other
+    /// Without --db: numbers of frames of the procedural databases to measure
     #[arg(long, value_name = "N[,N…]", value_delimiter = ',', default_values_t = [PAPER_FRAMES])]
     frames: Vec<usize>,
-    /// Also compare with the paper's search: every window, on a GPU
+    /// Also compare with the search of the paper, which compares all windows on a GPU
     #[arg(long)]
     gpu: bool,
-    /// Write the figures to this file
+    /// Write the results as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }

@@ -74,7 +74,7 @@ fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
     let points: Vec<Vec2> =
         table.rows.iter().map(|(row, _)| Vec2::new(row[0].unwrap_or(0.0), row[1].unwrap_or(0.0))).collect();
     if strut_core::driving::Path::new(&points).is_none() {
-        return Err(Failure::in_file(file, "the path has fewer than two distinct points"));
+        return Err(Failure::in_file(file, "the path has fewer than two distinct points; two or more were expected"));
     }
     let mut length = 0.0;
     let mut gaits = Vec::new();
@@ -104,10 +104,10 @@ fn read_log(file: &Path) -> Outcome<Orders> {
         log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians), action }));
     }
     if !log.is_sorted_by_key(|(time, _)| *time) {
-        return Err(Failure::in_file(file, "the times do not rise from line to line"));
+        return Err(Failure::in_file(file, "the times do not increase from line to line"));
     }
     if log.is_empty() {
-        return Err(Failure::in_file(file, "there are no controls"));
+        return Err(Failure::in_file(file, "there are no controls; at least one line was expected"));
     }
     Ok(Orders::Log(log))
 }
@@ -136,7 +136,7 @@ impl Table {
         let mut rows = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| {
-                fail(error.position().map_or(1, csv::Position::line), "it has not as many fields as line 1".into())
+                fail(error.position().map_or(1, csv::Position::line), "the number of fields differs from line 1".into())
             })?;
             let line = record.position().map_or(0, csv::Position::line);
             let field = |at: Option<usize>| at.and_then(|at| record.get(at)).unwrap_or_default();

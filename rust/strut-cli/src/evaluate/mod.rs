@@ -12,7 +12,7 @@ use strut_tasks::files::Outputs;
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.json.as_deref(), args.curves.as_deref()].into_iter().flatten())?;
     if args.progress && args.protocol == Protocol::OffDatabase {
-        return Err(Failure::usage("--progress goes with --protocol loo"));
+        return Err(Failure::usage("--progress needs --protocol loo"));
     }
     let evaluation = Bar::watching(|on_progress| evaluate(&args.request(command_line()), on_progress))?;
     for clip in &evaluation.left_out {

@@ -124,7 +124,7 @@ impl DataSet {
         let find = |name: &String| {
             let places = folders.iter().flat_map(|folder| [folder.join(plan.folder).join(name), folder.join(name)]);
             let mut places = places.filter(|path| path.is_file());
-            places.next().ok_or_else(|| Failure::new(format_args!("{name}: no such file is in the folders given")))
+            places.next().ok_or_else(|| Failure::new(format_args!("{name}: this file is not in the given folders")))
         };
         let mut paths = names.iter().map(find).collect::<Outcome<Vec<_>>>()?;
         paths.dedup();

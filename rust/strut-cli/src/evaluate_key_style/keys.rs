@@ -45,12 +45,12 @@ const PUBLISHED: [(&str, usize, [&str; 4]); 8] = [
 /// Writes errors and dynamics by the distance of the keys.
 pub(super) fn against_key_frames(text: &mut String, sets: &[&DataSet]) -> Outcome {
     text.push_str(
-        "## Keys\n\nKeys are taken from held-out motion every *n* frames, and the motion between them is compared with the recorded one. \
-         Columns are the error, and the mean third difference of the joints in thousandths of a radian, which says whether the \
-         motion floats. A key frame is a whole pose (64 numbers), a key style two or three. Curves are those of Catmull and Rom \
-         but in *monotone*. Regions are not blurred: \
-         what is dragged about may be smoother than a motion, which then floats. *As learnt* is the mixture at temperature 1.\n\n\
-         | data | n | key frames | key styles | key styles, monotone | key styles, as learnt | hybrid | hybrid, as learnt |\n\
+        "## Keys\n\nA key is taken from held-out motion every *n* frames, and the motion between the keys is compared \
+         with the recording. The columns have the error, and the mean third difference of the joints in thousandths \
+         of a radian: if it is small, the motion seems to float. A key frame is a whole pose (64 numbers), a key \
+         style two or three numbers. Curves are Catmull-Rom splines, except in *monotone*. Regions are not blurred, \
+         because blur makes a motion float. *As trained* is the mixture at temperature 1.\n\n\
+         | data | n | key frames | key styles | key styles, monotone | key styles, as trained | hybrid | hybrid, as trained |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for set in sets {
@@ -136,10 +136,11 @@ pub(super) fn circle(text: &mut String, set: &DataSet) -> Outcome {
     let per_turn = way / (TURNS - 1) as f32;
     let _ = writeln!(
         text,
-        "## A walk from a circle\n\nThe style goes round a circle of {RADIUS} standard deviations about the mean style of the \
-         walk, {TURN} frames a turn. Its poses are {mean:.1}° from the nearest recorded one on average and {worst:.1}° at worst. \
-         Held-out recorded poses are {:.1}° from it. *The prototype: 1.9°, 3.9° and 2.35°.* Dragged so, the body goes {per_turn:.2} m a turn, and \
-         planted feet slide at {:.1} cm/s.\n",
+        "## A walk from a circle\n\nThe style moves around a circle with a radius of {RADIUS} standard deviations \
+         about the mean style of the walk, {TURN} frames per turn. The poses are {mean:.1}° from the nearest recorded \
+         pose on average, and {worst:.1}° at most. Held-out recorded poses are {:.1}° from the nearest recorded pose. \
+         *The prototype: 1.9°, 3.9° and 2.35°.* The body travels {per_turn:.2} m per turn, and planted feet slide at \
+         {:.1} cm/s.\n",
         real.iter().sum::<f64>() / real.len() as f64,
         100.0 * foot_skate(&motion, &planted)
     );

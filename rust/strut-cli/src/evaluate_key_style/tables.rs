@@ -46,10 +46,10 @@ fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
 pub(super) fn errors(text: &mut String, sets: &[DataSet], seeds: u64) -> Outcome {
     let _ = writeln!(
         text,
-        "## Held-out poses\n\nMeans of {seeds} seeds. The column *ll* is the log-likelihood of a pose given its style, in nats. *Hard* is \
-         Algorithm 1 of the paper with regions, *smooth* the mixture as it was learnt (temperature 1). *Default* is what the page \
-         shows where a style is dragged: temperature 2 and a blur of 0.3.\n\n\
-         | data | method | ll learnt | ll held out | hard | smooth | | default | time |\n\
+        "## Held-out poses\n\nMeans of {seeds} seeds. The column *ll* is the log-likelihood of a pose given its \
+         style, in nats. *Hard* is Algorithm 1 of the paper, with regions. *Smooth* is the mixture as trained \
+         (temperature 1). *Default* is the setting for dragging in the playground: temperature 2 and a blur of 0.3.\n\n\
+         | data | method | ll training | ll held out | hard | smooth | | default | time |\n\
          | --- | --- | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
     );
     let usual = format!("EM, ridge {EM_RIDGE}");
@@ -112,9 +112,9 @@ fn published_pair([degrees, centimetres]: [f64; 2]) -> String {
 /// Writes baselines without a model.
 pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
-        "## What needs no mixture\n\nThese are the mean pose, one linear map (least squares) and the recorded pose of the nearest \
-         style. *Kernel* is the mean of the recorded poses, weighted by a Gaussian of 0.15 and of 0.3 standard deviations of the \
-         style.\n\n\
+        "## Baselines without a mixture\n\nThe baselines are the mean pose, one linear map (least squares), the \
+         recorded pose of the nearest style, and a kernel. *Kernel* is the mean of the recorded poses, weighted by a \
+         Gaussian of 0.15 or 0.3 standard deviations of the style.\n\n\
          | data | mean | linear | nearest | kernel 0.15 | kernel 0.3 |\n| --- | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for set in sets {
@@ -144,11 +144,12 @@ const fn temperature(temperature: f64) -> Mode {
 pub(super) fn jumps(text: &mut String, sets: &[&DataSet]) -> Outcome {
     let _ = writeln!(
         text,
-        "## Dragging\n\nGreatest change of any joint from one frame to the next along polylines through {STYLES_EACH} recorded \
-         styles, {FRAMES_EACH} frames a leg. A few legs decide it: of {} draws of {LINES_A_DRAW} polylines the median, the least \
-         and the greatest are given. *Spring* is the critically damped one of 0.1 s and the limit to styles within reach, which the \
-         page has on its pad. *Error* is that of held-out poses.\n\n\
-         | data | mode | median draw | least to greatest | prototype | error |\n| --- | --- | ---: | ---: | ---: | ---: |",
+        "## Dragging\n\nThe style moves along polylines through {STYLES_EACH} recorded styles, {FRAMES_EACH} frames \
+         per segment. The table has the largest change of any joint from one frame to the next. A few segments \
+         determine it, so {} draws of {LINES_A_DRAW} polylines were made: their median, minimum and maximum are \
+         given. *Spring* means that the style is limited to the recorded range and follows a critically damped spring \
+         of 0.1 s, as on the pad of the playground. *Error* is measured on held-out poses.\n\n\
+         | data | mode | median draw | minimum to maximum | prototype | error |\n| --- | --- | ---: | ---: | ---: | ---: |",
         LINES / LINES_A_DRAW
     );
     for set in sets {
@@ -238,9 +239,10 @@ fn between(a: &Style, b: &Style, frame: usize) -> Style {
 /// Writes the control accuracy: requested and measured style.
 pub(super) fn control(text: &mut String, sets: &[DataSet]) -> Outcome {
     text.push_str(
-        "## Control\n\nColumns are the mean difference between the held-out style that is asked for and what is measured on the \
-         pose. *As shown*, the lowest foot of the pose is on the floor. *As learnt*, as the prototype was measured, the pose is \
-         that of the mixture as it was learnt, with the hips at the height that it gives.\n\n| data | as shown | as learnt | prototype |\n| --- | --- | --- | --- |\n",
+        "## Control\n\nThe columns have the mean difference between the requested style, a held-out one, and the \
+         style that is measured on the resulting pose. *As shown*: the lowest foot of the pose is on the floor. *As \
+         trained*: the mixture at temperature 1, with the hips at the predicted height; the prototype was measured in \
+         this way.\n\n| data | as shown | as trained | prototype |\n| --- | --- | --- | --- |\n",
     );
     for set in sets {
         let model = Arc::new(set.model()?);
@@ -274,9 +276,10 @@ pub(super) fn support(text: &mut String, sets: &[&DataSet]) -> Outcome {
     const WIDEST: f64 = 4.0;
     const BINS: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
     text.push_str(
-        "## Support\n\nMean distance of a pose from the nearest recorded one, by the distance of its style from the nearest \
-         recorded style, in standard deviations. The page and the command stop at 0.5.\n\n\
-         | data | < 0.25 | < 0.5 | < 1 | < 2 | more | 1 % of the recorded styles have a support below |\n\
+        "## Support\n\nThe table has the mean distance of a pose from the nearest recorded pose. The columns are the \
+         distance of its style from the nearest recorded style, in standard deviations. The playground and the \
+         command limit this distance to 0.5.\n\n\
+         | data | < 0.25 | < 0.5 | < 1 | < 2 | more | 1st percentile of the support of recorded styles |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for set in sets {
@@ -315,7 +318,8 @@ pub(super) fn nearest(model: &KeyStyleModel, recorded: &[Row], row: &Row) -> f64
 /// Writes training and synthesis times, and file sizes.
 pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
     text.push_str(
-        "## Cost\n\n| data | frames | learning | a dragged pose | model file |\n| --- | ---: | ---: | ---: | ---: |\n",
+        "## Cost\n\n| data | frames | training | per dragged pose | model file |\n| --- | ---: | ---: | ---: | ---: \
+         |\n",
     );
     for set in sets {
         let all: Vec<&Recording> = set.training.iter().chain(&set.test).collect();
@@ -337,7 +341,8 @@ pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
         );
     }
     text.push_str(
-        "\nNatively on one core, all clips together; a dragged pose includes limits, spring, root and feet.\n",
+        "\nMeasured natively on one core, with all clips. The time of a dragged pose includes limits, spring, root \
+         and feet.\n",
     );
     Ok(())
 }

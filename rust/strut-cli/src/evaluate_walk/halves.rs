@@ -29,8 +29,9 @@ pub(super) fn write(
     let clips: Vec<LabelledClip> = others.iter().copied().chain(first_halves).collect();
     let _ = writeln!(
         text,
-        "## Half a take\n\nThe first half of each of {} takes of {name} trains a style of its own beside the styles above, and is \
-         to say the second. Errors are of all frames, and in brackets the mean of the takes'.\n\n\
+        "## Half a take\n\nEach of {} takes of {name} becomes a separate style, in addition to the styles above. The \
+         first half of the take is used for training, the second half is predicted. Errors are means over all frames; \
+         means over the takes are in brackets.\n\n\
          | means | rotations | positions | amplitude | step length |\n| --- | ---: | ---: | ---: | ---: |",
         usable.len()
     );

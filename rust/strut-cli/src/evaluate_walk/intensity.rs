@@ -13,13 +13,15 @@ const MONOTONE: std::ops::RangeInclusive<i16> = -4..=8;
 const MONOTONE_STEP: f32 = 0.25;
 
 /// Text above the tables.
-pub(super) const INTRODUCTION: &str = "## Intensity\n\nThe first table counts the styles that fail at an intensity. \
-     There are three ways to fail. Over 1 % of the joints' angles are more than 10° outside what was recorded. A knee is bent the \
-     wrong way by over 8°. The wrong foot bears the body for over 15 % of the time. \
-     *Limited* is with the soft limits of joints and durations, *free* without them; a state below half a frame is a failure \
-     there.\n\nThe other tables are for intensities from -1 to 2 in steps of 0.25. They have the increments that go in the same \
-     direction as the whole, and the styles all of whose increments do. The last column is the greatest increment that does not, \
-     as a share of what lies between the ends of the style that changes most. The *style itself* is how far the mean poses of its states are on the way from the average walk to the style's.\n\n";
+pub(super) const INTRODUCTION: &str = "## Intensity\n\nThe first table counts the styles that fail at an intensity. A style fails if over 1 % of the \
+     joint angles are more than 10° outside the recorded range. It also fails if a knee is overextended by more than \
+     8°, or if the wrong foot supports the body for over 15 % of the time. *Limited* is measured with the soft limits \
+     of joints and durations, *free* without them. Without limits, a state that lasts less than half a frame is also \
+     a failure.\n\nThe other tables are for intensities from -1 to 2 in steps of 0.25. *Increments* is the share of \
+     increments in the same direction as the total change. *Styles* counts the styles of which all increments are in \
+     this direction. *Greatest step back* is the greatest increment in the opposite direction, as a share of the \
+     total change of the style that changes most. The *style itself* is the position of its mean poses between the \
+     average walk and the style.\n\n";
 
 /// Writes the tables of a model.
 pub(super) fn write(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel>) -> Result<(), WeightsError> {

@@ -26,7 +26,7 @@ impl Address {
         if allow_network || self.0.ip().is_loopback() {
             return Ok(());
         }
-        Err(Failure::usage(format_args!("{self} is not this computer alone; with --allow-network it may be used")))
+        Err(Failure::usage(format_args!("{self} is not a local address; add --allow-network to use it")))
     }
 }
 

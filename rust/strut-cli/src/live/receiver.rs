@@ -51,7 +51,7 @@ impl Receiver {
     pub(super) fn listen(address: &Address) -> Outcome<Self> {
         let fail = |error: io::Error| match error.kind() {
             ErrorKind::AddrInUse => {
-                Failure::new(format_args!("another program listens on {address}; --in names another port"))
+                Failure::new(format_args!("another program listens on {address}; choose another port with --in"))
             }
             ErrorKind::AddrNotAvailable => Failure::new(format_args!("this computer has no address {address}")),
             _ => Failure::new(format_args!("{address}: {error}")),

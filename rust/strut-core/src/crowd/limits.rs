@@ -21,13 +21,13 @@ pub const LONGEST_BONE: f32 = 10.0;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CrowdError {
     /// Too few walkers, or too many.
-    #[error("a crowd of {0} was asked for; 1 to {MAX_COUNT} were expected")]
+    #[error("a crowd of {0} was requested; 1 to {MAX_COUNT} were expected")]
     Count(usize),
     /// Too many vertices.
     #[error("{0} vertices were given; at most {MAX_VERTICES} were expected")]
     Vertices(usize),
     /// A vertex's style is not in the model.
-    #[error("a vertex has style {style} of a model of {styles}")]
+    #[error("a vertex has style {style}; the model has {styles} styles")]
     Style {
         /// Its number.
         style: usize,
@@ -35,10 +35,10 @@ pub enum CrowdError {
         styles: usize,
     },
     /// A coordinate is NaN or out of range.
-    #[error("a place is at {0} m; a number from -{FARTHEST} to {FARTHEST} was expected")]
+    #[error("a coordinate is {0} m; a number from -{FARTHEST} to {FARTHEST} was expected")]
     Place(f32),
     /// A reach is out of range; see [`REACH`].
-    #[error("a vertex reaches {0} m; {least} to {greatest} were expected", least = REACH[0], greatest = REACH[1])]
+    #[error("a vertex has a radius of {0} m; {least} to {greatest} were expected", least = REACH[0], greatest = REACH[1])]
     Reach(f32),
     /// An intensity is out of range; see [`INTENSITY`].
     #[error(
@@ -46,10 +46,10 @@ pub enum CrowdError {
     )]
     Intensity(f32),
     /// A route has too few points, or too many.
-    #[error("a route of {0} points was given; none, or 2 to {MAX_ROUTE_POINTS}, were expected")]
+    #[error("the route has {0} points; none, or 2 to {MAX_ROUTE_POINTS}, were expected")]
     Route(usize),
     /// A bone offset is NaN or larger than [`LONGEST_BONE`].
-    #[error("a bone is offset by {0} m; a number from -{LONGEST_BONE} to {LONGEST_BONE} was expected")]
+    #[error("a bone offset is {0} m; a number from -{LONGEST_BONE} to {LONGEST_BONE} was expected")]
     Bone(f32),
 }
 

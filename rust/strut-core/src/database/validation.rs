@@ -59,7 +59,7 @@ pub(crate) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, Dat
     }
     if parts.counterparts_per_style == 0 || parts.counterparts_per_style > MAX_COUNTERPARTS {
         return invalid(format!(
-            "{} counterparts a style; 1 to {MAX_COUNTERPARTS} were expected",
+            "{} counterparts per style; 1 to {MAX_COUNTERPARTS} were expected",
             parts.counterparts_per_style
         ));
     }

@@ -27,11 +27,12 @@ pub enum TrackError {
     #[error(transparent)]
     TooLong(#[from] TooManyFrames),
     /// The body stays in place.
-    #[error("the body moves {0:.2} m in all; a walk of at least {LEAST_WAY} m was expected")]
+    #[error("the body travels {0:.2} m in total; a walk of at least {LEAST_WAY} m was expected")]
     NoWay(f32),
     /// The body does not face its direction of travel.
     #[error(
-        "the body faces {0:.0}° away from its way on average; a walk straight ahead, at most {MOST_ASIDE}° off, was expected"
+        "the body faces {0:.0}° away from its direction of travel on average; a forward walk, at most {MOST_ASIDE}° \
+         off, was expected"
     )]
     Turns(f32),
 }

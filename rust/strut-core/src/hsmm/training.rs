@@ -47,16 +47,16 @@ impl Default for Options {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum TrainError {
     /// No clip has a step.
-    #[error("no clip holds a step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected")]
+    #[error("no clip contains a step: alternating strikes of both feet, 0.2 to 1.5 s apart, were expected")]
     NoStep,
     /// The clips of a style have no step.
     #[error(
-        "the clips of style '{0}' hold no step: two strikes of either foot in turn, 0.2 to 1.5 s apart, were expected"
+        "the clips of style '{0}' contain no step: alternating strikes of both feet, 0.2 to 1.5 s apart, were expected"
     )]
     NoStepInStyle(String),
     /// The clips have no step of the left foot, or none of the right one. A style may have steps of one foot only if other
     /// styles have steps of the other foot: its difference from them is assumed to be the same for both feet.
-    #[error("the clips hold steps of one foot only")]
+    #[error("the clips contain steps of one foot only; steps of both feet were expected")]
     OneSided,
 }
 

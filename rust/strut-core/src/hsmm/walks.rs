@@ -21,7 +21,7 @@ pub fn walks_among(db: &Database) -> Vec<usize> {
 pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), String> {
     let track = Track::new(motion).map_err(|e| e.to_string())?;
     match steps_of(&track).len() {
-        0 => Err("it holds no step".to_owned()),
+        0 => Err("it contains no step".to_owned()),
         steps => Ok((track, steps)),
     }
 }

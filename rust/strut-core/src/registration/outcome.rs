@@ -62,16 +62,16 @@ pub enum CycleFault {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Refusal {
     /// The action walks or runs, and this clip has no left heel strike at which it can be divided.
-    #[error("no left heel strike was found in it, though the action walks or runs")]
+    #[error("no left heel strike was found in it, but its action is a walk or a run")]
     NoHeelStrikes,
     /// A clip for a new style of a walk or a run has no whole gait cycle.
-    #[error("no left, right and left step in a row were found in it; a walk of three seconds or more was expected")]
+    #[error("it has no three steps in a row (left, right, left); a walk of at least three seconds was expected")]
     NoGait,
     /// A walk or a run cannot be a new style of an action that is neither.
-    #[error("it walks or runs, which the action does not")]
+    #[error("it contains walking or running, unlike the other clips of the action")]
     Gait,
     /// The clip turns against the action's usual direction; radians, positive to the left.
-    #[error("it turns the other way: {:.0}°, where {:.0}° is usual for the action", turn.to_degrees(), usual.to_degrees())]
+    #[error("it turns against the action's usual direction: {:.0}° instead of {:.0}°", turn.to_degrees(), usual.to_degrees())]
     TurnsTheOtherWay {
         /// Turn of the clip.
         turn: f32,
@@ -79,7 +79,7 @@ pub enum Refusal {
         usual: f32,
     },
     /// No time warp within the slope limit maps the clip to the action's reference.
-    #[error("no time warp leads to the action's reference clip: it is more than three times longer or shorter")]
+    #[error("it cannot be time-warped to the action's reference clip: it is more than three times longer or shorter")]
     NoWarp,
 }
 

@@ -97,19 +97,19 @@ pub struct Binding {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum BindError {
     /// A clip without frames.
-    #[error("This motion has no frames. Export the clip again and drop it here.")]
+    #[error("This motion has no frames. Export the clip again.")]
     NoFrames,
     /// The skeleton does not resemble a body.
-    #[error("This skeleton has no legs and arms that we can find. Drop a file of a humanoid.")]
+    #[error("No legs and arms were found in this skeleton. Use a file of a humanoid.")]
     NotHumanoid,
     /// A required role has no joint.
-    #[error("This skeleton has no {} that we can find. Choose the joint, or drop another file.", joint_word(*.0))]
+    #[error("No {} was found in this skeleton. Choose the joint, or use another file.", joint_word(*.0))]
     Missing(Role),
     /// Several required roles of a character have no joint.
-    #[error("This skeleton has no {} that we can find. Choose the joints, or drop another file.", joint_words(.0))]
+    #[error("No {} was found in this skeleton. Choose the joints, or use another file.", joint_words(.0))]
     MissingRoles(Vec<Role>),
     /// A chosen joint is not in the skeleton, or is not a descendant of the joint of the role above.
-    #[error("{} cannot be the {}: it does not hang on the rest of the body.", joint_named(.joint), joint_word(*.role))]
+    #[error("{} cannot be the {}: it is not connected to the rest of the body.", joint_named(.joint), joint_word(*.role))]
     Misplaced {
         /// The role.
         role: Role,
@@ -127,15 +127,15 @@ pub enum BindError {
     /// A body that is not human.
     #[error(
         "This body stands on four legs: its hands are on the ground like its feet, and its arms are {:.2} and its trunk {:.2} \
-         times as long as its legs. Strut moves people. Choose the joints to have it moved all the same.",
+         times as long as its legs. Strut animates humans. To use this body as a human, choose its joints.",
         .0.arms_per_leg, .0.trunk_per_leg
     )]
     NotHuman(FourLegs),
     /// A limb bone has length 0.
-    #[error("The {} lies at the same place as the joint above it. Choose another joint, or drop another file.", joint_word(*.0))]
+    #[error("The {} is at the same position as its parent joint. Choose another joint, or use another file.", joint_word(*.0))]
     NoLength(Role),
     /// A character's size is outside the range of bodies.
-    #[error("This body is far too small or too large. Give the length of its unit in metres.")]
+    #[error("This body is far too small or too large. Set the length of one unit in metres.")]
     Size,
 }
 
@@ -288,10 +288,12 @@ impl Binding {
         if let (Some(axis), None) = (found.doubt, read_as.up) {
             doubts.push(Note::new(
                 NoteCode::UpUnsure,
-                format!("The body lies along {axis}, or {axis} is up in this file; {up} was taken for up."),
+                format!(
+                    "Either the body lies along {axis}, or {axis} is the up axis of this file. {up} was used as up."
+                ),
             ));
         } else if up != UpAxis::Y && facts.is_none() {
-            doubts.push(Note::new(NoteCode::Up, format!("Up is {up} in this file.")));
+            doubts.push(Note::new(NoteCode::Up, format!("The up axis of this file is {up}.")));
         }
         let notes = notes(skeleton, &unmapped, &rest, unit.map(|(_, word)| *word), metres_per_unit, up);
         Ok(Self {
@@ -514,13 +516,13 @@ fn notes(
     });
     notes.push(match unit {
         Some(word) => format!("Lengths are in {word}."),
-        None => format!("One unit of length was taken as {} cm.", significant(100.0 * metres_per_unit)),
+        None => format!("One unit of length was read as {} cm.", significant(100.0 * metres_per_unit)),
     });
     if !rest.from_zero_pose {
-        notes.push("The zero pose is no T-pose; the rest pose was worked out from the motion.".to_owned());
+        notes.push("The zero pose is not a T-pose; the rest pose was computed from the motion.".to_owned());
     }
     if up != UpAxis::Y {
-        notes.push(format!("Up is {up} in this file."));
+        notes.push(format!("The up axis of this file is {up}."));
     }
     notes
 }

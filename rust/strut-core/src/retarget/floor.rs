@@ -50,15 +50,15 @@ impl Floor {
         let side = if self.height < 0.0 { "below" } else { "above" };
         let mut notes = Vec::new();
         if !self.is_seen {
-            let text = "No foot rests in this clip. The floor was taken where the soles are lowest";
+            let text = "No foot rests on the ground in this clip. The lowest point of the soles was used as the floor";
             notes.push(Note::new(NoteCode::NoFloor, format!("{text}, {} cm {side} height 0.", cm(self.height))));
         } else if self.height.abs() > NOTED {
-            let text = format!("The feet stand {} cm {side} height 0; the floor was taken there.", cm(self.height));
+            let text = format!("The feet rest {} cm {side} height 0; the floor was set there.", cm(self.height));
             notes.push(Note::new(NoteCode::Floor, text));
         }
         if self.highest_level > 0.0 {
-            let text = format!("Feet stand up to {} cm above the lowest floor", cm(self.highest_level));
-            notes.push(Note::new(NoteCode::FloorChanges, text + ". One floor was taken for the whole clip."));
+            let text = format!("The feet rest up to {} cm above the lowest floor", cm(self.highest_level));
+            notes.push(Note::new(NoteCode::FloorChanges, text + ". One floor height was used for the whole clip."));
         }
         notes
     }

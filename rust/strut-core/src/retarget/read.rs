@@ -62,23 +62,24 @@ impl Binding {
             Some(four_legs) if read_as.joints.is_none() => return Err(BindError::NotHuman(four_legs)),
             Some(_) => binding.doubts.push(Note::new(
                 NoteCode::NotHuman,
-                "This body stands on four legs; it is moved as a human by the joints that were chosen.",
+                "This body stands on four legs; with the chosen joints it is animated as a human.",
             )),
             None => {}
         }
         if confidence < BY_NAME {
             binding.doubts.push(Note::new(
                 NoteCode::JointsByShape,
-                "The names of this skeleton do not say which joint is which; some were found by its shape.",
+                "Some joints could not be identified by their names. They were identified by the shape of the \
+                 skeleton.",
             ));
         }
         binding.is_mirrored = mirrored;
         if found_mirrored {
             binding.doubts.push(Note::new(NoteCode::Mirrored, if mirrored {
-                "Left and right are exchanged in this file, as its toes and knees show; it was read as a mirror image and is \
-                 written back so."
+                "Left and right are swapped in this file, as its toes and knees show. It was read as a mirror image \
+                 and is written back the same way."
             } else {
-                "Toes and knees point backwards if left and right are as this file names them."
+                "If left and right are as this file names them, the toes and knees point backwards."
             }));
         }
         binding.find_floor(motion, read_as.floor_metres);

@@ -148,7 +148,7 @@ fn z_up_files_are_turned_upright() {
     // The zero pose stands along +Z too, as exporters with that convention write it.
     let rig = Rig { file_from_world: up, frames: [up.inverse(); JOINTS], ..Rig::default() };
     let binding = check_rig(&rig);
-    assert!(binding.notes.contains(&"Up is +Z in this file.".to_owned()));
+    assert!(binding.notes.contains(&"The up axis of this file is +Z.".to_owned()));
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn missing_joints_are_named() {
     let mut roles = Binding::detect(&file).unwrap().joint_of_role;
     roles[Role::LeftLowerLeg.index()] = None;
     let error = Binding::read(&file, &ReadAs { joints: Some(roles), ..ReadAs::default() }).unwrap_err();
-    let sentence = "This skeleton has no left knee that we can find. Choose the joint, or drop another file.";
+    let sentence = "No left knee was found in this skeleton. Choose the joint, or use another file.";
     assert_eq!(error.to_string(), sentence);
     roles[Role::LeftLowerLeg.index()] = Some(Role::Head.index());
     assert!(matches!(

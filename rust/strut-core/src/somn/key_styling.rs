@@ -53,7 +53,7 @@ pub enum KeysError {
         secs: f64,
     },
     /// The keys span too long a time.
-    #[error("the keys span {} s; at most {MAX_SECS} s are made", number(*.0))]
+    #[error("the keys span {} s; at most {MAX_SECS} s are supported", number(*.0))]
     TooLong(f64),
 }
 

@@ -79,7 +79,7 @@ impl ClipInput {
             notes.push(Note::new(
                 NoteCode::CalibrationPose,
                 format!(
-                    "The clip begins with {:.2} s of a calibration pose, which were left as they are.",
+                    "The clip begins with a calibration pose of {:.2} s, which was left unchanged.",
                     secs(self.calibration)
                 ),
             ));
@@ -89,12 +89,12 @@ impl ClipInput {
             [] => {}
             [one] => notes.push(Note::new(
                 NoteCode::Cut,
-                format!("The motion jumps at {one:.2} s; both parts were styled on their own."),
+                format!("The motion jumps at {one:.2} s. The parts before and after were styled separately."),
             )),
             [first, ..] => notes.push(Note::new(
                 NoteCode::Cut,
                 format!(
-                    "The motion jumps {} times, first at {first:.2} s; the parts were styled on their own.",
+                    "The motion jumps {} times, first at {first:.2} s. The parts in between were styled separately.",
                     cuts.len()
                 ),
             )),
@@ -103,7 +103,7 @@ impl ClipInput {
             let (frames, were) = if self.bridged == 1 { ("frame", "was") } else { ("frames", "were") };
             notes.push(Note::new(
                 NoteCode::Repaired,
-                format!("{} {frames} did not fit those beside them and {were} replaced.", self.bridged),
+                format!("{} {frames} did not fit the neighbouring frames and {were} replaced.", self.bridged),
             ));
         }
         notes

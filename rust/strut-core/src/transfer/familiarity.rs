@@ -38,7 +38,7 @@ impl Familiarity {
     pub fn note(&self) -> Option<Note> {
         let cm = (100.0 * self.distance_metres()).round();
         (self.distance_metres() > FAR).then(|| {
-            let unlike = format!("This motion is unlike all of the database: its poses are {cm} cm away on average.");
+            let unlike = format!("The database has no similar motion: its poses are {cm} cm away on average.");
             Note::new(NoteCode::Unfamiliar, unlike + " The result is a guess.")
         })
     }

@@ -22,31 +22,31 @@ pub enum BvhError {
     #[error("line {line}, column {column} has {found}; {expected} was expected")]
     Unexpected { line: usize, column: usize, found: String, expected: &'static str },
     /// There is a second `ROOT`.
-    #[error("line {line} begins a second ROOT; one skeleton a file is supported")]
+    #[error("line {line} begins a second ROOT; one skeleton per file is supported")]
     SecondRoot { line: usize },
     /// There are more than [`MAX_JOINTS`] joints.
     #[error("line {line} begins joint {}; at most {MAX_JOINTS} are supported", MAX_JOINTS + 1)]
     TooManyJoints { line: usize },
     /// A joint has more than [`MAX_CHANNELS_PER_JOINT`] channels.
-    #[error("line {line} announces {channels} channels; at most {MAX_CHANNELS_PER_JOINT} a joint are supported")]
+    #[error("line {line} declares {channels} channels; at most {MAX_CHANNELS_PER_JOINT} per joint are supported")]
     TooManyChannels { line: usize, channels: usize },
     /// A joint has a position channel twice.
     #[error("line {line} has {channel} twice on one joint; once was expected")]
     RepeatedPosition { line: usize, channel: &'static str },
     /// Numbers have commas in place of decimal points.
     #[error(
-        "line {line}, column {column} has {found}, a decimal comma; decimal points were expected. Export the file again with \
-         the number format of English"
+        "line {line}, column {column} has {found}, a decimal comma; decimal points were expected. Export the file \
+         again with English number formatting"
     )]
     DecimalComma { line: usize, column: usize, found: String },
     /// A joint's name contains a tab, which most programs treat as the end of the name.
-    #[error("line {line} has the joint name '{found}' with a tab in it; blanks or underscores were expected")]
+    #[error("line {line} has the joint name '{found}' with a tab in it; spaces or underscores were expected")]
     TabInName { line: usize, found: String },
     /// No joint has a channel.
     #[error("no joint has a channel; at least one was expected")]
     NoChannels,
     /// `Frames:` is 0 or above [`MAX_FRAMES`].
-    #[error("line {line} announces {frames} frames; 1 to {MAX_FRAMES} were expected")]
+    #[error("line {line} declares {frames} frames; 1 to {MAX_FRAMES} were expected")]
     Frames { line: usize, frames: u64 },
     /// `Frame Time:` is outside [`FRAME_TIME_SECS`].
     #[error(
@@ -61,14 +61,14 @@ pub enum BvhError {
     /// A frame has the wrong number of values.
     #[error("line {line} has {found} numbers; this skeleton needs {needed}")]
     FrameWidth { line: usize, found: usize, needed: usize },
-    /// The file announces more frames than the rest of it could contain.
-    #[error("the file announces {announced} frames; what follows has room for {most}")]
+    /// The file declares more frames than the rest of it could contain.
+    #[error("the file declares {announced} frames; the rest of the file can hold at most {most}")]
     NoRoom { announced: usize, most: usize },
     /// The file ends before the first frame.
-    #[error("the file ends at line {line} after {found} frames; {announced} were announced")]
+    #[error("the file ends at line {line} after {found} frames; {announced} were declared")]
     MissingFrames { line: usize, found: usize, announced: usize },
     /// The file contains more than [`MAX_FRAMES`] frames.
-    #[error("line {line} comes after {MAX_FRAMES} frames, the most supported; {announced} were announced")]
+    #[error("line {line} comes after {MAX_FRAMES} frames; no more are supported, but {announced} were declared")]
     ExtraFrames { line: usize, announced: usize },
     /// Frames times joints exceeds [`MAX_TRANSFORMS`].
     #[error(
@@ -99,8 +99,8 @@ pub enum BvhError {
     UnwritableFrameTime { secs: f64 },
     /// A joint's name or offset could not be read back from a file.
     #[error(
-        "the joint {joint:?} cannot be written; a name of at most {MAX_NAME_BYTES} bytes on one line, without tabs and without \
-         blanks or braces at its ends, and offsets within ±{MAX_ABS_VALUE} were expected"
+        "the joint {joint:?} cannot be written; a name of at most {MAX_NAME_BYTES} bytes on one line, without tabs \
+         and without spaces or braces at its ends, and offsets within ±{MAX_ABS_VALUE} were expected"
     )]
     UnwritableJoint { joint: String },
     /// A value of the motion could not be read back from a file.

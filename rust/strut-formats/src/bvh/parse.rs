@@ -42,10 +42,10 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
         return Err(BvhError::TooManyTransforms { frames, joints: joints.len() });
     }
     if frames != announced || cut_off > 0 {
-        let rest = if cut_off > 0 { "Its last row was cut off and left out." } else { "All of them were read." };
+        let rest = if cut_off > 0 { "Its last row is incomplete and was left out." } else { "All of them were read." };
         cursor.notes.push(Note::new(
             NoteCode::FrameCount,
-            format!("The file announces {announced} frames and has {frames}. {rest}"),
+            format!("The file declares {announced} frames and has {frames}. {rest}"),
         ));
     }
     let mut bvh = Bvh { joints, added_positions: false, frame_time_secs: frame_time.value, frames, values };
@@ -54,7 +54,7 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
         cursor.notes.push(Note::new(
             NoteCode::Milliseconds,
             format!(
-                "The frame time {} was taken as milliseconds: in seconds the motion would be too slow for a person.",
+                "The frame time {} was read as milliseconds: in seconds, the motion would be too slow for a person.",
                 frame_time.value
             ),
         ));
@@ -65,7 +65,8 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
         bvh.added_positions = true;
         cursor.notes.push(Note::new(
             NoteCode::AddedPositions,
-            "Position channels were added to the offsets of their joints; in place of them they would fold up the body.",
+            "Position channels were added to the offsets of their joints: without the offsets, the body would \
+             collapse.",
         ));
     }
     if let Some(far) = bvh.far() {
@@ -73,7 +74,8 @@ pub fn parse_noted(bytes: &[u8]) -> Result<(Bvh, Vec<Note>), BvhError> {
         cursor.notes.push(Note::new(
             NoteCode::Far,
             format!(
-                "The body is far from the origin of the file, at ({x:.0}, {y:.0}, {z:.0}): it was brought near it."
+                "The body is far from the origin of the file, at ({x:.0}, {y:.0}, {z:.0}). It was moved near the \
+                 origin."
             ),
         ));
     }
@@ -164,7 +166,7 @@ fn end_site(cursor: &mut Cursor, joint: &mut Joint, mut is_usual: bool) -> Resul
     is_usual &= joint.end_site.is_none();
     joint.end_site.get_or_insert(offset);
     if !is_usual {
-        let text = "End Sites are written in an unusual way. Each was read as the end of its joint's bone.";
+        let text = "End Sites are in an unusual notation. Each was read as the end of its joint's bone.";
         cursor.note_once(NoteCode::Hierarchy, || text.into());
     }
     Ok(())
@@ -291,7 +293,8 @@ fn frame_values(cursor: &mut Cursor, frames: usize, channels: usize) -> Result<F
         }
         Some((line, _)) if line != last || cut_off == 0 => cursor.notes.push(Note::new(
             NoteCode::Rows,
-            "The numbers are not one frame a line. They were read one after the other, as frames end where lines end.",
+            "The lines do not hold one frame each. The numbers were read in sequence, as every frame ends at the end \
+             of a line.",
         )),
         _ => {}
     }
@@ -395,7 +398,7 @@ impl<'a> Cursor<'a> {
             let line = self.line;
             self.notes.push(Note::new(
                 NoteCode::TextAfter,
-                format!("The text from line {line} on, after the frames, was not read."),
+                format!("The text after the frames, from line {line} on, was ignored."),
             ));
         }
         true

@@ -11,19 +11,19 @@ pub enum ContainerError {
     #[error("the file has {bytes} bytes; a {} has at most {}", kind.name, kind.max_bytes)]
     TooManyBytes { kind: Kind, bytes: usize },
     /// The safetensors header is missing or damaged.
-    #[error("this is no {}, or its beginning is damaged; a safetensors header was expected", kind.name)]
+    #[error("this is not a {}, or its beginning is damaged; a safetensors header was expected", kind.name)]
     NotSafetensors { kind: Kind },
     /// The tensors do not fill the file exactly.
     #[error("the file is cut short or damaged: its length does not agree with its header")]
     Length,
     /// The safetensors file is of another kind.
-    #[error("this safetensors file is no {}: it has no '{}' metadata", kind.name, kind.entry)]
+    #[error("this safetensors file is not a {}: it has no '{}' metadata", kind.name, kind.entry)]
     NoMetadata { kind: Kind },
     /// The metadata are not JSON of the expected form.
     #[error("the {}'s metadata cannot be read: {reason}", kind.name)]
     Metadata { kind: Kind, reason: String },
     /// The file has another major version.
-    #[error("the {} has version {found}; this Strut reads version {}", kind.name, kind.version)]
+    #[error("the {} has version {found}; this release of Strut reads version {}", kind.name, kind.version)]
     Version { kind: Kind, found: String },
     /// The file was changed.
     #[error("the {} is damaged: its checksum is {found}, its bytes give {computed}", kind.name)]

@@ -44,11 +44,11 @@ fn only_files_of_earlier_versions_need_no_checksum() {
 fn other_files_are_refused_with_a_reason() {
     let file = file();
     assert!(refused(&file[..file.len() - 7]).contains("cut short"));
-    assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("no sample"));
-    assert!(refused(&[]).contains("no sample"));
+    assert!(refused(b"HIERARCHY\nROOT Hips\n").contains("not a sample"));
+    assert!(refused(&[]).contains("not a sample"));
     let other = Kind { version: "2.0", ..KIND };
     let error = open::<Metadata, [u8]>(other, &file).err().unwrap().to_string();
-    assert_eq!(error, "the sample has version 1.1; this Strut reads version 2.0");
+    assert_eq!(error, "the sample has version 1.1; this release of Strut reads version 2.0");
 }
 
 /// JSON as other programs write it: with blanks or lines between its tokens, and keys in another order.

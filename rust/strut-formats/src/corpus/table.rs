@@ -122,7 +122,7 @@ pub fn assign(
             return Err(fault("which is the name of several inputs; more of the path was expected"));
         }
         if listed.insert(index, labels.clone()).is_some() {
-            return Err(fault("which has labels already"));
+            return Err(fault("which already has labels"));
         }
     }
     let label = |(index, path): (usize, &String)| match (listed.remove(&index), pattern) {
@@ -200,7 +200,7 @@ mod tests {
                 "walk_old_1.bvh,a,b",
                 "line 2 names 'walk_old_1.bvh', which is the name of several inputs; more of the path was expected",
             ),
-            ("c.bvh,a,b\nin/c.bvh,a,b", "line 3 names 'in/c.bvh', which has labels already"),
+            ("c.bvh,a,b\nin/c.bvh,a,b", "line 3 names 'in/c.bvh', which already has labels"),
         ] {
             assert_eq!(assigned(&format!("file,action,style\n{row}\n")).unwrap_err(), expected);
         }

@@ -71,15 +71,15 @@ pub enum StrutdbError {
     #[error(transparent)]
     File(#[from] ContainerError),
     /// The file does not contain packed motions ([`packed`]).
-    #[error("these are no packed motions, or their beginning is damaged")]
+    #[error("these are not packed motions, or their beginning is damaged")]
     NotPacked,
     /// The skeleton is not the canonical humanoid, or the columns of `pose` differ.
-    #[error("the database's {0} differ from those of this Strut")]
+    #[error("the database's {0} differ from those of this release of Strut")]
     Layout(&'static str),
     /// Styling would take more memory than the caller allows or than is available.
     #[error(
-        "the database has {frames} frames: to style with them takes {} MB of memory, of which {} can be had",
-        megabytes(*needed), most.map_or("less".to_owned(), |most| format!("{} MB", megabytes(most)))
+        "the database has {frames} frames: styling needs {} MB of memory; {} available",
+        megabytes(*needed), most.map_or("less is".to_owned(), |most| format!("{} MB are", megabytes(most)))
     )]
     Memory { frames: u64, needed: u64, most: Option<u64> },
     /// The content is not consistent.

@@ -146,7 +146,7 @@ fn parts_of<'a, S: Source + ?Sized>(
     let counterpart = f32s("counterpart", &[n, Some(metadata.styles.len()), None])?;
     let counterparts_per_style = counterpart.shape()[2];
     if counterparts_per_style > MAX_COUNTERPARTS {
-        return Err(invalid(format!("{counterparts_per_style} counterparts a style")));
+        return Err(invalid(format!("{counterparts_per_style} counterparts per style")));
     }
     let counterpart = counterpart.numbers();
     let chart: Vec<f32> = f32s("chart", &[Some(JOINTS), Some(4)])?.numbers();

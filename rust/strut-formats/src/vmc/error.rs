@@ -16,12 +16,12 @@ pub enum PacketError {
     #[error("the packet has more than {MAX_PACKET_BYTES} bytes")]
     TooLarge,
     /// Bundles or arrays are nested too deeply.
-    #[error("its bundles or arrays lie in more than {MAX_NESTING} others")]
+    #[error("its bundles or arrays are nested more than {MAX_NESTING} deep")]
     TooDeep,
     /// The packet contains too many messages.
     #[error("it has more than {MAX_MESSAGES} messages")]
     TooMany,
     /// The packet is not Open Sound Control.
-    #[error("it is no Open Sound Control packet")]
+    #[error("it is not an Open Sound Control packet")]
     NotOsc,
 }

@@ -16,6 +16,6 @@ def open_plan(arguments: tuple[Any, ...], keywords: dict[str, Any], sha256: str)
     """Restores a pickled plan; one that would write other outputs is refused."""
     plan = Plan(*arguments, **keywords)
     if plan.sha256 != sha256:
-        message = "the database, the table of variants or the version of Strut is another than when the batch was planned"
+        message = "the database, the table of variants or the version of Strut has changed since the batch was planned"
         raise StrutError(message, "bad-input")
     return plan

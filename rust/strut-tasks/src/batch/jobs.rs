@@ -33,8 +33,8 @@ pub(super) fn jobs(sources: &[Source], variants: &[Variant], shard: Shard) -> Ou
         })?;
         // Some file systems ignore the case of names.
         if let Some(other) = places.insert(place.to_lowercase(), of) {
-            let reason = format_args!("its output has the same name as that of {}", other.path);
-            return Err(TaskError::in_file(Path::new(&of.path), reason).with_hint("give the folder that holds both"));
+            let reason = format_args!("its output would have the same name as that of {}", other.path);
+            return Err(TaskError::in_file(Path::new(&of.path), reason).with_hint("give the folder that contains both"));
         }
         for (variant, Variant { name, .. }) in variants.iter().enumerate() {
             let output = format!("{name}/{place}");
@@ -78,7 +78,7 @@ mod tests {
         std::fs::write(folder.path().join("in/a.BVH"), "").unwrap();
         let sources = gather(&[folder.path().join("in")]).unwrap();
         let refused = jobs(&sources, &variants, Shard::WHOLE).unwrap_err().to_string();
-        assert!(refused.contains("its output has the same name as that of "), "{refused}");
+        assert!(refused.contains("its output would have the same name as that of "), "{refused}");
 
         // On a case-sensitive file system.
         let folder = tempfile::tempdir().unwrap();

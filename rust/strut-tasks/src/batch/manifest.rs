@@ -107,7 +107,7 @@ impl Manifest {
         let path = folder.join(format!("{name}.jsonl"));
         let fail = |e: io::Error| TaskError::io(&path, &e);
         let Some(lock) = try_lock(folder, &name).map_err(fail)? else {
-            let hint = "wait until it ends, or give each a share of the jobs with --shard";
+            let hint = "wait until it ends, or divide the jobs with --shard";
             return Err(TaskError::in_file(&path, "another process writes this manifest").with_hint(hint));
         };
         cut_torn_line(&path).map_err(fail)?;

@@ -66,7 +66,7 @@ impl Performer<'_> {
         let key = digests.key(&input);
         *known = Known { input: Some(input), key: Some(key.clone()) };
         let Some(started) = self.attempts.start(output, &key)? else {
-            let reason = format_args!("{}: the program ended {MOST} times while it styled this", source.path);
+            let reason = format_args!("{}: the program ended {MOST} times while styling this clip", source.path);
             return Err(TaskError::of(Code::Fault, reason));
         };
         let styled = self.styled(source, &bytes, output, styling, on_progress);

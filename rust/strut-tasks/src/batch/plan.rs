@@ -55,7 +55,7 @@ impl Plan {
     /// If there are no variants, or the database lacks a style or an action, or cannot be opened.
     pub fn new(request: BatchRequest, sha256: &str, open: impl FnMut(Search) -> Outcome<Arc<Model>>) -> Outcome<Self> {
         if request.variants.is_empty() {
-            return Err(TaskError::usage("there is no variant; one or several were expected"));
+            return Err(TaskError::usage("no variant was given; at least one was expected"));
         }
         let stylings = stylings(&request, sha256, open)?;
         Ok(Self { request, stylings, manifest: Mutex::default(), archive: Mutex::default() })
@@ -101,7 +101,7 @@ impl Plan {
         let styling = styling.ok_or_else(|| TaskError::usage(unknown("variant", variant, &known_variants)))?;
         let below = output.strip_prefix(variant.as_str()).and_then(|rest| rest.strip_prefix('/'));
         if below.is_none() || below.map(str::to_owned) != below.and_then(place) {
-            return Err(TaskError::usage(format_args!("'{output}' is no job of the variant '{variant}'")));
+            return Err(TaskError::usage(format_args!("'{output}' is not a job of the variant '{variant}'")));
         }
         let folder = self.request.output.as_path();
         // A unique name, so that two writers of the same output never share a temporary file.

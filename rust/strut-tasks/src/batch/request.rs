@@ -56,7 +56,10 @@ impl BatchRequest {
         let output = absolute.ancestors().find_map(|path| path.canonicalize().ok()).unwrap_or_default();
         for input in self.inputs.iter().filter(|input| input.is_dir()) {
             if output.starts_with(input.canonicalize().map_err(|e| TaskError::io(input, &e))?) {
-                let reason = format_args!("it lies in the input {}; another folder was expected", input.display());
+                let reason = format_args!(
+                    "the output folder is inside the input {}; another folder was expected",
+                    input.display()
+                );
                 return Err(TaskError::of(Code::BadInput, format_args!("{}: {reason}", self.output.display())));
             }
         }

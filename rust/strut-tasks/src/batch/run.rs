@@ -106,7 +106,7 @@ fn with_rest(error: TaskError, folder: &Path, jobs: &[Job]) -> TaskError {
         return error;
     }
     let done = manifest::latest(folder).map_or(0, |known| jobs.iter().filter(|job| is_done(&known, job)).count());
-    error.with_hint(format_args!("{done} of {} jobs are done, and the same command goes on with the rest", jobs.len()))
+    error.with_hint(format_args!("{done} of {} jobs are done; run the same command again to continue", jobs.len()))
 }
 
 fn is_done(known: &HashMap<String, Record>, job: &Job) -> bool {

@@ -29,7 +29,7 @@ impl Variant {
         let is_plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == name);
         let is_strange = |c: char| c.is_control() || matches!(c, '\\' | ':' | '/');
         if !is_plain || name.starts_with('.') || name.contains(is_strange) || name.len() > 200 {
-            let expected = "the name of a folder was expected, without a path and a dot before it";
+            let expected = "the name of a folder, without a path and without a leading dot, was expected";
             return Err(TaskError::usage(format_args!("the variant is '{}'; {expected}", quotation(name, 40))));
         }
         Ok(Self { name: name.to_owned(), settings })
@@ -74,7 +74,7 @@ pub fn read_variants(path: &Path, settings: impl Fn(StyleWeights) -> Outcome<Sty
         variants.push(variant);
     }
     if variants.is_empty() {
-        Err(fail("there is no variant; a line for each was expected".into()))
+        Err(fail("the table has no variant; a line for each was expected".into()))
     } else {
         Ok(variants)
     }
@@ -103,7 +103,7 @@ mod tests {
     fn faults_of_a_table_are_named_with_their_line() {
         for (table, expected) in [
             ("style,variant\nold,a\n", "line 1 has other columns"),
-            ("variant,style\n", "there is no variant"),
+            ("variant,style\n", "the table has no variant"),
             ("variant,style\na,old\na,proud\n", "line 3: there are two variants 'a'"),
             ("variant,style\n../a,old\n", "line 2: the variant is '../a'"),
             ("variant,style\na,old=x\n", "line 2: the weight is 'x'"),

@@ -85,7 +85,7 @@ fn is_full<T>(result: &Outcome<T>) -> bool {
 /// Returns the error of a panic.
 fn fault(panic: &(dyn Any + Send)) -> TaskError {
     let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
-    TaskError::of(Code::Fault, format_args!("a fault of the program: {}", text.unwrap_or("it panicked")))
+    TaskError::of(Code::Fault, format_args!("a bug in Strut: {}", text.unwrap_or("it panicked")))
 }
 
 #[cfg(test)]

@@ -85,7 +85,7 @@ impl Checkpoint {
         if path.try_exists().map_err(fail)? {
             let kept = samples(&files::read(&path, MAX_BYTES)?, &header);
             if kept.is_none() {
-                let what = "is of another command, version or data: it was begun anew";
+                let what = "is from another command, version or data; the evaluation starts again";
                 note = Some(format!("{} {what}", path.display()));
             }
             done = kept.unwrap_or_default();
@@ -183,7 +183,7 @@ mod tests {
         for (command, data) in [("a", "y"), ("b", "y")] {
             let other = Checkpoint::open(Some(&results), of(command, data)).unwrap();
             assert_eq!(other.done("1"), None);
-            assert!(other.note().unwrap().contains("begun anew"), "{:?}", other.note());
+            assert!(other.note().unwrap().contains("starts again"), "{:?}", other.note());
             other.keep("1", &[sample(0.5)]).unwrap();
         }
         Checkpoint::open(Some(&results), of("b", "y")).unwrap().remove();

@@ -67,13 +67,13 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
     let grid = Grid::new(request)?;
     match request.protocol {
         Protocol::Loo if !request.inputs.is_empty() => {
-            return Err(TaskError::usage("--inputs goes with --protocol off-database"));
+            return Err(TaskError::usage("--inputs needs --protocol off-database"));
         }
         Protocol::OffDatabase if request.inputs.is_empty() => {
             return Err(TaskError::usage("--protocol off-database needs --inputs"));
         }
         Protocol::OffDatabase if request.wants_curves => {
-            return Err(TaskError::usage("--curves goes with --protocol loo"));
+            return Err(TaskError::usage("--curves needs --protocol loo"));
         }
         _ => {}
     }
@@ -92,8 +92,8 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
         }
     };
     if samples.is_empty() {
-        let advice = "a take of the source style with the same number as one of a target style was expected";
-        return Err(TaskError::in_file(&request.data, format_args!("there is nothing to compare: {advice}")));
+        let advice = "a take of the source style and a take of a target style with the same number were expected";
+        return Err(TaskError::in_file(&request.data, format_args!("there is nothing to compare; {advice}")));
     }
     let report = Report::new(request.protocol.name(), &request.source, &grid, &samples, &request.command);
     let curves = request.wants_curves.then(|| curves::of_first_fold(request, &grid, &clips)).transpose()?;
@@ -115,7 +115,7 @@ fn read(request: &Request, left_out: &mut Vec<RefusedFile>, on_progress: &OnProg
             })
             .ok_or_else(|| {
                 let missing = format_args!("no clip has the style '{}'", request.source);
-                TaskError::in_file(&request.data, missing).with_hint("say how clips are labelled with --pattern")
+                TaskError::in_file(&request.data, missing).with_hint("give the labels with --pattern")
             })?,
     };
     let known = |name: fn(&strut_formats::corpus::Labels) -> &String| -> Vec<String> {

@@ -43,7 +43,7 @@ pub struct Request {
     pub data: PathBuf,
     /// Pattern of the labels in file names; the usual patterns are tried if `None`.
     pub pattern: Option<Pattern>,
-    /// The style of the inputs, neutral in the databases.
+    /// The style of the inputs, which is the neutral style of the databases.
     pub source: String,
     /// Actions of the inputs and of the databases; all if empty.
     pub actions: Vec<String>,
@@ -71,17 +71,17 @@ pub struct Request {
     pub search: Vec<Search>,
     /// Number of neighbours in each class.
     pub k: Vec<usize>,
-    /// Ridge of the regressions, as a share of K.
+    /// Ridge regularisation of the regressions, as a share of K: more is smoother, less shows more detail of the style.
     pub lambda: Vec<f32>,
-    /// Share of the bias that is kept in the output: 0 to 1.
+    /// Share of the bias that is kept in the output, 0 to 1; bias is the part of the input that no example explains.
     pub rho: Vec<f32>,
     /// How much of the style's tempo is used: 0 to 1.
     pub tempo: Vec<f32>,
-    /// Distance from the neighbours beyond which input counts as bias, standard deviations.
+    /// Tolerance of the bias, in standard deviations of the neighbours: input within it has no bias.
     pub kappa: Vec<f32>,
-    /// How slowly the weight of a class falls with its distance.
+    /// How slowly the weight of a class decreases with its distance from the input.
     pub delta: Vec<f32>,
-    /// Whether output is smoothed where the input is unlike the database.
+    /// Whether the output is smoothed where the database has no similar motion.
     pub coherence: Vec<Switch>,
     /// Weight of the target style.
     pub intensity: Vec<f32>,

@@ -38,7 +38,7 @@ impl Summary {
         ranked.sort_by(|a, b| b.1.total_cmp(&a.1));
         let reads_as: Vec<String> = ranked.iter().take(3).map(|(name, w)| format!("{name} {w:.2}")).collect();
         format!(
-            "{}: {}, {out:.2} s ({:.2} of the input's); the input reads as {}\n",
+            "{}: {}, {out:.2} s ({:.2} of the input's); recognised as {}\n",
             path.display(),
             counted(output.frames, "frame"),
             out / before,

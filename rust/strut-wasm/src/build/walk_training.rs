@@ -89,7 +89,7 @@ impl WalkTraining {
         let is_walking = |i: usize| Some(clips[i].action) == walking;
         for (i, ..) in self.walks.iter().filter(|walk| !is_walking(walk.0)) {
             let reason = format!(
-                "it is of another action than '{}', of which there are most steps",
+                "its action is not '{}', the action with the most steps",
                 actions[usize::from(walking.unwrap_or(0))]
             );
             self.refused.extend([clips[*i].name.clone(), sentence(reason)]);

@@ -13,7 +13,7 @@ const LONGEST_SECS: f32 = 600.0;
 pub fn vertices_of_field(styles: &[u32], numbers: &[f32]) -> Result<Vec<Vertex>, EngineError> {
     let (numbers, rest) = numbers.as_chunks::<4>();
     if numbers.len() != styles.len() || !rest.is_empty() {
-        return Err(EngineError::bad_input("four numbers a vertex were expected"));
+        return Err(EngineError::bad_input("four numbers per vertex were expected"));
     }
     let vertices = styles.iter().zip(numbers);
     Ok(vertices
@@ -27,7 +27,7 @@ pub fn vertices_of_field(styles: &[u32], numbers: &[f32]) -> Result<Vec<Vertex>,
 /// If a point has no z.
 pub fn points_of_route(numbers: &[f32]) -> Result<&[[f32; 2]], EngineError> {
     let (points, rest) = numbers.as_chunks::<2>();
-    if rest.is_empty() { Ok(points) } else { Err(EngineError::bad_input("two numbers a point were expected")) }
+    if rest.is_empty() { Ok(points) } else { Err(EngineError::bad_input("two numbers per point were expected")) }
 }
 
 /// Returns the number of frames of a motion with this duration.
@@ -38,6 +38,6 @@ pub fn frames_of_crowd(secs: f32, rate_hz: f32) -> Result<usize, EngineError> {
     if secs > 0.0 && secs <= LONGEST_SECS {
         Ok((secs * rate_hz).ceil() as usize)
     } else {
-        Err(EngineError::bad_input(format!("{secs} s were asked for; up to {LONGEST_SECS} were expected")))
+        Err(EngineError::bad_input(format!("{secs} s were requested; up to {LONGEST_SECS} were expected")))
     }
 }

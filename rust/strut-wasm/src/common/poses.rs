@@ -45,9 +45,8 @@ pub fn proportions_of(floats: &[f32]) -> Result<Proportions, EngineError> {
     let offsets: Option<[[f32; 3]; JOINTS]> = offsets.try_into().ok().filter(|_| rest.is_empty());
     let wrong = || EngineError::bad_input(format!("{} offsets were given; {} were expected", floats.len(), 3 * JOINTS));
     let body = Proportions { offsets: offsets.ok_or_else(wrong)?.map(Vec3::from) };
-    let none = || {
-        EngineError::bad_input("the offsets are those of no body; finite ones were expected, and limbs with lengths")
-    };
+    let none =
+        || EngineError::bad_input("the offsets do not describe a body: one is not finite, or a limb has no length");
     if body.is_valid() { Ok(body) } else { Err(none()) }
 }
 

@@ -183,7 +183,7 @@ impl ClipJob {
         self.styled.as_ref().ok_or_else(|| {
             let done = self.job.as_ref().map_or(0, |job| job.frames().len());
             let all = self.poses.len();
-            EngineError::bad_input(format!("{done} of {all} frames are styled; all must be before there is a result"))
+            EngineError::bad_input(format!("{done} of {all} frames are styled; the result needs all"))
         })
     }
 }

@@ -46,7 +46,7 @@ fn read(file: &dyn Source) -> Result<Database, EngineError> {
     let catalogue = strutdb::read_catalogue(file, Some(MOST_BYTES)).map_err(|error| {
         let hint = match error {
             StrutdbError::Memory { .. } => {
-                "Build it of fewer takes or styles, or at a lower rate, as with 'strut build-db --rate 30'."
+                "Build it from fewer takes or styles, or at a lower rate, as with 'strut build-db --rate 30'."
             }
             _ => "Copy the file once more, or build the database again with 'strut build-db'.",
         };

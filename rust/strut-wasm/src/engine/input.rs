@@ -148,7 +148,7 @@ impl Input {
 
     #[cfg(not(feature = "files"))]
     fn on_another_body(_: &Database, _: &HumanoidMotion) -> Result<Self, EngineError> {
-        Err(EngineError::bad_input("this package does not carry motions over to another body"))
+        Err(EngineError::bad_input("this package cannot retarget a motion to another body"))
     }
 
     /// Creates an input from poses without a file.

@@ -30,7 +30,7 @@ impl Somn {
     #[wasm_bindgen(constructor)]
     pub fn new(model: &KeyStyleModel, components: usize, seed: u32, as_printed: bool) -> Result<Self, EngineError> {
         if components > MAX_COMPONENTS {
-            let expected = format!("{components} components were asked for; at most {MAX_COMPONENTS} are learnt");
+            let expected = format!("{components} components were requested; at most {MAX_COMPONENTS} are supported");
             return Err(EngineError::bad_input(expected));
         }
         let learning = if as_printed { Learning::AsPrinted } else { Learning::Som };

@@ -122,7 +122,7 @@ impl KeyStyleModel {
     ) -> Result<Vec<f32>, EngineError> {
         const MOST_PLACES: usize = 1 << 18;
         if columns.saturating_mul(rows) > MOST_PLACES {
-            let places = format!("{columns} × {rows} places were asked for; at most {MOST_PLACES} are mapped");
+            let places = format!("{columns} × {rows} points were requested; at most {MOST_PLACES} are supported");
             return Err(EngineError::bad_input(places));
         }
         let share = |i: usize, count: usize| if count > 1 { i as f64 / (count - 1) as f64 } else { 0.0 };

@@ -145,7 +145,7 @@ impl Styling {
     fn poses(&mut self, secs: f64, method: u8) -> Result<Vec<Pose>, EngineError> {
         if !(0.0..=MOST_SECS).contains(&secs) {
             return Err(EngineError::bad_input(format!(
-                "{} s were asked for; up to {MOST_SECS} s are made",
+                "{} s were requested; at most {MOST_SECS} s are supported",
                 shown_number(secs)
             )));
         }

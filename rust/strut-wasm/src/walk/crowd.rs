@@ -43,7 +43,7 @@ impl Crowd {
     /// If an array has another length.
     pub fn read(&self, joints: &Float32Array, weights: &Uint8Array) -> Result<(), EngineError> {
         if weights.length() as usize != self.crowd.weights().len() {
-            return Err(EngineError::bad_input("one weight a walker and style was expected"));
+            return Err(EngineError::bad_input("one weight per walker and style was expected"));
         }
         weights.copy_from(self.crowd.weights());
         write_floats(self.crowd.world(), joints)

@@ -64,7 +64,7 @@ impl Yardstick {
                 Ok(Some(Self { context }))
             }
             Err(reason) => {
-                print(&format!("{}; the processor is measured alone\n", capitalised(&reason.to_string())));
+                print(&format!("{}; only the CPU is measured\n", capitalised(&reason.to_string())));
                 Ok(None)
             }
         }
@@ -76,7 +76,7 @@ impl Yardstick {
         let measured = self.try_to_measure(index, windows);
         measured
             .map_err(|reason| {
-                print(&format!("\n{}; the processor is measured alone\n", capitalised(&reason.to_string())));
+                print(&format!("\n{}; only the CPU is measured\n", capitalised(&reason.to_string())));
             })
             .ok()
     }
@@ -147,8 +147,8 @@ fn capitalised(reason: &str) -> String {
 fn text(adapter: &Adapter, comparison: &Comparison, rows: &[Row]) -> String {
     let Comparison { sets, identical, candidates_per_neighbour, .. } = comparison;
     let mut out = format!(
-        "\nevery window by {adapter}: {identical} of {sets} neighbour sets are the engine's to the bit, \
-         {candidates_per_neighbour:.2} candidates a neighbour\n"
+        "\nevery window by {adapter}: {identical} of {sets} neighbour sets are bit-identical to the engine's, \
+         {candidates_per_neighbour:.2} candidates per neighbour\n"
     );
     for row in rows {
         let (engine, mode, ms) = (row.engine, row.mode, short(row.median_ms));
@@ -161,7 +161,7 @@ fn text(adapter: &Adapter, comparison: &Comparison, rows: &[Row]) -> String {
         );
     }
     if comparison.software {
-        out += "a graphics processor in software has no times worth telling\n";
+        out += "times of an emulated GPU are not shown, as they would not be meaningful\n";
     }
     out
 }

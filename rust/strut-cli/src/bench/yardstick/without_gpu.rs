@@ -16,8 +16,8 @@ impl Yardstick {
     /// Returns an error that explains how to build the command with the feature.
     pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
         Err(Failure::new(
-            "this strut was built without the graphics processor; \
-             `npm run bench -- --gpu` and `cargo build --release -p strut-motion-cli --features gpu` build it with it",
+            "this strut was built without GPU support; build it with `npm run bench -- --gpu` or `cargo build \
+             --release -p strut-motion-cli --features gpu`",
         ))
     }
 

@@ -31,7 +31,7 @@ pub struct AddedStyle {
 
 /// Warning that a clip is unlike the clips of the action that was given for it.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("it moves too differently from the clips of '{given}' to look right{better}")]
+#[error("its motion differs so much from the clips of '{given}' that the style may look wrong{better}")]
 pub struct Doubt {
     /// The given action.
     pub given: String,
@@ -53,13 +53,13 @@ impl fmt::Display for Better {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AddStyleError {
     /// The database already has a style of this name.
-    #[error("the database has a style '{0}' already")]
+    #[error("the database already has a style '{0}'; another name was expected")]
     Exists(String),
     /// The clip is invalid.
     #[error(transparent)]
     Clip(#[from] Refusal),
     /// The clip is too short to show an action.
-    #[error("it lasts {0:.1} s; an action from its beginning to its end, of at least {MIN_SECS:.1} s, was expected")]
+    #[error("it lasts {0:.1} s; a complete action of at least {MIN_SECS:.1} s was expected")]
     Brief(f32),
     /// The clip fits none of the actions. Contains the reason for the nearest action.
     #[error("it fits none of the database's actions ({actions}): {reason}")]
@@ -81,13 +81,13 @@ pub enum AddStyleError {
         better: Better,
     },
     /// The clip is unlike all actions of the database.
-    #[error("it fits none of the database's actions ({actions}): it moves too differently from all of them")]
+    #[error("it fits none of the database's actions ({actions}): its motion differs too much from all of them")]
     Unlike {
         /// Names of the actions.
         actions: String,
     },
     /// The resulting database is too large, or contains values out of range.
-    #[error("the database with the clip would not be valid: {0}")]
+    #[error("the database would be invalid with this clip: {0}")]
     Database(#[from] DatabaseError),
 }
 

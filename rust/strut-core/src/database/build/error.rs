@@ -36,12 +36,12 @@ pub enum BuildError {
     #[error("the clips have {0} frames; at most {MAX_FRAMES} are supported")]
     TooManyFrames(usize),
     /// The next step of a failed build, or the database of an unfinished one, was requested.
-    #[error("the build has failed, or has steps left")]
+    #[error("the build failed earlier or is not finished")]
     Unfinished,
     /// The progress function cancelled the build.
     #[error("cancelled")]
     Cancelled,
     /// A clip contains values out of range.
-    #[error("the clips make no valid database: {0}")]
+    #[error("these clips do not make a valid database: {0}")]
     Database(#[from] DatabaseError),
 }

@@ -88,7 +88,7 @@ pub enum Refusal {
     #[error("its bone lengths differ from those of most clips")]
     Proportions,
     /// The script does not have one finite, strictly increasing time per frame. Contains the first invalid frame.
-    #[error("its script has no finite time that increases at frame {0}")]
+    #[error("the scripted time of frame {0} is not finite, or not later than that of the frame before")]
     Script(usize),
     /// The clip does not fit the other clips of its action.
     #[error(transparent)]

@@ -150,10 +150,13 @@ fn a_clip_that_is_no_style_is_refused_with_a_sentence() {
         clip.motion.poses.truncate(frames);
         clip
     };
-    assert_eq!(add(&SourceClip { style: "old".into(), ..walk.clone() }), "the database has a style 'old' already");
+    assert_eq!(
+        add(&SourceClip { style: "old".into(), ..walk.clone() }),
+        "the database already has a style 'old'; another name was expected"
+    );
     assert_eq!(add(&cut(3)), "it has only 3 frames; at least 8 are needed");
-    let no_gait = "it fits none of the database's actions (walk): no left, right and left step in a row were found in it; \
-                   a walk of three seconds or more was expected";
+    let no_gait = "it fits none of the database's actions (walk): it has no three steps in a row (left, right, \
+                   left); a walk of at least three seconds was expected";
     assert_eq!(add(&cut(60)), no_gait);
     assert_eq!(add(&SourceClip { script: None, ..waving("wave", 1.0, 3.0) }), no_gait);
     let mut broken = walk.clone();
@@ -180,7 +183,7 @@ fn a_clip_that_fits_no_action_is_told_the_reason_of_the_one_that_it_comes_neares
     let other = whirling("weary", 0.9, -1.6);
     let refused = add_style(&db, &other, &registration::Options::default(), &Sequential);
     let reason = refused.map(|_| ()).unwrap_err().to_string();
-    assert!(reason.contains("it turns the other way"), "{reason}");
+    assert!(reason.contains("it turns against the action's usual direction"), "{reason}");
 }
 
 #[test]
@@ -198,7 +201,7 @@ fn an_action_that_a_person_gives_is_the_one_that_is_tried() {
         assert_eq!((added.action, added.doubt), (1, None));
     }
     let refused = add(Some(0)).map(|_| ()).unwrap_err().to_string();
-    assert!(refused.starts_with("it does not fit 'walk': no left, right"), "{refused}");
+    assert!(refused.starts_with("it does not fit 'walk': it has no three steps"), "{refused}");
     assert!(refused.ends_with("; it fits 'wave'"), "{refused}");
 }
 
@@ -302,14 +305,14 @@ fn a_build_that_is_not_at_its_end_gives_no_database() {
         let mut build = begun();
         (0..taken).for_each(|_| _ = build.step(&Sequential).unwrap());
         let refused = build.conclude(&Sequential).map(|_| ()).unwrap_err().to_string();
-        assert_eq!(refused, "the build has failed, or has steps left", "after {taken} of {steps} steps");
+        assert_eq!(refused, "the build failed earlier or is not finished", "after {taken} of {steps} steps");
     }
     let options = BuildOptions { neutral: Some("calm".into()), ..BuildOptions::default() };
     let mut failed = Build::new(clips.iter().collect(), &options).unwrap();
     let first = std::iter::from_fn(|| Some(failed.step(&Sequential))).find_map(Result::err).unwrap();
     assert!(matches!(first, BuildError::Neutral { .. }));
     let again = failed.step(&Sequential).unwrap_err().to_string();
-    assert_eq!(again, "the build has failed, or has steps left");
+    assert_eq!(again, "the build failed earlier or is not finished");
 }
 
 #[test]
@@ -387,7 +390,7 @@ fn a_clip_that_turns_the_other_way_is_found() {
     assert_eq!(refused.len(), 1);
     assert_eq!((refused[0].style.as_str(), refused[0].take), ("old", 2));
     let reason = refused[0].refused.as_ref().unwrap().to_string();
-    assert!(reason.starts_with("it turns the other way: -8"), "{reason}");
+    assert!(reason.starts_with("it turns against the action's usual direction: -8"), "{reason}");
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub enum WeightsError {
     #[error("a weight is {0}; a number between -{MAX_WEIGHT} and {MAX_WEIGHT} was expected")]
     Range(f32),
     /// [`MAX_TRANSITIONS`] changes are planned already.
-    #[error("{MAX_TRANSITIONS} changes of style are planned already, the most supported")]
+    #[error("{MAX_TRANSITIONS} style changes are already planned; no more are supported")]
     Transitions,
 }
 

@@ -23,7 +23,7 @@ const UNIT: f32 = 1e-3;
 
 /// The numbers are not valid predictions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("these {0} numbers are no predictions of a motion in styles")]
+#[error("these {0} numbers are not predictions of a motion in several styles")]
 pub struct PredictionsError(usize);
 
 impl Predictions {

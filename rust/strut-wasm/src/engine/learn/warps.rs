@@ -94,7 +94,7 @@ impl Warps {
 
 fn stretch(clip: usize, first: usize, last: usize) -> Result<(usize, RangeInclusive<usize>), EngineError> {
     if first > last {
-        return Err(EngineError::bad_input(format!("frames {first} to {last} were asked for")));
+        return Err(EngineError::bad_input(format!("frames {first} to {last} were requested")));
     }
     Ok((clip, first..=last))
 }
