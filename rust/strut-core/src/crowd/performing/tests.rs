@@ -1,5 +1,5 @@
+use super::super::*;
 use super::*;
-use crate::crowd::{INTENSITY, JOINT_FLOATS, TICK_HZ};
 use crate::fixtures::{Gait, NEUTRAL, database, walk};
 use crate::humanoid::Role;
 use crate::kinematics::WorldPose;
@@ -78,8 +78,8 @@ fn feet_that_stand_do_not_slide_though_their_owner_turns() {
     let mut before = None;
     for _ in 0..30 * TICK_HZ as usize {
         performers.tick();
-        let member = &performers.members[0];
-        let (world, planted) = (*member.world(), member.planted());
+        let member = &performers.agents[0];
+        let (world, planted) = (member.world(), member.planted());
         if let Some((was, was_planted)) = before.replace((world, planted)) {
             let was: WorldPose = was;
             let was_planted: [bool; 2] = was_planted;
@@ -143,7 +143,7 @@ fn who_performs_alone_in_no_style_does_what_a_performer_does() {
     let knee = Role::LeftLowerLeg.index();
     for _ in 0..60 {
         performers.tick();
-        let own = performers.members[0].pose().rotations[knee];
+        let own = performers.agents[0].pose().rotations[knee];
         let nearest = frames.iter().map(|pose| pose.rotations[knee].dot(own).abs()).fold(0.0, f32::max);
         assert!(nearest > 0.999, "{nearest}");
     }
@@ -156,7 +156,7 @@ fn who_stays_in_place_is_not_turned() {
     let standing = vec![pose; 60];
     let mut performers = Performers::new(recorded(&standing), Options { count: 3, seed: 1 }).unwrap();
     let seen = |performers: &Performers| -> Vec<(Vec3, Vec3)> {
-        let poses = performers.members.iter().map(Performing::pose);
+        let poses = performers.agents.iter().map(Performing::pose);
         poses.map(|pose| (pose.root, pose.rotations[0] * Vec3::Z)).collect()
     };
     (0..10).for_each(|_| performers.tick());
@@ -200,14 +200,14 @@ fn the_next_ticks_are_those_that_come_to_who_is_alone() {
     (0..50).for_each(|_| performers.tick());
     for pose in performers.ahead(0, 90).unwrap() {
         performers.tick();
-        assert_eq!(performers.members[0].pose(), &pose);
+        assert_eq!(performers.agents[0].pose(), &pose);
         assert_eq!(performers.world()[..3], pose.root.to_array());
     }
     assert_eq!(performers.ahead(1, 1), None);
 }
 
 #[test]
-fn what_is_no_crowd_is_refused_and_changes_nothing() {
+fn invalid_parameters_are_rejected_and_changes_nothing() {
     let predictions = predictions();
     for count in [0, MAX_COUNT + 1] {
         let refused = Performers::new(Arc::clone(&predictions), Options { count, seed: 1 });
