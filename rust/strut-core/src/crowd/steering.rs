@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_alone_goes_where_they_wish() {
+    fn a_lone_agent_takes_the_desired_direction() {
         let alone = |me: AgentState, input: &SteeringInput| step(&me, input, &[]);
         let me = agent(0.0, 0.0, 0.3);
         assert_eq!(alone(me, &ahead(&me)), (0.0, Pace::Walks));
@@ -278,28 +278,28 @@ mod tests {
     }
 
     #[test]
-    fn walkers_who_can_meet_are_within_the_range_of_avoidance() {
+    fn agents_that_can_meet_are_within_the_range_of_avoidance() {
         let (me, secs) = (agent(0.0, 0.0, 0.0), INPUT.length / 1.2);
         let away = |distance: f32| can_meet(&me, INPUT.length, &agent(0.0, distance, 3.0), secs);
         assert!(away(7.7) && !away(FORESEEN));
     }
 
     #[test]
-    fn two_who_meet_keep_right() {
+    fn two_agents_that_meet_keep_right() {
         let (me, other) = (agent(0.0, 0.0, 0.0), agent(0.0, 4.0, std::f32::consts::PI));
         let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &ahead(&me), &[other]).0);
         assert!(turns[0] < 0.0 && turns[1] < 0.0, "{turns:?}");
     }
 
     #[test]
-    fn of_two_who_touch_one_goes_on() {
+    fn of_two_touching_agents_one_keeps_walking() {
         let (behind, before) = (agent(0.0, 0.0, 0.0), agent(0.1, 0.4, 0.4));
         assert!(!goes_on(&behind, &[before]) && goes_on(&before, &[behind]));
         assert!(!goes_on(&before, &[agent(3.0, 0.0, 0.0)]));
     }
 
     #[test]
-    fn who_overlap_part() {
+    fn overlapping_agents_are_pushed_apart() {
         let (me, other) = (agent(0.1, 0.0, 0.0), agent(0.0, 0.0, 0.0));
         assert!(aside(&me, &[other]).x > 0.0 && aside(&other, &[me]).x < 0.0);
         assert_eq!(aside(&me, &[agent(0.6, 0.0, 0.0)]), Vec2::ZERO);

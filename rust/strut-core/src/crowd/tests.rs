@@ -21,7 +21,7 @@ fn bits(crowd: &Walkers) -> Vec<u32> {
 }
 
 #[test]
-fn nobody_leaves_the_ground() {
+fn walkers_stay_on_the_ground() {
     for count in [1, 12, 60, 300] {
         let mut crowd = crowd(count, 7);
         crowd.set_field(&[vertex(0, 3.0, 2.0), Vertex { intensity: 1.5, ..vertex(1, -3.0, 0.0) }]).unwrap();
@@ -34,7 +34,7 @@ fn nobody_leaves_the_ground() {
 }
 
 #[test]
-fn nobody_stays_inside_somebody_else() {
+fn walkers_stay_apart() {
     const COUNT: usize = 300;
     for seed in [1, 2] {
         let mut crowd = crowd(COUNT, seed);

@@ -4,7 +4,7 @@
 //! range of rows. The layout is that of the `.strutdb` file (`docs/reference/files.md`).
 
 pub mod build;
-mod manners;
+mod bimodal_styles;
 mod offline;
 mod parts;
 mod residual;
@@ -13,7 +13,7 @@ mod validation;
 mod without_clips;
 
 pub use crate::registration::MAX_COUNTERPARTS;
-pub use manners::{TwoManners, statistics_of_takes, two_manners};
+pub use bimodal_styles::{BimodalStyle, statistics_of_takes, bimodal_styles};
 pub use offline::Database;
 pub use parts::{Class, Clip, DatabaseParts, PointCloud};
 pub use residual::residuals;

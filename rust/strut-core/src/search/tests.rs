@@ -164,7 +164,7 @@ proptest! {
     }
 
     #[test]
-    fn a_mean_that_is_said_to_be_exceeded_is(
+    fn a_mean_that_is_reported_as_exceeded_is(
         classes in prop::collection::vec((kind(), 1usize..90), 1..5),
         (kind, row) in (kind(), 0usize..200), k in 1usize..50, share in 0.2f32..1.5,
     ) {

@@ -44,7 +44,7 @@ fn joints(performers: &Performers) -> Vec<Vec3> {
 }
 
 #[test]
-fn nobody_leaves_the_ground_or_stays_inside_somebody_else() {
+fn performers_stay_on_the_ground_and_apart() {
     for count in [1, 12, 100] {
         let mut performers = performers(count, 7);
         performers.set_field(&[Vertex { intensity: 1.5, ..vertex(-3.0, 0.0) }]).unwrap();
@@ -100,7 +100,7 @@ fn feet_that_stand_do_not_slide_though_their_owner_turns() {
 }
 
 #[test]
-fn nobody_jumps_where_the_motion_begins_anew_or_the_field_is_another() {
+fn loops_and_new_fields_cause_no_jumps() {
     let mut performers = performers(40, 2);
     performers.set_field(&[vertex(2.0, 0.0)]).unwrap();
     let mut before = joints(&performers);
@@ -134,7 +134,7 @@ fn a_vertex_changes_whoever_it_reaches_within_half_a_second() {
 }
 
 #[test]
-fn who_performs_alone_in_no_style_does_what_a_performer_does() {
+fn a_lone_neutral_agent_matches_a_performer() {
     let mut performers = performers(1, 3);
     let predictions = predictions();
     let mut alone = crate::transfer::Performer::new(Arc::clone(&predictions), None);
@@ -150,7 +150,7 @@ fn who_performs_alone_in_no_style_does_what_a_performer_does() {
 }
 
 #[test]
-fn who_stays_in_place_is_not_turned() {
+fn motion_in_place_is_not_turned() {
     let mut pose = walk(&NEUTRAL, 1, 0.0).poses[0];
     pose.root.x = 0.0;
     let standing = vec![pose; 60];
@@ -194,7 +194,7 @@ fn performers_come_and_go_at_the_end() {
 }
 
 #[test]
-fn the_next_ticks_are_those_that_come_to_who_is_alone() {
+fn ahead_gives_the_ticks_of_a_lone_agent() {
     let mut performers = performers(1, 9);
     performers.set_field(&[vertex(1.0, 1.0)]).unwrap();
     (0..50).for_each(|_| performers.tick());
