@@ -39,7 +39,8 @@ fn failures(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel
             .collect::<Result<Vec<_>, _>>()?;
         let each = |f: fn(&[ExtrapolationReport]) -> String| std::array::from_fn(|i| f(&all[i]));
         text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
-        let worst = |b: &[ExtrapolationReport]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
+        let worst =
+            |b: &[ExtrapolationReport]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
         text.push_str(&row(&format!("worst knee, {name}"), each(worst)));
     }
     text.push('\n');

@@ -6,6 +6,7 @@ use crate::database::Database;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, TooManyFrames};
 use crate::kinematics::world_from_local;
 use crate::math::float_funcs::{atan2, wrap_angle};
+use crate::math::stats;
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::heading_of;
 use crate::retarget::between_bodies;
@@ -43,6 +44,7 @@ pub struct NeutralClip {
 
 /// Error of clips that driving cannot use.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DrivingError {
     /// The clips contain too little locomotion.
     #[error("the neutral clips have {secs:.1} s of walking; driving needs {LEAST_SECS} s")]
@@ -204,7 +206,11 @@ impl DrivingClips {
         let is_locomotion = |clip: &NeutralClip, trajectory: &RootTrajectory| {
             Move::of_action(&clip.action).is_none() && median_speed(&trajectory.motions) > LEAST_SPEED
         };
-        let walked = own.iter().zip(&trajectories).filter(|(clip, trajectory)| is_locomotion(clip, trajectory)).map(|(clip, _)| clip.poses.len());
+        let walked = own
+            .iter()
+            .zip(&trajectories)
+            .filter(|(clip, trajectory)| is_locomotion(clip, trajectory))
+            .map(|(clip, _)| clip.poses.len());
         let secs = walked.sum::<usize>() as f32 / rate_hz;
         let is_enough = secs >= LEAST_SECS;
         for (source, (clip, trajectory)) in own.iter().zip(&trajectories).enumerate() {
@@ -236,7 +242,13 @@ impl DrivingClips {
         RootTrajectory { roots, motions }
     }
 
-    fn add(&mut self, source: usize, kind: ClipKind, clip: &NeutralClip, RootTrajectory { roots, motions }: &RootTrajectory) {
+    fn add(
+        &mut self,
+        source: usize,
+        kind: ClipKind,
+        clip: &NeutralClip,
+        RootTrajectory { roots, motions }: &RootTrajectory,
+    ) {
         let on_the_spot = median_speed(motions) <= LEAST_SPEED;
         let turned = motions.iter().map(|motion| motion.turn_rate).sum::<f32>() / self.rate_hz;
         let turns = kind == ClipKind::Take && on_the_spot && turned.abs() > LEAST_TURN;
@@ -333,9 +345,7 @@ fn standing_rows(motions: &[RootMotion], rate_hz: f32) -> Vec<bool> {
 }
 
 fn median_speed(motions: &[RootMotion]) -> f32 {
-    let mut speeds: Vec<f32> = motions.iter().map(|motion| motion.velocity.length()).collect();
-    speeds.sort_by(f32::total_cmp);
-    speeds.get(speeds.len() / 2).copied().unwrap_or(0.0)
+    stats::median(motions.iter().map(|motion| motion.velocity.length().into())).map_or(0.0, |speed| speed as f32)
 }
 
 impl RootMotion {

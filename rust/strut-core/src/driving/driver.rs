@@ -10,6 +10,7 @@ use super::path::Path;
 use super::query::{OnPath, RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world, to_the_right};
 use crate::humanoid::Pose;
 use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
+use crate::math::stats;
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
 use std::f32::consts::LN_2;
@@ -558,13 +559,14 @@ fn speed_of([walk, run]: [f32; 2], gait: f32) -> f32 {
 /// walking speed.
 fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
     let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion);
-    let mut medians: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
-    medians.sort_by(f32::total_cmp);
-    let walking: Vec<f32> = medians.iter().copied().filter(|&speed| speed < RUNNING).collect();
-    let running: Vec<f32> = medians.iter().copied().filter(|&speed| speed >= RUNNING).collect();
-    let median = |of: &[f32]| of.get(of.len() / 2).copied();
-    let walk = median(&walking).or(median(&running)).unwrap_or(1.0);
-    [walk, median(&running).unwrap_or(walk).max(walk)]
+    let speeds: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
+    let median = |running: bool| {
+        let of = speeds.iter().filter(|speed| (**speed >= RUNNING) == running);
+        stats::median(of.map(|speed| f64::from(*speed))).map(|speed| speed as f32)
+    };
+    let (walking, running) = (median(false), median(true));
+    let walk = walking.or(running).unwrap_or(1.0);
+    [walk, running.unwrap_or(walk).max(walk)]
 }
 
 /// The row with the slowest root, turns and moves excluded.

@@ -37,6 +37,7 @@ pub enum Method {
 
 /// Error of keys that give no motion.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum KeysError {
     /// No key was given.
     #[error("there is no key; at least one was expected")]

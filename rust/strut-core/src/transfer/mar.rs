@@ -8,7 +8,7 @@ use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
 use super::options::{Method, Options};
 use super::output::Predicted;
-use super::phase_lock::{PhaseLock, PhaseEstimate};
+use super::phase_lock::{PhaseEstimate, PhaseLock};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::{Trained, Training};

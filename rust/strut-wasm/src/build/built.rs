@@ -2,7 +2,7 @@
 
 use crate::common::sentence;
 use strut_core::database::build::Doubt;
-use strut_core::database::{Database, BimodalStyle};
+use strut_core::database::{BimodalStyle, Database};
 use strut_core::search::Index;
 use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -233,7 +233,7 @@ fn performers_stage(report: &mut String, database: &Database, packed: &PackedMot
     let inputs = packed.inputs()?;
     let input = inputs.first().ok_or_else(|| EngineError::bad_input("there is no input"))?;
     let input = Input::from_packed(database, packed, input)?;
-    let mut recorder = Recorder::new(Stylizer::new(database)?.core()).map_err(EngineError::bad_input)?;
+    let mut recorder = Recorder::new(Stylizer::new(database)?.core());
     input.humanoid().poses.iter().take(PERFORMED_FRAMES).for_each(|pose| recorder.push(pose));
     let numbers = recorder.finish().map(|of| of.to_floats()).unwrap_or_default();
     let predictions = Predictions::from_floats(&numbers).map_err(EngineError::bad_input)?;

@@ -14,7 +14,7 @@ fn predictions() -> Arc<Predictions> {
 
 fn recorded(input: &[Pose]) -> Arc<Predictions> {
     let stylizer = Stylizer::new(Arc::new(Model::new(database())), crate::transfer::Options::DEFAULT).unwrap();
-    let mut recorder = Recorder::new(&stylizer).unwrap();
+    let mut recorder = Recorder::new(&stylizer);
     for pose in input {
         recorder.push(pose);
     }
