@@ -14,7 +14,9 @@ const RUST = join(root, "rust");
 const PYTHON = join(RUST, "strut-python");
 
 /** In the order of publishing: each needs only those before it. */
-export const CRATES = ["core", "formats", "demo", "gpu", "tasks", "cli"].map((name) => `strut-motion-${name}`);
+export const CRATES = ["core", "evaluation", "formats", "demo", "gpu", "tasks", "cli"].map(
+  (name) => `strut-motion-${name}`,
+);
 
 /** Kinds of artefacts, and the functions that write them into a folder. */
 export const ARTEFACTS = { command, wheel, sdist, npm, crates };

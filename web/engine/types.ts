@@ -152,7 +152,7 @@ export type BodyPart = (typeof BODY_PARTS)[number];
 export const METHODS = ["mar", "lar", "knn", "nn"] as const;
 export type Method = (typeof METHODS)[number];
 
-/** Baseline methods that are trained beforehand (`baselines/`). Only the Compare view's package has them. */
+/** Baseline methods with training (`rust/strut-evaluation/src/baselines/`). Only the Compare view's package has them. */
 export const TRAINED_METHODS = ["gar", "lti", "gp"] as const;
 export type TrainedMethod = (typeof TRAINED_METHODS)[number];
 

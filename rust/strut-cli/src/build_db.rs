@@ -2,7 +2,7 @@
 
 use crate::annotation::CanonicalContact;
 use crate::failure::{Failure, Outcome};
-use crate::manners::{self, TwoMannersEntry};
+use crate::manners::{self, BimodalEntry};
 use crate::print::{print, print_notes, print_warnings};
 use crate::progress::Bar;
 use crate::read_args::ReadArgs;
@@ -160,7 +160,7 @@ struct Report {
     styles: Vec<String>,
     actions: Vec<ActionEntry>,
     totals: Totals,
-    two_manners: Vec<TwoMannersEntry>,
+    two_manners: Vec<BimodalEntry>,
     clips: Vec<ClipEntry>,
     refused: Vec<RefusedFile>,
 }
@@ -284,7 +284,7 @@ impl Report {
                 refused: refused.len(),
                 bytes,
             },
-            two_manners: manners::entries(&report.two_manners),
+            two_manners: manners::entries(&report.bimodal_styles),
             clips: report.accepted().map(entry).collect(),
             refused,
         }

@@ -15,6 +15,7 @@ use std::time::Instant;
 use strut_core::hsmm::{
     HORIZON, LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, WeightsError, train,
 };
+use strut_core::math::stats;
 use strut_evaluation::walk::{
     ContextTree, GaitStatistics, Peaks, Reconstruction, horizon_error, recognise, recursion_error, stopping_peaks,
     transition_peaks,
@@ -287,9 +288,8 @@ fn horizon(
 }
 
 /// Returns the median; NaN without values.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+fn median(values: Vec<f64>) -> f64 {
+    stats::median(values).unwrap_or(f64::NAN)
 }
 
 /// Returns names of files and folders for a message.

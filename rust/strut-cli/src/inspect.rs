@@ -1,14 +1,14 @@
 //! `strut inspect`: prints the contents of a file.
 
 use crate::failure::{Failure, Outcome};
-use crate::manners::{self, TwoMannersEntry};
+use crate::manners::{self, BimodalEntry};
 use crate::print::print;
 use crate::read_args::ReadArgs;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use strut_core::contact;
-use strut_core::database::{Class, Database, two_manners};
+use strut_core::database::{Class, Database, bimodal_styles};
 use strut_core::humanoid::{JOINTS, Role};
 use strut_core::math::Vec3;
 use strut_core::motion::Motion;
@@ -259,7 +259,7 @@ struct DatabaseReport {
     neutral: String,
     counterparts_per_style: usize,
     classes: Vec<ClassReport>,
-    two_manners: Vec<TwoMannersEntry>,
+    two_manners: Vec<BimodalEntry>,
     clips: Vec<ClipInfo>,
 }
 
@@ -290,7 +290,7 @@ fn database_report(path: String, bytes: &[u8]) -> Result<DatabaseReport, strutdb
         neutral: metadata.neutral,
         counterparts_per_style: db.counterparts_per_style,
         classes: db.classes().iter().map(|class| describe_class(&db, class)).collect(),
-        two_manners: manners::entries(&two_manners(&db)),
+        two_manners: manners::entries(&bimodal_styles(&db)),
         clips: metadata.clips,
     })
 }

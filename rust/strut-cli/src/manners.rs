@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 use std::fmt::Write;
-use strut_core::database::TwoManners;
+use strut_core::database::BimodalStyle;
 
 /// A bimodal style in JSON.
 #[derive(Serialize)]
-pub(crate) struct TwoMannersEntry {
+pub(crate) struct BimodalEntry {
     pub(crate) action: String,
     pub(crate) style: String,
     pub(crate) separation: f32,
@@ -14,8 +14,8 @@ pub(crate) struct TwoMannersEntry {
 }
 
 /// Converts the results to entries.
-pub(crate) fn entries(found: &[TwoManners]) -> Vec<TwoMannersEntry> {
-    let entry = |TwoManners { action, style, separation, clips }: TwoManners| TwoMannersEntry {
+pub(crate) fn entries(found: &[BimodalStyle]) -> Vec<BimodalEntry> {
+    let entry = |BimodalStyle { action, style, separation, clips }: BimodalStyle| BimodalEntry {
         action,
         style,
         separation,
@@ -24,7 +24,7 @@ pub(crate) fn entries(found: &[TwoManners]) -> Vec<TwoMannersEntry> {
     found.iter().cloned().map(entry).collect()
 }
 
-impl TwoMannersEntry {
+impl BimodalEntry {
     /// Returns a sentence about the style and its consequence.
     pub(crate) fn sentence(&self) -> String {
         format!(
@@ -37,7 +37,7 @@ impl TwoMannersEntry {
 }
 
 /// Returns a line for every bimodal style, and one for the clips of each cluster.
-pub(crate) fn text(found: &[TwoMannersEntry]) -> String {
+pub(crate) fn text(found: &[BimodalEntry]) -> String {
     let mut out = String::new();
     for entry in found {
         // Writing to a string cannot fail.

@@ -59,7 +59,7 @@ fn the_shortest_drive_has_a_frame() {
 }
 
 #[test]
-fn somebody_stops_turns_on_the_spot_and_jumps_when_asked_to() {
+fn controls_stop_turn_and_jump() {
     let folder = folder();
     let log = "time,gait,heading,face,action\n0,1,0,,\n4,0,0,,\n8,0,0,90,\n11,0,0,-90,\n14,0,0,-90,jump\n18,1,-90,,\n\
                20,1,-90,,kick\n24,0,-90,,\n36,0,-90,,\n";
@@ -97,7 +97,7 @@ fn a_jump_from_a_run_keeps_its_speed() {
 }
 
 #[test]
-fn somebody_stops_within_a_step_and_a_half_whatever_foot_they_are_on() {
+fn stopping_takes_at_most_a_step_and_a_half() {
     let folder = folder();
     let mut log = String::from("time,gait,heading\n");
     let mut time = 0.0;

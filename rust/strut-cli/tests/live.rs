@@ -234,7 +234,7 @@ fn send_frames(to: SocketAddr, frame_of: impl Fn(usize) -> Frame + Send + 'stati
 }
 
 #[test]
-fn a_performer_who_is_gone_is_said_to_be_and_may_come_back_elsewhere() {
+fn a_lost_performer_is_reported_and_may_return_elsewhere() {
     let folder = folder();
     let target = socket();
     let live = Running::live(folder.path(), &target, &["--style", "proud", "--secs", "600"]);

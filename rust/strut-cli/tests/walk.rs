@@ -69,7 +69,7 @@ fn held_out_walks_are_reconstructed_and_recognised() {
 }
 
 #[test]
-fn strides_are_as_long_as_asked_for_and_who_stops_stands_on_both_feet() {
+fn strides_have_the_requested_length_and_a_stop_ends_on_both_feet() {
     let Some(mocap) = mocap::folder() else { return };
     let (body, walks) = walks(&mocap);
     let training: Vec<LabelledClip> =

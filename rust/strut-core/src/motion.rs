@@ -19,6 +19,7 @@ pub struct Motion {
 
 /// Error of arrays that are not a valid motion.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// An array is not a whole number of frames, or the arrays differ in length.
     #[error(

@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn who_is_in_the_air_goes_on_as_he_took_off_until_he_lands() {
+    fn root_is_ballistic_in_flight() {
         const ABOVE: f32 = 0.1;
         let cycle = walk(&NEUTRAL, NEUTRAL.period as usize, 0.0).poses;
         let dt_secs = 1.0 / RATE_HZ;

@@ -27,6 +27,7 @@ pub struct Skeleton {
 
 /// Error of a list of joints that is not a valid skeleton.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum SkeletonError {
     /// There is no joint.
     #[error("a skeleton needs at least one joint")]

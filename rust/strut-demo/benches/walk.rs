@@ -4,7 +4,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::sync::Arc;
-use strut_core::crowd::{self, Crowd, MAX_COUNT, Vertex};
+use strut_core::crowd::{self, MAX_COUNT, Vertex, Walkers};
 use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WALK, Walker, train, walk_of};
 use strut_core::humanoid::Proportions;
 use strut_core::parallel::Sequential;
@@ -26,7 +26,7 @@ fn walk(c: &mut Criterion) {
     let mut walker = Walker::new(Arc::clone(&model));
     c.bench_function("walk/frame", |b| b.iter(|| black_box(walker.advance().root)));
 
-    let mut crowd = Crowd::new(model, crowd::Options { count: MAX_COUNT, seed: 1 }).expect("the count is allowed");
+    let mut crowd = Walkers::new(model, crowd::Options { count: MAX_COUNT, seed: 1 }).expect("the count is allowed");
     let vertex = |style: usize, x: f32, z: f32| Vertex { style, x, z, reach: 8.0, intensity: 1.0 };
     crowd
         .set_field(&[vertex(1, 15.0, 0.0), vertex(2, -10.0, 12.0), vertex(3, -8.0, -14.0)])

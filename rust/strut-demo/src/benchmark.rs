@@ -98,23 +98,21 @@ pub fn queries() -> Vec<Query> {
 
 /// A recorded database without some of its clips, and these clips as queries. They are evenly distributed over the
 /// clips whose class has others.
-///
-/// # Errors
-/// If no class has two clips.
-pub fn hold_out(database: &Database) -> Result<(Database, Vec<Query>), DatabaseError> {
+/// `None` if no class has two.
+pub fn hold_out(database: &Database) -> Option<(Database, Vec<Query>)> {
     let of_company = |class: &Class| if class.clips.len() > 1 { class.clips.clone() } else { 0..0 };
     let clips: Vec<usize> = database.classes().iter().flat_map(of_company).collect();
     let mut held_out: Vec<usize> =
         (0..QUERIES as usize).filter_map(|n| clips.get(n * clips.len() / QUERIES as usize)).copied().collect();
     held_out.dedup_by_key(|clip| (database.clips[*clip].action, database.clips[*clip].style));
     if held_out.is_empty() {
-        return Err(DatabaseError::Invalid("no class has two clips, of which one could be held out".into()));
+        return None;
     }
     let query = |&clip: &usize| {
         let Clip { action, style, .. } = database.clips[clip];
         Query { action, style, motion: database.motion_of_clip(clip) }
     };
-    Ok((database.without_clips(&held_out)?, held_out.iter().map(query).collect()))
+    Some((database.without_clips(&held_out).ok()?, held_out.iter().map(query).collect()))
 }
 
 /// Performances of one take, one per style, cut at the same phase.

@@ -58,7 +58,7 @@ pub fn read_walks(
                 refused.push(RefusedFile { file: clip.source, reason });
             }
             Ok((track, steps)) => walks.push(Walk { style: clip.style, take: clip.take, track, steps }),
-            Err(reason) => refused.push(RefusedFile { file: clip.source, reason }),
+            Err(error) => refused.push(RefusedFile { file: clip.source, reason: error.to_string() }),
         }
     }
     match refused.last() {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use strut_core::humanoid::POSE_FLOATS;
 use strut_core::transfer::{Model, Options, Stylizer};
 use strut_formats::strutdb::{self, packed};
-use strut_wasm::drive::{Among, Clips, Driver};
+use strut_wasm::drive::{ClipSource, Clips, Driver};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -59,7 +59,7 @@ fn driver_over(model: &Model, takes: &Model) -> Result<Driver, Box<dyn Error>> {
             let poses = strut_wasm::common::floats_of(catalogue.poses_of_clip(number).iter());
             let contacts: Vec<u8> = clip.rows().flat_map(|row| catalogue.contact(row)).collect();
             let (name, action) = (clip.name.clone(), catalogue.actions[usize::from(clip.action)].clone());
-            let among = if std::ptr::eq(of, model) { Among::Own } else { Among::Takes };
+            let among = if std::ptr::eq(of, model) { ClipSource::Own } else { ClipSource::Takes };
             clips.add(among, name, action, &poses, &contacts, &offsets(of), catalogue.rate_hz).map_err(said)?;
         }
     }

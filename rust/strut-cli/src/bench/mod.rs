@@ -69,8 +69,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let yardstick = if args.gpu { Yardstick::open()? } else { None };
     let yardstick = yardstick.as_ref();
     if let Some(path) = &args.db {
-        let (database, queries) =
-            benchmark::hold_out(&read_database(path)?).map_err(|reason| Failure::in_file(path, reason))?;
+        let (database, queries) = benchmark::hold_out(&read_database(path)?)
+            .ok_or_else(|| Failure::in_file(path, "no class has two clips, of which one could be held out"))?;
         measure_on(database, &queries, yardstick, &mut report);
     } else {
         let queries = benchmark::queries();

@@ -4,7 +4,7 @@ use super::mixture::{STEPS, weights};
 use std::fmt::Write;
 use std::sync::Arc;
 use strut_core::hsmm::{RuntimeWalkModel, WalkModel, WeightsError};
-use strut_evaluation::walk::{Bearing, GaitStatistics, bearing, strengths};
+use strut_evaluation::walk::{ExtrapolationReport, GaitStatistics, extrapolation, strengths};
 
 /// Measured intensities.
 const INTENSITIES: [f32; 9] = [-3.0, -2.0, -1.0, 0.0, 1.0, 1.5, 2.0, 2.5, 3.0];
@@ -37,11 +37,12 @@ fn failures(text: &mut String, model: &WalkModel, runtime: &Arc<RuntimeWalkModel
     for (name, limits) in [("free", false), ("limited", true)] {
         let all = INTENSITIES
             .iter()
-            .map(|at| (0..styles).map(|s| bearing(model, runtime, s, *at, limits)).collect::<Result<Vec<_>, _>>())
+            .map(|at| (0..styles).map(|s| extrapolation(model, runtime, s, *at, limits)).collect::<Result<Vec<_>, _>>())
             .collect::<Result<Vec<_>, _>>()?;
-        let each = |f: fn(&[Bearing]) -> String| std::array::from_fn(|i| f(&all[i]));
+        let each = |f: fn(&[ExtrapolationReport]) -> String| std::array::from_fn(|i| f(&all[i]));
         text.push_str(&row(&format!("fail, {name}"), each(|b| b.iter().filter(|b| b.fails).count().to_string())));
-        let worst = |b: &[Bearing]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
+        let worst =
+            |b: &[ExtrapolationReport]| format!("{:.0}°", b.iter().map(|b| b.knee).fold(f64::INFINITY, f64::min));
         text.push_str(&row(&format!("worst knee, {name}"), each(worst)));
     }
     text.push('\n');

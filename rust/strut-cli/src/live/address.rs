@@ -62,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn one_who_listens_to_all_hears_this_computer() {
+    fn the_unspecified_address_includes_loopback() {
         let hears = |a: &str, b: &str| a.parse::<Address>().unwrap().hears(&b.parse().unwrap());
         assert!(hears("5000", "127.0.0.1:5000") && hears("0.0.0.0:5000", "127.0.0.1:5000"));
         assert!(!hears("5000", "5001") && !hears("0.0.0.0:5000", "192.168.0.2:5000"));

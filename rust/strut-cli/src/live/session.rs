@@ -432,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_performers_the_first_is_heard_until_it_is_silent() {
+    fn the_first_of_two_senders_is_used_until_it_is_silent() {
         let mut session = session(Options::DEFAULT, 1.0, true);
         let motion = walk();
         let performer = Performer::of_body(&motion.proportions);

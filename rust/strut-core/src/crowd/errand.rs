@@ -17,7 +17,7 @@ const GOLDEN_ANGLE: f32 = 2.399_963_2;
 /// Largest random offset from that place along either axis, metres.
 const SCATTER: f32 = 0.3;
 /// Agents that start farther than this from the centre start walking inward, metres.
-const HOME: f32 = 4.0;
+const RETURN_RADIUS: f32 = 4.0;
 
 /// Share of a wandering turn that remains a step later, and the largest random turn that is added, radians.
 const WANDER_REMAINS: f32 = 0.8;
@@ -32,7 +32,7 @@ const PATIENCE: u32 = 40;
 
 /// The ground, its field and its route.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ground<'a> {
+pub struct Ground<'a> {
     /// Radius, metres.
     pub(super) radius: f32,
     /// Number of agents on it.
@@ -64,7 +64,7 @@ impl Start {
     /// Returns a random heading, radians: inward if the place is far out.
     pub(super) fn heading(&mut self) -> f32 {
         let heading = PI * (2.0 * self.random.share() - 1.0);
-        let leaves = facing(heading).dot(self.at) > 0.0 && self.from_middle > HOME;
+        let leaves = facing(heading).dot(self.at) > 0.0 && self.from_middle > RETURN_RADIUS;
         if leaves { heading + PI } else { heading }
     }
 }

@@ -1,9 +1,9 @@
 //! Neighbour search: places sorted into the cells of a grid.
 
-use super::steering::Figure;
+use super::steering::AgentState;
 use crate::math::Vec2;
 
-/// Side of a cell, metres. Smaller cells hold fewer figures beyond the reach; of larger cells fewer are searched.
+/// Side of a cell, metres. Smaller cells hold fewer states beyond the reach; of larger cells fewer are searched.
 const CELL: f32 = 2.0;
 /// Cells per side: enough for the largest crowd; places beyond are in the outermost cells.
 const SIDE: usize = 48;
@@ -56,26 +56,26 @@ impl Grid {
     }
 }
 
-/// Searches the neighbours of one figure of a crowd.
+/// Searches the neighbours of one agent of a crowd.
 #[derive(Debug)]
-pub(super) struct Others<'a> {
+pub struct Others<'a> {
     pub(super) grid: &'a Grid,
-    /// All figures, as `grid` was sorted by their places.
-    pub(super) figures: &'a [Figure],
-    /// Index of the figure whose neighbours are searched.
+    /// All states, as `grid` was sorted by their places.
+    pub(super) states: &'a [AgentState],
+    /// Index of the agent whose neighbours are searched.
     pub(super) of: usize,
     /// Buffer for the result.
-    pub(super) found: &'a mut Vec<Figure>,
+    pub(super) found: &'a mut Vec<AgentState>,
 }
 
 impl Others<'_> {
-    /// The other figures nearer than a reach, metres.
-    pub(super) fn within(&mut self, reach: f32) -> &[Figure] {
+    /// The other states nearer than a reach, metres.
+    pub(super) fn within(&mut self, reach: f32) -> &[AgentState] {
         self.found.clear();
-        if let Some(me) = self.figures.get(self.of) {
+        if let Some(me) = self.states.get(self.of) {
             let others = self.grid.near(me.at, reach).filter(|other| *other != self.of);
-            let figures = others.map(|other| self.figures[other]);
-            self.found.extend(figures.filter(|other| other.at.distance_squared(me.at) < reach * reach));
+            let states = others.map(|other| self.states[other]);
+            self.found.extend(states.filter(|other| other.at.distance_squared(me.at) < reach * reach));
         }
         self.found
     }
@@ -101,17 +101,17 @@ mod tests {
         fn neighbours_depend_on_the_distance_alone(
             places in prop::collection::vec((-60.0f32..60.0, -60.0f32..60.0), 1..200), reach in 0.1f32..12.0,
         ) {
-            let at = |(x, z): &(f32, f32)| Figure { at: Vec2::new(*x, *z), ..Figure::default() };
-            let figures: Vec<Figure> = places.iter().map(at).collect();
+            let at = |(x, z): &(f32, f32)| AgentState { at: Vec2::new(*x, *z), ..AgentState::default() };
+            let states: Vec<AgentState> = places.iter().map(at).collect();
             let mut grid = Grid::default();
-            grid.sort(figures.iter().map(|figure| figure.at));
+            grid.sort(states.iter().map(|state| state.at));
             let mut found = Vec::new();
-            for (of, me) in figures.iter().enumerate() {
-                let mut others = Others { grid: &grid, figures: &figures, of, found: &mut found };
-                let near = |i: &usize| *i != of && figures[*i].at.distance_squared(me.at) < reach * reach;
+            for (of, me) in states.iter().enumerate() {
+                let mut others = Others { grid: &grid, states: &states, of, found: &mut found };
+                let near = |i: &usize| *i != of && states[*i].at.distance_squared(me.at) < reach * reach;
                 let by_x = |a: &Vec2, b: &Vec2| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
-                let mut expected: Vec<Vec2> = (0..figures.len()).filter(near).map(|i| figures[i].at).collect();
-                let mut found: Vec<Vec2> = others.within(reach).iter().map(|figure| figure.at).collect();
+                let mut expected: Vec<Vec2> = (0..states.len()).filter(near).map(|i| states[i].at).collect();
+                let mut found: Vec<Vec2> = others.within(reach).iter().map(|state| state.at).collect();
                 expected.sort_by(by_x);
                 found.sort_by(by_x);
                 prop_assert_eq!(found, expected);

@@ -19,6 +19,7 @@ pub const LONGEST_BONE: f32 = 10.0;
 
 /// Error of a crowd's parameters; the crowd is then unchanged.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum CrowdError {
     /// Too few walkers, or too many.
     #[error("a crowd of {0} was requested; 1 to {MAX_COUNT} were expected")]

@@ -1,8 +1,9 @@
-//! A performer of the crowd: its motion transformed over the ground.
+//! An agent that performs a motion, which is transformed over the ground.
 
+use super::agent::Agent;
 use super::errand::{Errand, Ground, Start};
 use super::grid::Others;
-use super::steering::{self, FORESEEN, Figure, Intention, OVERLAPPING, facing};
+use super::steering::{self, AgentState, FORESEEN, OVERLAPPING, SteeringInput, facing};
 use crate::hsmm::MAX_TURN;
 use crate::humanoid::{Pose, Proportions};
 use crate::kinematics::{Soles, WorldPose, world_from_local};
@@ -33,13 +34,13 @@ const TURN_RATE: f32 = 0.9;
 
 /// Planar transform from the performed motion to the ground: a rotation about +Y, then a translation.
 #[derive(Clone, Copy, Debug)]
-struct Carried {
+struct GroundTransform {
     /// Radians to the left.
     angle: f32,
     by: Vec2,
 }
 
-impl Carried {
+impl GroundTransform {
     /// Rotates the transform further about a place of the ground.
     fn turned(self, angle: f32, about: Vec2) -> Self {
         Self { angle: self.angle + angle, by: about + rotated(self.by - about, angle) }
@@ -60,14 +61,27 @@ fn rotated(at: Vec2, angle: f32) -> Vec2 {
     Vec2::new(cos * at.x + sin * at.y, cos * at.y - sin * at.x)
 }
 
-/// A performer of the crowd.
+/// The motion that the agents of a crowd perform.
 #[derive(Clone, Debug)]
-pub(super) struct Performing {
+pub struct PerformedMotion {
+    pub(super) predictions: Arc<Predictions>,
+    soles: Soles,
+}
+
+impl PerformedMotion {
+    pub(super) fn new(predictions: Arc<Predictions>) -> Self {
+        Self { soles: Soles::new(predictions.proportions()), predictions }
+    }
+}
+
+/// An agent that performs a motion.
+#[derive(Clone, Debug)]
+pub struct Performing {
     performer: Performer,
     /// Its own time, seconds, and the pose of the frame before the one that is due then or later.
     now_secs: f64,
     before: Pose,
-    carried: Carried,
+    placed: GroundTransform,
     pose: Pose,
     world: WorldPose,
     start: Start,
@@ -84,15 +98,20 @@ pub(super) struct Performing {
     wanted: Vec<f32>,
 }
 
-impl Performing {
-    /// Creates performer number `index` of a seed, at a random frame of the input; writes its weights.
-    pub(super) fn new(
-        predictions: &Arc<Predictions>,
-        seed: u32,
-        index: usize,
-        ground: &Ground,
-        weights: &mut [f32],
-    ) -> Self {
+impl Agent for Performing {
+    type Shared = PerformedMotion;
+
+    fn styles(motion: &Self::Shared) -> usize {
+        motion.predictions.styles()
+    }
+
+    fn proportions(motion: &Self::Shared) -> &Proportions {
+        motion.predictions.proportions()
+    }
+
+    /// The agent begins at a random frame of the input.
+    fn new(motion: &Self::Shared, seed: u32, index: usize, ground: &Ground, weights: &mut [f32]) -> Self {
+        let predictions = &motion.predictions;
         let mut start = Start::new(seed, index);
         let heading = start.heading();
         let placement = Placement { x: start.at.x, z: start.at.y, heading };
@@ -108,7 +127,7 @@ impl Performing {
             performer,
             now_secs: 0.0,
             before: pose,
-            carried: Carried { angle: 0.0, by: Vec2::ZERO },
+            placed: GroundTransform { angle: 0.0, by: Vec2::ZERO },
             pose,
             from: start.at,
             start,
@@ -121,50 +140,43 @@ impl Performing {
         }
     }
 
-    /// Pose on the ground, on the bones of the database.
-    pub(super) fn pose(&self) -> &Pose {
-        &self.pose
-    }
-
-    /// World transforms of the joints.
-    pub(super) fn world(&self) -> &WorldPose {
-        &self.world
-    }
-
-    /// Which feet are held in place, left and right.
-    #[cfg(test)]
-    pub(super) fn planted(&self) -> [bool; 2] {
-        self.performer.frame().planted
-    }
-
-    /// State as seen by others: the direction of motion is that of the last step, whatever the heading.
-    pub(super) fn figure(&self) -> Figure {
-        let speed = self.velocity.length();
-        let ahead = facing(self.performer.heading() + self.carried.angle);
-        let facing = if speed > 0.0 { self.velocity / speed } else { ahead };
-        Figure { at: self.at(), facing, speed }
-    }
-
-    fn at(&self) -> Vec2 {
-        Vec2::new(self.pose.root.x, self.pose.root.z)
-    }
-
-    /// Advances by a tick among others; updates the performer's weights.
-    pub(super) fn tick(
-        &mut self,
-        soles: &Soles,
-        proportions: &Proportions,
-        ground: &Ground,
-        others: &mut Others,
-        weights: &mut [f32],
-    ) {
+    fn tick(&mut self, motion: &Self::Shared, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
+        let proportions = motion.predictions.proportions();
         self.style(ground, weights);
         self.perform();
         let planted = self.performer.frame().planted;
         self.begin_step(planted, ground, others);
-        self.carried.by += steering::aside(&self.figure(), others.within(OVERLAPPING));
+        self.placed.by += steering::aside(&self.state(), others.within(OVERLAPPING));
         self.pose_on_ground(proportions);
-        self.turn_on(planted, soles, proportions);
+        self.turn_on(planted, &motion.soles, proportions);
+    }
+
+    /// The direction of motion is that of the last step, whatever the heading.
+    fn state(&self) -> AgentState {
+        let speed = self.velocity.length();
+        let ahead = facing(self.performer.heading() + self.placed.angle);
+        let facing = if speed > 0.0 { self.velocity / speed } else { ahead };
+        AgentState { at: self.at(), facing, speed }
+    }
+
+    fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    fn world(&self) -> WorldPose {
+        self.world
+    }
+}
+
+impl Performing {
+    /// Which feet are held in place, left and right.
+    #[cfg(test)]
+    fn planted(&self) -> [bool; 2] {
+        self.performer.frame().planted
+    }
+
+    fn at(&self) -> Vec2 {
+        Vec2::new(self.pose.root.x, self.pose.root.z)
     }
 
     /// Moves the weights towards those of the place ahead.
@@ -194,7 +206,7 @@ impl Performing {
         let frame = self.performer.frame();
         let ahead = ((frame.time_out_secs - self.now_secs) / f64::from(frame.dt_secs)) as f32;
         let own = self.before.lerp(&frame.pose, (1.0 - ahead).clamp(0.0, 1.0));
-        self.pose = self.carried.pose(&own);
+        self.pose = self.placed.pose(&own);
         self.world = world_from_local(proportions, &self.pose);
     }
 
@@ -213,14 +225,14 @@ impl Performing {
         let way = at - self.from;
         self.velocity = way * (TICK_HZ / self.ticks as f32);
         (self.foot, self.ticks, self.from, self.turn) = (foot, 0, at, 0.0);
-        let me = self.figure();
+        let me = self.state();
         let (wander, target) = self.errand.next(at, me.facing, ground, &mut self.start.random);
         let length = way.length();
         if length > LEAST_STEP {
             // A smaller turn on a short step needs as wide a circle as a full turn on a full step.
             let planned = length.max(FULL_STEP);
-            let intention = Intention { wander, target, length: planned, stood: 0.0, radius: ground.radius };
-            self.turn = steering::turn(&me, &intention, others.within(FORESEEN)) * (length / FULL_STEP).min(1.0);
+            let input = SteeringInput { wander, target, length: planned, stood: 0.0, radius: ground.radius };
+            self.turn = steering::turn(&me, &input, others.within(FORESEEN)) * (length / FULL_STEP).min(1.0);
         }
     }
 
@@ -237,9 +249,9 @@ impl Performing {
             None => self.pose.root,
         };
         self.turn -= angle;
-        self.carried = self.carried.turned(angle, Vec2::new(about.x, about.z));
-        if self.carried.angle.abs() > PI {
-            self.carried.angle -= self.carried.angle.signum() * 2.0 * PI;
+        self.placed = self.placed.turned(angle, Vec2::new(about.x, about.z));
+        if self.placed.angle.abs() > PI {
+            self.placed.angle -= self.placed.angle.signum() * 2.0 * PI;
         }
         self.velocity = rotated(self.velocity, angle);
         self.pose_on_ground(proportions);
@@ -247,3 +259,6 @@ impl Performing {
 }
 
 const _: () = assert!(TURN_RATE > MAX_TURN, "a step takes less than a second");
+
+#[cfg(test)]
+mod tests;

@@ -45,7 +45,7 @@ const ROUNDING: f32 = 1.001;
 
 /// State of an agent as seen by its neighbours.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Figure {
+pub struct AgentState {
     /// Place, [x, z] in metres.
     pub(super) at: Vec2,
     /// Unit vector of the direction of motion.
@@ -62,7 +62,7 @@ pub(super) fn facing(heading: f32) -> Vec2 {
 
 /// Inputs of the steering decision at a step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Intention {
+pub(super) struct SteeringInput {
     /// Random turn, radians.
     pub(super) wander: f32,
     /// Place to go to.
@@ -86,15 +86,15 @@ pub(super) enum Pace {
 
 /// Chooses the next step of an agent whose speed is not 0: its turn, radians to the left, at most [`MAX_TURN`] either way,
 /// and its pace. `others` are the agents within [`FORESEEN`].
-pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f32, Pace) {
-    let choice = Choice::new(me, intention, others);
+pub(super) fn step(me: &AgentState, input: &SteeringInput, others: &[AgentState]) -> (f32, Pace) {
+    let choice = Choice::new(me, input, others);
     let walking = [(Pace::Walks, 1.0, 0.0), (Pace::Short, SHORT_SPEED, SHORT_COST)].into_iter();
     let steps = walking.flat_map(|(pace, share, cost)| choice.turns().map(move |turn| (turn, pace, share, cost)));
     let costs = steps.map(|(turn, pace, share, cost)| (choice.cost(turn, share, cost), turn, pace));
     let standing = if goes_on(me, others) {
         f32::INFINITY
     } else {
-        STANDING_COST + intention.stood * intention.stood + choice.risks(0.0, 0.0)
+        STANDING_COST + input.stood * input.stood + choice.risks(0.0, 0.0)
     };
     let best = costs.chain([(standing, 0.0, Pace::Stands)]).min_by(|a, b| a.0.total_cmp(&b.0));
     best.map_or((0.0, Pace::Stands), |(_, turn, pace)| (turn, pace))
@@ -102,17 +102,17 @@ pub(super) fn step(me: &Figure, intention: &Intention, others: &[Figure]) -> (f3
 
 /// Chooses the turn of the next step of an agent that cannot change its pace, because it performs a given motion: radians to
 /// the left, at most [`MAX_TURN`] either way. Its speed is not 0, and `others` are the agents within [`FORESEEN`].
-pub(super) fn turn(me: &Figure, intention: &Intention, others: &[Figure]) -> f32 {
-    let choice = Choice::new(me, intention, others);
+pub(super) fn turn(me: &AgentState, input: &SteeringInput, others: &[AgentState]) -> f32 {
+    let choice = Choice::new(me, input, others);
     let costs = choice.turns().map(|turn| (choice.cost(turn, 1.0, 0.0), turn));
     costs.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |(_, turn)| turn)
 }
 
 /// Candidate steps and their costs.
 struct Choice<'a> {
-    me: &'a Figure,
-    intention: &'a Intention,
-    others: &'a [Figure],
+    me: &'a AgentState,
+    input: &'a SteeringInput,
+    others: &'a [AgentState],
     /// The turn to the desired direction, radians.
     wish: f32,
     /// Duration of a step.
@@ -120,9 +120,9 @@ struct Choice<'a> {
 }
 
 impl<'a> Choice<'a> {
-    fn new(me: &'a Figure, intention: &'a Intention, others: &'a [Figure]) -> Self {
-        let wish = wished(me, intention).clamp(-MAX_TURN, MAX_TURN);
-        Self { me, intention, others, wish, secs: intention.length / me.speed }
+    fn new(me: &'a AgentState, input: &'a SteeringInput, others: &'a [AgentState]) -> Self {
+        let wish = wished(me, input).clamp(-MAX_TURN, MAX_TURN);
+        Self { me, input, others, wish, secs: input.length / me.speed }
     }
 
     fn turns(&self) -> impl Iterator<Item = f32> + Clone + use<> {
@@ -131,20 +131,20 @@ impl<'a> Choice<'a> {
 
     /// Cost of a step with a turn, whose length is a share of the whole, plus `cost`.
     fn cost(&self, turn: f32, share: f32, cost: f32) -> f32 {
-        let (off, length) = ((turn - self.wish) / MAX_TURN, share * self.intention.length);
-        let beyond = beyond_edge(self.me, turn, length, self.intention.radius);
+        let (off, length) = ((turn - self.wish) / MAX_TURN, share * self.input.length);
+        let beyond = beyond_edge(self.me, turn, length, self.input.radius);
         cost + off * off + EDGE_COST * beyond + LEFT_COST * turn / MAX_TURN + self.risks(turn, length)
     }
 
     fn risks(&self, turn: f32, length: f32) -> f32 {
         let path = path(self.me, turn, length);
-        let meets = |other: &&Figure| can_meet(self.me, length, other, self.secs);
+        let meets = |other: &&AgentState| can_meet(self.me, length, other, self.secs);
         NEARNESS_COST * self.others.iter().filter(meets).map(|other| risk(&path, other, self.secs)).sum::<f32>()
     }
 }
 
 /// Whether an agent touches another and blocks it more than the other blocks it: if both stood, they would stay there.
-fn goes_on(me: &Figure, others: &[Figure]) -> bool {
+fn goes_on(me: &AgentState, others: &[AgentState]) -> bool {
     others.iter().any(|other| {
         let apart = other.at - me.at;
         apart.length_squared().sqrt() < TOUCHING && me.facing.dot(apart) < -other.facing.dot(apart)
@@ -152,7 +152,7 @@ fn goes_on(me: &Figure, others: &[Figure]) -> bool {
 }
 
 /// Present place and the places after each of the next steps.
-fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
+fn path(me: &AgentState, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
     let mut walking = *me;
     std::array::from_fn(|step| {
         if (1..=TURNING).contains(&step) {
@@ -166,13 +166,13 @@ fn path(me: &Figure, turn: f32, length: f32) -> [Vec2; FORESIGHT + 1] {
 }
 
 /// Whether another agent could come near within the predicted steps; if not, there is no risk.
-fn can_meet(me: &Figure, length: f32, other: &Figure, secs: f32) -> bool {
+fn can_meet(me: &AgentState, length: f32, other: &AgentState, secs: f32) -> bool {
     let reach = ROUNDING * (COMFORTABLE + FORESIGHT as f32 * (length + other.speed * secs));
     (other.at - me.at).length_squared() < reach * reach
 }
 
 /// Risk of a collision with another agent that goes straight on, by distance and time: 0 to 3.
-fn risk(path: &[Vec2; FORESIGHT + 1], other: &Figure, secs: f32) -> f32 {
+fn risk(path: &[Vec2; FORESIGHT + 1], other: &AgentState, secs: f32) -> f32 {
     let way = other.speed * secs * other.facing;
     let apart = |step: usize| other.at + step as f32 * way - path[step];
     let near = (0..FORESIGHT).map(|step| {
@@ -203,13 +203,13 @@ fn least_length_squared(from: Vec2, to: Vec2) -> f32 {
 }
 
 /// The angle to the desired direction, radians to the left.
-fn wished(me: &Figure, intention: &Intention) -> f32 {
-    let (sin, cos) = sin_cos(intention.wander);
+fn wished(me: &AgentState, input: &SteeringInput) -> f32 {
+    let (sin, cos) = sin_cos(input.wander);
     let wandering = cos * me.facing + sin * left_of(me.facing);
     let distance = me.at.length();
-    let inward = (distance / intention.radius - INWARD).max(0.0) / (1.0 - INWARD);
+    let inward = (distance / input.radius - INWARD).max(0.0) / (1.0 - INWARD);
     let wish = wandering - me.at * (inward / distance.max(1.0));
-    let wish = WANDERING * wish + (intention.target - me.at).normalize_or_zero();
+    let wish = WANDERING * wish + (input.target - me.at).normalize_or_zero();
     atan2(left_of(me.facing).dot(wish), me.facing.dot(wish))
 }
 
@@ -217,14 +217,14 @@ fn left_of(facing: Vec2) -> Vec2 {
     Vec2::new(facing.y, -facing.x)
 }
 
-fn turned(me: &Figure, turn: f32) -> Figure {
+fn turned(me: &AgentState, turn: f32) -> AgentState {
     let (sin, cos) = sin_cos(turn);
-    Figure { facing: cos * me.facing + sin * left_of(me.facing), ..*me }
+    AgentState { facing: cos * me.facing + sin * left_of(me.facing), ..*me }
 }
 
 /// Distance beyond the edge that an agent must reach after a step with a turn even if it turns as much as it can from then
 /// on, metres.
-fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
+fn beyond_edge(me: &AgentState, turn: f32, length: f32, ground: f32) -> f32 {
     let half = turned(me, 0.5 * turn);
     let (at, facing) = (me.at + length * half.facing, turned(me, turn).facing);
     // The circle of full turns.
@@ -234,7 +234,7 @@ fn beyond_edge(me: &Figure, turn: f32, length: f32, ground: f32) -> f32 {
 }
 
 /// Displacement of an agent in a frame away from others within [`OVERLAPPING`], [x, z] in metres.
-pub(super) fn aside(me: &Figure, others: &[Figure]) -> Vec2 {
+pub(super) fn aside(me: &AgentState, others: &[AgentState]) -> Vec2 {
     others.iter().fold(Vec2::ZERO, |aside, other| {
         let apart = me.at - other.at;
         let near = nearness(apart.length_squared(), OVERLAPPING);
@@ -253,68 +253,69 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const INTENTION: Intention = Intention { wander: 0.0, target: Vec2::ZERO, length: 0.7, stood: 0.0, radius: 20.0 };
+    const INPUT: SteeringInput =
+        SteeringInput { wander: 0.0, target: Vec2::ZERO, length: 0.7, stood: 0.0, radius: 20.0 };
 
-    /// An intention to go straight on.
-    fn ahead(me: &Figure) -> Intention {
-        Intention { target: me.at + 100.0 * me.facing, ..INTENTION }
+    /// An input to go straight on.
+    fn ahead(me: &AgentState) -> SteeringInput {
+        SteeringInput { target: me.at + 100.0 * me.facing, ..INPUT }
     }
 
-    fn figure(x: f32, z: f32, heading: f32) -> Figure {
-        Figure { at: Vec2::new(x, z), facing: facing(heading), speed: 1.2 }
+    fn agent(x: f32, z: f32, heading: f32) -> AgentState {
+        AgentState { at: Vec2::new(x, z), facing: facing(heading), speed: 1.2 }
     }
 
     #[test]
-    fn who_is_alone_goes_where_they_wish() {
-        let alone = |me: Figure, intention: &Intention| step(&me, intention, &[]);
-        let me = figure(0.0, 0.0, 0.3);
+    fn a_lone_agent_takes_the_desired_direction() {
+        let alone = |me: AgentState, input: &SteeringInput| step(&me, input, &[]);
+        let me = agent(0.0, 0.0, 0.3);
         assert_eq!(alone(me, &ahead(&me)), (0.0, Pace::Walks));
         // The left of +Z is +X.
-        let left = Intention { target: Vec2::new(9.0, 0.0), ..INTENTION };
-        assert_eq!(alone(figure(0.0, 0.0, 0.0), &left), (MAX_TURN, Pace::Walks));
-        let (turn, _) = alone(figure(0.0, 18.0, 0.5), &INTENTION);
+        let left = SteeringInput { target: Vec2::new(9.0, 0.0), ..INPUT };
+        assert_eq!(alone(agent(0.0, 0.0, 0.0), &left), (MAX_TURN, Pace::Walks));
+        let (turn, _) = alone(agent(0.0, 18.0, 0.5), &INPUT);
         assert!(turn.abs() > 0.9 * MAX_TURN, "back from the edge: {turn}");
     }
 
     #[test]
-    fn walkers_who_can_meet_are_within_the_range_of_avoidance() {
-        let (me, secs) = (figure(0.0, 0.0, 0.0), INTENTION.length / 1.2);
-        let away = |distance: f32| can_meet(&me, INTENTION.length, &figure(0.0, distance, 3.0), secs);
+    fn agents_that_can_meet_are_within_the_range_of_avoidance() {
+        let (me, secs) = (agent(0.0, 0.0, 0.0), INPUT.length / 1.2);
+        let away = |distance: f32| can_meet(&me, INPUT.length, &agent(0.0, distance, 3.0), secs);
         assert!(away(7.7) && !away(FORESEEN));
     }
 
     #[test]
-    fn two_who_meet_keep_right() {
-        let (me, other) = (figure(0.0, 0.0, 0.0), figure(0.0, 4.0, std::f32::consts::PI));
+    fn two_agents_that_meet_keep_right() {
+        let (me, other) = (agent(0.0, 0.0, 0.0), agent(0.0, 4.0, std::f32::consts::PI));
         let turns = [(me, other), (other, me)].map(|(me, other)| step(&me, &ahead(&me), &[other]).0);
         assert!(turns[0] < 0.0 && turns[1] < 0.0, "{turns:?}");
     }
 
     #[test]
-    fn of_two_who_touch_one_goes_on() {
-        let (behind, before) = (figure(0.0, 0.0, 0.0), figure(0.1, 0.4, 0.4));
+    fn of_two_touching_agents_one_keeps_walking() {
+        let (behind, before) = (agent(0.0, 0.0, 0.0), agent(0.1, 0.4, 0.4));
         assert!(!goes_on(&behind, &[before]) && goes_on(&before, &[behind]));
-        assert!(!goes_on(&before, &[figure(3.0, 0.0, 0.0)]));
+        assert!(!goes_on(&before, &[agent(3.0, 0.0, 0.0)]));
     }
 
     #[test]
-    fn who_overlap_part() {
-        let (me, other) = (figure(0.1, 0.0, 0.0), figure(0.0, 0.0, 0.0));
+    fn overlapping_agents_are_pushed_apart() {
+        let (me, other) = (agent(0.1, 0.0, 0.0), agent(0.0, 0.0, 0.0));
         assert!(aside(&me, &[other]).x > 0.0 && aside(&other, &[me]).x < 0.0);
-        assert_eq!(aside(&me, &[figure(0.6, 0.0, 0.0)]), Vec2::ZERO);
+        assert_eq!(aside(&me, &[agent(0.6, 0.0, 0.0)]), Vec2::ZERO);
     }
 
     proptest! {
         #[test]
         fn a_circle_that_fits_still_fits_after_the_step(x in -18.0f32..18.0, z in -18.0f32..18.0, heading in -3.0f32..3.0) {
-            let me = figure(x, z, heading);
-            let radius = INTENTION.length / MAX_TURN;
+            let me = agent(x, z, heading);
+            let radius = INPUT.length / MAX_TURN;
             let fits = [1.0, -1.0].iter()
-                .any(|side| (me.at + *side * radius * left_of(me.facing)).length() + radius < EDGE * INTENTION.radius);
+                .any(|side| (me.at + *side * radius * left_of(me.facing)).length() + radius < EDGE * INPUT.radius);
             prop_assume!(fits);
             let (turn, _) = step(&me, &ahead(&me), &[]);
             // A step is a chord of the circle.
-            prop_assert!(beyond_edge(&me, turn, INTENTION.length, INTENTION.radius) < 0.02);
+            prop_assert!(beyond_edge(&me, turn, INPUT.length, INPUT.radius) < 0.02);
         }
     }
 }

@@ -4,24 +4,24 @@ use crate::hsmm::{RATE_HZ, STEP_FRAMES};
 use crate::humanoid::Role;
 use crate::math::{Vec2, Vec3};
 
-fn crowd(count: usize, seed: u32) -> Crowd {
-    Crowd::new(runtime(2), Options { count, seed }).unwrap()
+fn crowd(count: usize, seed: u32) -> Walkers {
+    Walkers::new(runtime(2), Options { count, seed }).unwrap()
 }
 
 fn vertex(style: usize, x: f32, z: f32) -> Vertex {
     Vertex { style, x, z, reach: 4.0, intensity: 1.0 }
 }
 
-fn places(crowd: &Crowd) -> Vec<Vec2> {
+fn places(crowd: &Walkers) -> Vec<Vec2> {
     crowd.world().chunks_exact(WALKER_FLOATS).map(|walker| Vec2::new(walker[0], walker[2])).collect()
 }
 
-fn bits(crowd: &Crowd) -> Vec<u32> {
+fn bits(crowd: &Walkers) -> Vec<u32> {
     crowd.world().iter().map(|v| v.to_bits()).chain(crowd.weights().iter().map(|w| u32::from(*w))).collect()
 }
 
 #[test]
-fn nobody_leaves_the_ground() {
+fn walkers_stay_on_the_ground() {
     for count in [1, 12, 60, 300] {
         let mut crowd = crowd(count, 7);
         crowd.set_field(&[vertex(0, 3.0, 2.0), Vertex { intensity: 1.5, ..vertex(1, -3.0, 0.0) }]).unwrap();
@@ -34,7 +34,7 @@ fn nobody_leaves_the_ground() {
 }
 
 #[test]
-fn nobody_stays_inside_somebody_else() {
+fn walkers_stay_apart() {
     const COUNT: usize = 300;
     for seed in [1, 2] {
         let mut crowd = crowd(COUNT, seed);
@@ -100,11 +100,11 @@ fn who_is_reached_by_a_vertex_changes_with_their_next_step() {
     let mut begun = [false; 50];
     for _ in 0..=STEP_FRAMES[1] as usize {
         let (weights, steps): (Vec<u8>, Vec<u64>) =
-            (crowd.weights().to_vec(), crowd.members.iter().map(|m| m.walker.step().0).collect());
+            (crowd.weights().to_vec(), crowd.agents.iter().map(|m| m.walker.step().0).collect());
         crowd.tick();
         for (i, begun) in begun.iter_mut().enumerate() {
             let own = 2 * i..2 * i + 2;
-            let begins = crowd.members[i].walker.step().0 != steps[i];
+            let begins = crowd.agents[i].walker.step().0 != steps[i];
             let changes = crowd.weights()[own.clone()] != weights[own.clone()];
             assert!(begins || !changes, "{i} changes within a step");
             if begins && !*begun {
@@ -131,7 +131,7 @@ fn people_gather_on_a_route() {
 }
 
 /// The place of a joint of a walker.
-fn joint(crowd: &Crowd, walker: usize, role: Role) -> Vec3 {
+fn joint(crowd: &Walkers, walker: usize, role: Role) -> Vec3 {
     Vec3::from_slice(&crowd.world()[WALKER_FLOATS * walker + JOINT_FLOATS * role.index()..][..3])
 }
 
@@ -201,16 +201,16 @@ fn the_next_frames_are_those_that_come_to_who_is_alone() {
     let ahead = crowd.ahead(0, 90).unwrap();
     for pose in ahead {
         crowd.tick();
-        assert_eq!(crowd.members[0].walker.pose(), &pose);
+        assert_eq!(crowd.agents[0].walker.pose(), &pose);
         assert_eq!(crowd.world()[..3], pose.root.to_array());
     }
     assert_eq!(crowd.ahead(1, 1), None);
 }
 
 #[test]
-fn what_is_no_crowd_is_refused() {
+fn invalid_parameters_are_rejected() {
     for count in [0, MAX_COUNT + 1] {
-        let refused = Crowd::new(runtime(2), Options { count, seed: 1 });
+        let refused = Walkers::new(runtime(2), Options { count, seed: 1 });
         assert_eq!(refused.unwrap_err(), CrowdError::Count(count));
     }
     let (mut crowd, mut other) = (crowd(8, 1), crowd(8, 1));
@@ -223,7 +223,7 @@ fn what_is_no_crowd_is_refused() {
 
 #[test]
 fn one_style_is_enough() {
-    let mut crowd = Crowd::new(runtime(1), Options { count: 5, seed: 1 }).unwrap();
+    let mut crowd = Walkers::new(runtime(1), Options { count: 5, seed: 1 }).unwrap();
     crowd.set_field(&[Vertex { intensity: 2.0, ..vertex(0, 0.0, 0.0) }]).unwrap();
     (0..100).for_each(|_| crowd.tick());
     assert!(crowd.world().iter().all(|v| v.is_finite()) && crowd.weights().iter().any(|w| *w > 0));

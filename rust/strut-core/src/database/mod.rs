@@ -3,8 +3,8 @@
 //! Rows (frames) are sorted by class, an (action, style) pair, and within it by clip, so that a class is a contiguous
 //! range of rows. The layout is that of the `.strutdb` file (`docs/reference/files.md`).
 
+mod bimodal_styles;
 pub mod build;
-mod manners;
 mod offline;
 mod parts;
 mod residual;
@@ -13,7 +13,7 @@ mod validation;
 mod without_clips;
 
 pub use crate::registration::MAX_COUNTERPARTS;
-pub use manners::{TwoManners, statistics_of_takes, two_manners};
+pub use bimodal_styles::{BimodalStyle, bimodal_styles, statistics_of_takes};
 pub use offline::Database;
 pub use parts::{Class, Clip, DatabaseParts, PointCloud};
 pub use residual::residuals;

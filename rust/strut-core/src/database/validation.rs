@@ -14,6 +14,7 @@ const TIME_STEP_RANGE: [f32; 2] = [1e-5, 10.0];
 
 /// Reason why data are not a valid database.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DatabaseError {
     /// The number of rows of a tensor does not match the clips.
     #[error("'{tensor}' has {found} entries; the clips need {expected}")]
@@ -25,9 +26,40 @@ pub enum DatabaseError {
         /// Entries expected.
         expected: usize,
     },
-    /// A count or an index is out of range.
-    #[error("{0}")]
-    Invalid(String),
+    /// The frame rate is out of range.
+    #[error("the rate is {0} Hz; 1 to 1000 was expected")]
+    Rate(f32),
+    /// The body is invalid.
+    #[error("a limb bone has no length, or an offset is not a finite number")]
+    Body,
+    /// There are no clips.
+    #[error("it has no clips")]
+    NoClips,
+    /// The neutral style is not in the list of styles.
+    #[error("the neutral style is number {neutral} of {styles}")]
+    Neutral {
+        /// Index of the neutral style.
+        neutral: u16,
+        /// Number of styles.
+        styles: usize,
+    },
+    /// The number of counterparts per style is out of range.
+    #[error("{0} counterparts per style; 1 to {MAX_COUNTERPARTS} were expected")]
+    Counterparts(usize),
+    /// The action or the style of the clip of this name is not in its list.
+    #[error("clip '{0}' has an action or style that is not in the lists")]
+    Labels(String),
+    /// A clip does not follow the one before, has no frame, or has too many.
+    #[error("clip '{clip}' must begin at frame {first_frame} and have at least one")]
+    Frames {
+        /// Name of the clip.
+        clip: String,
+        /// The first frame that was expected.
+        first_frame: usize,
+    },
+    /// The clip of this name is not sorted by action, then style.
+    #[error("clip '{0}' is out of order: clips are sorted by action, then style")]
+    Order(String),
     /// A tensor contains a value that is NaN, infinite or out of range.
     #[error("'{tensor}' holds {value} at frame {frame}; {expected} was expected")]
     Value {
@@ -44,33 +76,29 @@ pub enum DatabaseError {
 
 /// Checks clips and returns their classes.
 pub(crate) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, DatabaseError> {
-    let invalid = |s: String| Err(DatabaseError::Invalid(s));
     if !(parts.rate_hz.is_finite() && parts.rate_hz >= 1.0 && parts.rate_hz <= 1000.0) {
-        return invalid(format!("the rate is {} Hz; 1 to 1000 was expected", parts.rate_hz));
+        return Err(DatabaseError::Rate(parts.rate_hz));
     }
     if !parts.proportions.is_valid() {
-        return invalid("a limb bone has no length, or an offset is not a finite number".into());
+        return Err(DatabaseError::Body);
     }
     if parts.clips.is_empty() {
-        return invalid("it has no clips".into());
+        return Err(DatabaseError::NoClips);
     }
     if usize::from(parts.neutral) >= parts.styles.len() {
-        return invalid(format!("the neutral style is number {} of {}", parts.neutral, parts.styles.len()));
+        return Err(DatabaseError::Neutral { neutral: parts.neutral, styles: parts.styles.len() });
     }
     if parts.counterparts_per_style == 0 || parts.counterparts_per_style > MAX_COUNTERPARTS {
-        return invalid(format!(
-            "{} counterparts per style; 1 to {MAX_COUNTERPARTS} were expected",
-            parts.counterparts_per_style
-        ));
+        return Err(DatabaseError::Counterparts(parts.counterparts_per_style));
     }
     let mut classes: Vec<Class> = Vec::new();
     let mut rows = 0_usize;
     for (i, clip) in parts.clips.iter().enumerate() {
         if usize::from(clip.action) >= parts.actions.len() || usize::from(clip.style) >= parts.styles.len() {
-            return invalid(format!("clip '{}' has an action or style that is not in the lists", clip.name));
+            return Err(DatabaseError::Labels(clip.name.clone()));
         }
         if clip.first_frame != rows || clip.frames == 0 || clip.frames > MAX_FRAMES - rows {
-            return invalid(format!("clip '{}' must begin at frame {rows} and have at least one", clip.name));
+            return Err(DatabaseError::Frames { clip: clip.name.clone(), first_frame: rows });
         }
         rows += clip.frames;
         match classes.last_mut() {
@@ -80,10 +108,7 @@ pub(crate) fn validated_classes(parts: &DatabaseParts) -> Result<Vec<Class>, Dat
             }
             last => {
                 if last.is_some_and(|c| (c.action, c.style) > (clip.action, clip.style)) {
-                    return invalid(format!(
-                        "clip '{}' is out of order: clips are sorted by action, then style",
-                        clip.name
-                    ));
+                    return Err(DatabaseError::Order(clip.name.clone()));
                 }
                 classes.push(Class {
                     action: clip.action,

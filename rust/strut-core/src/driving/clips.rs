@@ -6,6 +6,7 @@ use crate::database::Database;
 use crate::humanoid::{HumanoidMotion, Pose, Proportions, TooManyFrames};
 use crate::kinematics::world_from_local;
 use crate::math::float_funcs::{atan2, wrap_angle};
+use crate::math::stats;
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::heading_of;
 use crate::retarget::between_bodies;
@@ -43,6 +44,7 @@ pub struct NeutralClip {
 
 /// Error of clips that driving cannot use.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum DrivingError {
     /// The clips contain too little locomotion.
     #[error("the neutral clips have {secs:.1} s of walking; driving needs {LEAST_SECS} s")]
@@ -197,46 +199,56 @@ impl DrivingClips {
                 return Err(DrivingError::Shape { name: clip.name.clone(), poses, contacts });
             }
         }
-        let ways: Vec<Way> = own.iter().map(|clip| of.way_of(clip)).collect();
+        let trajectories: Vec<RootTrajectory> = own.iter().map(|clip| of.trajectory_of(clip)).collect();
         let stands = |motion: &&RootMotion| motion.velocity.length() < KNOWN_STANDING_SPEED;
-        let stood = ways.iter().flat_map(|way| &way.motions).filter(stands).count();
+        let stood = trajectories.iter().flat_map(|trajectory| &trajectory.motions).filter(stands).count();
         of.knows_standing = stood as f32 >= KNOWN_STANDING_SECS * rate_hz;
-        let gets_on = |clip: &NeutralClip, way: &Way| {
-            Move::of_action(&clip.action).is_none() && median_speed(&way.motions) > LEAST_SPEED
+        let is_locomotion = |clip: &NeutralClip, trajectory: &RootTrajectory| {
+            Move::of_action(&clip.action).is_none() && median_speed(&trajectory.motions) > LEAST_SPEED
         };
-        let walked = own.iter().zip(&ways).filter(|(clip, way)| gets_on(clip, way)).map(|(clip, _)| clip.poses.len());
+        let walked = own
+            .iter()
+            .zip(&trajectories)
+            .filter(|(clip, trajectory)| is_locomotion(clip, trajectory))
+            .map(|(clip, _)| clip.poses.len());
         let secs = walked.sum::<usize>() as f32 / rate_hz;
         let is_enough = secs >= LEAST_SECS;
-        for (source, (clip, way)) in own.iter().zip(&ways).enumerate() {
+        for (source, (clip, trajectory)) in own.iter().zip(&trajectories).enumerate() {
             if Move::of_action(&clip.action).is_some() {
-                of.add(source, ClipKind::Moves, clip, way);
-            } else if is_enough && gets_on(clip, way) {
-                of.add(source, ClipKind::Locomotion, clip, way);
+                of.add(source, ClipKind::Moves, clip, trajectory);
+            } else if is_enough && is_locomotion(clip, trajectory) {
+                of.add(source, ClipKind::Locomotion, clip, trajectory);
             }
         }
         for (i, clip) in spare.iter().enumerate().filter(|_| !is_enough) {
-            let way = of.way_of(clip);
-            if gets_on(clip, &way) {
-                of.add(own.len() + i, ClipKind::Locomotion, clip, &way);
+            let trajectory = of.trajectory_of(clip);
+            if is_locomotion(clip, &trajectory) {
+                of.add(own.len() + i, ClipKind::Locomotion, clip, &trajectory);
             }
         }
         if !of.clips.iter().any(|clip| clip.kind == ClipKind::Locomotion) {
             return Err(DrivingError::TooShort { secs });
         }
         for (i, clip) in takes.iter().enumerate() {
-            let way = of.way_of(clip);
-            of.add(own.len() + spare.len() + i, ClipKind::Take, clip, &way);
+            let trajectory = of.trajectory_of(clip);
+            of.add(own.len() + spare.len() + i, ClipKind::Take, clip, &trajectory);
         }
         Ok(of)
     }
 
-    fn way_of(&self, clip: &NeutralClip) -> Way {
+    fn trajectory_of(&self, clip: &NeutralClip) -> RootTrajectory {
         let roots = root_path(&self.proportions, &clip.poses, self.rate_hz);
         let motions = root_motions(&roots, self.rate_hz);
-        Way { roots, motions }
+        RootTrajectory { roots, motions }
     }
 
-    fn add(&mut self, source: usize, kind: ClipKind, clip: &NeutralClip, Way { roots, motions }: &Way) {
+    fn add(
+        &mut self,
+        source: usize,
+        kind: ClipKind,
+        clip: &NeutralClip,
+        RootTrajectory { roots, motions }: &RootTrajectory,
+    ) {
         let on_the_spot = median_speed(motions) <= LEAST_SPEED;
         let turned = motions.iter().map(|motion| motion.turn_rate).sum::<f32>() / self.rate_hz;
         let turns = kind == ClipKind::Take && on_the_spot && turned.abs() > LEAST_TURN;
@@ -333,9 +345,7 @@ fn standing_rows(motions: &[RootMotion], rate_hz: f32) -> Vec<bool> {
 }
 
 fn median_speed(motions: &[RootMotion]) -> f32 {
-    let mut speeds: Vec<f32> = motions.iter().map(|motion| motion.velocity.length()).collect();
-    speeds.sort_by(f32::total_cmp);
-    speeds.get(speeds.len() / 2).copied().unwrap_or(0.0)
+    stats::median(motions.iter().map(|motion| motion.velocity.length().into())).map_or(0.0, |speed| speed as f32)
 }
 
 impl RootMotion {
@@ -352,7 +362,7 @@ struct Root {
 }
 
 /// The trajectory of a clip's root, frame by frame.
-struct Way {
+struct RootTrajectory {
     roots: Vec<Root>,
     motions: Vec<RootMotion>,
 }

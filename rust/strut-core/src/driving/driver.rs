@@ -10,6 +10,7 @@ use super::path::Path;
 use super::query::{OnPath, RootState, STOP_BEFORE, by_path, by_stick, in_root, in_world, to_the_right};
 use crate::humanoid::Pose;
 use crate::math::float_funcs::{atan2, half_life_share, wrap_angle};
+use crate::math::stats;
 use crate::math::{Quat, Vec2, Vec3};
 use crate::pose_vector::Placement;
 use std::f32::consts::LN_2;
@@ -108,7 +109,7 @@ struct Entry {
 
 /// Progress of the requested move.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Acting {
+enum ActionState {
     /// The character has been slowing down for this many seconds.
     Braking { action: Move, secs: f32 },
     /// The character has been running towards its next take-off for this many seconds: a jump from a run.
@@ -118,7 +119,7 @@ enum Acting {
     Playing { action: Move, end: usize, momentum: Option<Vec2> },
 }
 
-impl Acting {
+impl ActionState {
     /// Whether the character stops for the move. In a jump from a run it keeps following the control.
     fn stops(&self) -> bool {
         matches!(self, Self::Braking { .. } | Self::Playing { momentum: None, .. })
@@ -154,7 +155,7 @@ struct State {
     offset: f32,
     inertia: Inertia,
     since_search_secs: f32,
-    acting: Option<Acting>,
+    acting: Option<ActionState>,
     /// Target of the last search: velocity and heading in the world.
     asked: (Vec2, f32),
     left: [Option<usize>; LEFT],
@@ -287,7 +288,7 @@ impl Driver {
     /// Returns the target trajectory, and the velocity and heading it is derived from.
     fn asked(&mut self, now: &RootState, dt: f32) -> (Trajectory, (Vec2, f32)) {
         let Control { wish, gait, face, .. } = self.control;
-        if self.state.acting.as_ref().is_some_and(Acting::stops) {
+        if self.state.acting.as_ref().is_some_and(ActionState::stops) {
             return (by_stick(now, Vec2::ZERO, now.heading), (Vec2::ZERO, now.heading));
         }
         let speed = speed_of(self.speeds, gait);
@@ -320,15 +321,15 @@ impl Driver {
         let mut ends = state.row + 1 >= clip.rows.end;
         state.since_search_secs += dt;
         match &mut state.acting {
-            Some(Acting::Playing { end, .. }) if state.row + 1 < *end => {
+            Some(ActionState::Playing { end, .. }) if state.row + 1 < *end => {
                 state.row += 1;
                 return false;
             }
-            Some(Acting::Playing { .. }) => {
+            Some(ActionState::Playing { .. }) => {
                 state.acting = None;
                 ends = true;
             }
-            Some(Acting::Braking { action, secs }) => {
+            Some(ActionState::Braking { action, secs }) => {
                 *secs += dt;
                 if now.velocity.length() < MOVE_SPEED || *secs >= MOST_BRAKING_SECS {
                     let action = *action;
@@ -336,7 +337,7 @@ impl Driver {
                     return true;
                 }
             }
-            Some(Acting::Approaching { action, secs }) => {
+            Some(ActionState::Approaching { action, secs }) => {
                 *secs += dt;
                 if ends || takes_off(&self.clips, state.row) || *secs >= MOST_APPROACH_SECS {
                     let action = *action;
@@ -389,12 +390,12 @@ impl Driver {
     }
 
     /// Initial state of a requested move: a jump from a run waits for the next take-off, any other move for rest.
-    fn request(&self, action: Move) -> Acting {
+    fn request(&self, action: Move) -> ActionState {
         let flies = self.clips.move_rows().iter().any(|of| of.action == action && of.flight.is_some());
         if flies && self.frame.speed >= RUNNING {
-            Acting::Approaching { action, secs: 0.0 }
+            ActionState::Approaching { action, secs: 0.0 }
         } else {
-            Acting::Braking { action, secs: 0.0 }
+            ActionState::Braking { action, secs: 0.0 }
         }
     }
 
@@ -422,7 +423,7 @@ impl Driver {
             }
         }
         let Some((_, end, to)) = best else { return };
-        self.state.acting = Some(Acting::Playing { action, end, momentum });
+        self.state.acting = Some(ActionState::Playing { action, end, momentum });
         self.switch(to);
     }
 
@@ -448,13 +449,13 @@ impl Driver {
 
     /// Moves the root, where `wanted` is the final target velocity, and poses the row there.
     fn advance(&mut self, asked: &Trajectory, wanted: Vec2, dt: f32) {
-        let is_acting = matches!(self.state.acting, Some(Acting::Playing { .. }));
+        let is_acting = matches!(self.state.acting, Some(ActionState::Playing { .. }));
         let pacing = if is_acting { 1.0 } else { self.pacing(wanted) };
         self.state.pace += (pacing - self.state.pace) * half_life_share(dt, PACING_HALF_LIFE_SECS);
         let steering = if is_acting { 0.0 } else { self.steering(asked, wanted) };
         let state = &mut self.state;
         let motion = self.clips.motion(state.row);
-        if let Some(Acting::Playing { momentum: Some(momentum), .. }) = state.acting {
+        if let Some(ActionState::Playing { momentum: Some(momentum), .. }) = state.acting {
             state.velocity = in_world(-state.root.heading, momentum) / state.pace - motion.velocity;
         }
         let velocity = (motion.velocity + state.velocity) * state.pace;
@@ -482,7 +483,7 @@ impl Driver {
         self.frame.speed = speed;
         self.frame.row = state.row;
         self.frame.action = match state.acting {
-            Some(Acting::Playing { action, .. }) => Some(action),
+            Some(ActionState::Playing { action, .. }) => Some(action),
             _ => None,
         };
         let is_unknown = !self.clips.knows_standing() && self.clips.is_standing(state.row);
@@ -558,13 +559,14 @@ fn speed_of([walk, run]: [f32; 2], gait: f32) -> f32 {
 /// walking speed.
 fn speeds_of(clips: &DrivingClips) -> [f32; 2] {
     let own = clips.clips().iter().filter(|clip| clip.kind == ClipKind::Locomotion);
-    let mut medians: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
-    medians.sort_by(f32::total_cmp);
-    let walking: Vec<f32> = medians.iter().copied().filter(|&speed| speed < RUNNING).collect();
-    let running: Vec<f32> = medians.iter().copied().filter(|&speed| speed >= RUNNING).collect();
-    let median = |of: &[f32]| of.get(of.len() / 2).copied();
-    let walk = median(&walking).or(median(&running)).unwrap_or(1.0);
-    [walk, median(&running).unwrap_or(walk).max(walk)]
+    let speeds: Vec<f32> = own.filter(|clip| !clip.mirrored).map(|clip| clips.median_speed(clip)).collect();
+    let median = |running: bool| {
+        let of = speeds.iter().filter(|speed| (**speed >= RUNNING) == running);
+        stats::median(of.map(|speed| f64::from(*speed))).map(|speed| speed as f32)
+    };
+    let (walking, running) = (median(false), median(true));
+    let walk = walking.or(running).unwrap_or(1.0);
+    [walk, running.unwrap_or(walk).max(walk)]
 }
 
 /// The row with the slowest root, turns and moves excluded.

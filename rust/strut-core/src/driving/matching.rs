@@ -123,15 +123,13 @@ fn squared(difference: impl Fn(usize) -> f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::random::SplitMix64;
     use proptest::prelude::*;
 
     /// Rows of a random walk: like motion, each is near the one before.
     fn wander(n: usize, seed: u64) -> Vec<Features> {
-        let mut state = seed;
-        let mut next = move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 40) as f32 / (1 << 24) as f32 - 0.5
-        };
+        let mut random = SplitMix64::new(seed);
+        let mut next = || random.share() - 0.5;
         let mut row = [0.0; FEATURES];
         (0..n)
             .map(|_| {

@@ -2,6 +2,7 @@
 
 use crate::humanoid::{Pose, Proportions, Role};
 use crate::kinematics::world_from_local;
+use crate::math::stats::runs_where;
 use crate::math::{Vec2, Vec3};
 use std::ops::Range;
 
@@ -115,7 +116,7 @@ pub(super) fn moves_in(
         .collect();
     let speeds = fastest(&points, rate_hz);
     let is_rest = |frame: usize| speeds[frame] < REST_SPEED && distance(&points[0], &points[frame]) < REST_DISTANCE;
-    let mut rests = runs_of(points.len(), is_rest).into_iter();
+    let mut rests = runs_where(points.len(), is_rest).into_iter();
     let mut found = Vec::new();
     let Some(mut before) = rests.next() else { return found };
     for rest in rests {
@@ -137,7 +138,7 @@ fn rows_in(secs: f32, rate_hz: f32) -> usize {
 
 /// The longest run of frames without a planted foot, if it is long enough for a jump.
 fn flight_in(contacts: &[[bool; 2]], rate_hz: f32) -> Option<Range<usize>> {
-    let flights = runs_of(contacts.len(), |frame| contacts[frame] == [false; 2]);
+    let flights = runs_where(contacts.len(), |frame| contacts[frame] == [false; 2]);
     flights.into_iter().max_by_key(ExactSizeIterator::len).filter(|of| of.len() as f32 >= LEAST_FLIGHT_SECS * rate_hz)
 }
 
@@ -165,21 +166,6 @@ fn fastest(points: &[[Vec3; POINTS.len()]], rate_hz: f32) -> Vec<f32> {
             around.iter().sum::<f32>() / around.len() as f32
         })
         .collect()
-}
-
-/// Runs of successive frames that satisfy a predicate.
-fn runs_of(frames: usize, is_so: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
-    let mut runs = Vec::new();
-    let mut begin = 0;
-    for i in 0..=frames {
-        if i == frames || !is_so(i) {
-            if i > begin {
-                runs.push(begin..i);
-            }
-            begin = i + 1;
-        }
-    }
-    runs
 }
 
 #[cfg(test)]

@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn takes_away_what_alternates() {
+    fn removes_nyquist_component() {
         let samples: Vec<[f64; 2]> = (0..60).map(|i| [if i % 2 == 0 { 1.0 } else { -1.0 }, 0.0]).collect();
         assert!(smoothed(&samples, 15)[20..40].iter().all(|[x, _]| x.abs() < 0.1));
     }

@@ -22,6 +22,7 @@ const REFERENCE_STRIDE: usize = 4;
 
 /// Error of a clip that is not a walk.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TrackError {
     /// It has too many frames at [`RATE_HZ`].
     #[error(transparent)]

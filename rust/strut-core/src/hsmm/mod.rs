@@ -44,7 +44,7 @@ pub mod parts {
     pub use super::refinement::{Chain, chains};
     pub use super::statistics::{Sample, SharedVariances, Statistics, states, states_of};
 }
-pub use walks::{WALK, walk_of, walking_action, walks_among};
+pub use walks::{WALK, WalkError, walk_of, walking_action, walks_among};
 
 /// Frames per second of every walk that is modelled (`docs/methods/hsmm.md` §2).
 pub const RATE_HZ: f32 = 30.0;

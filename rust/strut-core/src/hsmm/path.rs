@@ -17,6 +17,7 @@ pub const MAX_RHO: f32 = 10.0;
 
 /// Error of a trajectory's parameters.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum PathError {
     /// A weight is invalid.
     #[error(transparent)]

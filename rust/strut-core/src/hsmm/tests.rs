@@ -1,5 +1,5 @@
 use super::*;
-use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, walk};
+use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ as SINE_RATE_HZ, noise, walk};
 use crate::humanoid::{HumanoidMotion, JOINTS, Pose, Proportions, Role};
 use crate::incremental::IncrementalJob;
 use crate::math::{Vec3, exp_map};
@@ -9,11 +9,8 @@ use std::sync::{Arc, LazyLock};
 /// Thirty seconds of a gait with a slight tremor, so that no variance is zero.
 fn track(gait: &Gait) -> Track {
     let (proportions, mut poses) = (Proportions::default(), walk(gait, 1800, 0.1).poses);
-    let mut seed = 1_u32;
-    let mut random = || {
-        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        0.03 * ((seed >> 8) as f32 / (1 << 24) as f32 - 0.5)
-    };
+    let mut noise = noise(1).map(|v| 0.015 * v as f32);
+    let mut random = || noise.next().unwrap();
     for rotation in poses.iter_mut().flat_map(|pose| &mut pose.rotations) {
         *rotation = *rotation * exp_map::exp(Vec3::new(random(), random(), random()));
     }

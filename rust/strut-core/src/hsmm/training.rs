@@ -45,6 +45,7 @@ impl Default for Options {
 
 /// Error of clips that give no model.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum TrainError {
     /// No clip has a step.
     #[error("no clip contains a step: alternating strikes of both feet, 0.2 to 1.5 s apart, were expected")]

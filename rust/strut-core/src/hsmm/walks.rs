@@ -1,9 +1,10 @@
 //! Selection of the clips that are walks.
 
-use super::features::Track;
+use super::features::{Track, TrackError};
 use super::steps::steps_of;
 use crate::database::Database;
 use crate::humanoid::HumanoidMotion;
+use thiserror::Error;
 
 /// Name of the walking action.
 pub const WALK: &str = "walk";
@@ -14,14 +15,26 @@ pub fn walks_among(db: &Database) -> Vec<usize> {
     (0..db.clips.len()).filter(|&i| walk.is_none_or(|walk| db.clips[i].action == walk)).collect()
 }
 
+/// Reason why a clip is not a walk.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum WalkError {
+    /// It is not a track.
+    #[error(transparent)]
+    Track(#[from] TrackError),
+    /// No step was found.
+    #[error("it contains no step")]
+    NoStep,
+}
+
 /// Converts a clip to a track, with the number of its steps.
 ///
 /// # Errors
-/// The reason, if the clip is not a walk.
-pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), String> {
-    let track = Track::new(motion).map_err(|e| e.to_string())?;
+/// See [`WalkError`].
+pub fn walk_of(motion: &HumanoidMotion) -> Result<(Track, usize), WalkError> {
+    let track = Track::new(motion)?;
     match steps_of(&track).len() {
-        0 => Err("it contains no step".to_owned()),
+        0 => Err(WalkError::NoStep),
         steps => Ok((track, steps)),
     }
 }

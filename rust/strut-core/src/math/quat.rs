@@ -180,6 +180,18 @@ impl Quat {
     }
 }
 
+impl From<glam::Quat> for Quat {
+    fn from(q: glam::Quat) -> Self {
+        Self::from_array(q.to_array())
+    }
+}
+
+impl From<Quat> for glam::Quat {
+    fn from(q: Quat) -> Self {
+        Self::from_array(q.to_array())
+    }
+}
+
 impl Mul for Quat {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
@@ -213,6 +225,13 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
     use std::f32::consts::PI;
+
+    #[test]
+    fn conversions_to_and_from_glam_keep_the_components() {
+        let q = Quat::from_xyzw(0.1, -0.2, 0.3, 0.9);
+        assert_eq!(glam::Quat::from(q).to_array(), q.to_array());
+        assert_eq!(Quat::from(glam::Quat::from(q)), q);
+    }
 
     fn unit_quat() -> impl Strategy<Value = Quat> {
         prop::array::uniform4(-1.0f32..1.0)

@@ -2,6 +2,7 @@
 
 use super::example::Example;
 use super::outcome::{CycleFault, FaultyCycle};
+use crate::math::stats;
 use crate::pose_vector::{VELOCITY_X, VELOCITY_Z};
 use std::ops::Range;
 
@@ -102,9 +103,8 @@ fn usual_frames(examples: &[Example], style: u16, rate_hz: f32) -> Option<f32> {
 }
 
 fn median(lengths: impl Iterator<Item = usize>, rate_hz: f32) -> Option<f32> {
-    let mut lengths: Vec<usize> = lengths.filter(|&l| PLAUSIBLE_SECS.contains(&(l as f32 / rate_hz))).collect();
-    lengths.sort_unstable();
-    lengths.get(lengths.len() / 2).map(|&l| l as f32)
+    let plausible = lengths.filter(|&length| PLAUSIBLE_SECS.contains(&(length as f32 / rate_hz)));
+    stats::median(plausible.map(|length| length as f64)).map(|length| length as f32)
 }
 
 fn cut_one(example: &Example, usual: Option<f32>, rate_hz: f32) -> (Vec<Segment>, Vec<FaultyCycle>) {

@@ -95,6 +95,7 @@ pub struct Binding {
 
 /// Error of a skeleton that cannot be bound.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum BindError {
     /// A clip without frames.
     #[error("This motion has no frames. Export the clip again.")]

@@ -57,6 +57,7 @@ const PORTION: usize = 64 * BLOCK;
 
 /// Reason why a plan does not match a database.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum PlanError {
     /// The rows are not those at which windows of the database end, each once and by class.
     #[error("its order is not one of the database's windows")]

@@ -10,8 +10,8 @@ const WIDTH: f64 = 0.3;
 /// Frames closer in time than this are excluded as correlated: one second.
 const SAME_MOMENT: usize = 30;
 /// Most frames that are predicted, and most frames that each prediction uses.
-const TRIED: usize = 200;
-const SAID_FROM: usize = 2000;
+const MAX_QUERIES: usize = 200;
+const MAX_REFERENCES: usize = 2000;
 
 impl KeyStyleModel {
     /// Returns the share of the poses' variation that the styles do not explain: the error of predicting a recorded pose from
@@ -26,17 +26,17 @@ impl KeyStyleModel {
             mean.iter_mut().zip(row).for_each(|(m, x)| *m += f64::from(*x) / frames as f64);
         }
         let (mut left, mut all) = (0.0, 0.0);
-        for t in every(TRIED) {
-            let (mut sum, mut said) = (0.0, [0.0; DIMS]);
-            for i in every(SAID_FROM).filter(|i| i.abs_diff(t) > SAME_MOMENT) {
+        for t in every(MAX_QUERIES) {
+            let (mut sum, mut predicted) = (0.0, [0.0; DIMS]);
+            for i in every(MAX_REFERENCES).filter(|i| i.abs_diff(t) > SAME_MOMENT) {
                 let weight = double::exp(-0.5 * squared(&self.styles[t], &self.styles[i]) / (WIDTH * WIDTH));
                 sum += weight;
-                said.iter_mut().zip(&self.rows[i]).for_each(|(x, of)| *x += weight * f64::from(*of));
+                predicted.iter_mut().zip(&self.rows[i]).for_each(|(x, of)| *x += weight * f64::from(*of));
             }
             let row = self.recorded_row(t);
             // An isolated style has no neighbours: the mean is predicted.
-            let said = if sum > 1e-6 { said.map(|x| x / sum) } else { mean };
-            left += squared_distance(&row, &said);
+            let predicted = if sum > 1e-6 { predicted.map(|x| x / sum) } else { mean };
+            left += squared_distance(&row, &predicted);
             all += squared_distance(&row, &mean);
         }
         (left / all.max(f64::MIN_POSITIVE)).sqrt()

@@ -37,10 +37,11 @@ pub enum Method {
 
 /// Error of keys that give no motion.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum KeysError {
     /// No key was given.
     #[error("there is no key; at least one was expected")]
-    None,
+    Empty,
     /// A number is not finite.
     #[error("key {0} holds a number that is not finite")]
     NotFinite(usize),
@@ -84,7 +85,7 @@ impl KeyStyling {
         synthesis: &mut Synthesis,
         mode: Mode,
     ) -> Result<Self, KeysError> {
-        let (Some(first), Some(last)) = (keys.first(), keys.last()) else { return Err(KeysError::None) };
+        let (Some(first), Some(last)) = (keys.first(), keys.last()) else { return Err(KeysError::Empty) };
         let is_finite = |key: &Key| {
             let row = key.row.iter().flatten();
             key.style.iter().chain(row).chain([&key.secs]).all(|number| number.is_finite())

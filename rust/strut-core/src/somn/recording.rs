@@ -24,6 +24,7 @@ const HALF_WINDOW: usize = RATE_HZ as usize;
 
 /// Error of a clip that is not a valid recording.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum RecordingError {
     /// It has too many frames at [`RATE_HZ`].
     #[error(transparent)]

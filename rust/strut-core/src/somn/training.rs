@@ -69,6 +69,7 @@ pub struct Options {
 
 /// Error of recordings that give no model.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum TrainError {
     /// No style variable, or too many.
     #[error("{0} style variables were given; 1 to {MAX_AXES} were expected")]

@@ -13,6 +13,7 @@ const MIN_WEIGHT: f32 = 1e-6;
 
 /// Reason why style weights are rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum StyleError {
     /// The number of weights differs from the number of styles.
     #[error("{found} style weights; the database has {expected} styles")]

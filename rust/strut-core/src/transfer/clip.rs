@@ -8,7 +8,7 @@ use super::familiarity::Familiarity;
 use super::found::FoundFrame;
 use super::frame::{NoClock, StageClock, StyledFrame, Trace};
 use super::stylizer::Stylizer;
-use super::travel::{Way, travel_note};
+use super::travel::{PathLength, travel_note};
 use crate::humanoid::{HumanoidMotion, Pose, Proportions};
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
@@ -52,7 +52,7 @@ pub struct ClipJob {
     calibration: usize,
     familiarity: Familiarity,
     /// Path of the input.
-    way: Way,
+    way: PathLength,
     /// Last frame before the last cut. Times and the count of repaired frames continue from it.
     before_cut: StyledFrame,
 }
@@ -67,7 +67,7 @@ impl ClipJob {
             cuts: Vec::new(),
             calibration: 0,
             familiarity: Familiarity::default(),
-            way: Way::default(),
+            way: PathLength::default(),
             before_cut: StyledFrame::default(),
         }
     }
@@ -203,7 +203,7 @@ impl StyledMotion {
 
     /// Length of the output's path over the ground, in as many frames of this rate as the input has, metres.
     pub fn travel_metres(&self, rate_hz: f32) -> f32 {
-        let mut way = Way::default();
+        let mut way = PathLength::default();
         for (i, frame) in self.frames.iter().enumerate() {
             way.add(&frame.pose, rate_hz, self.cuts.binary_search(&i).is_ok());
         }

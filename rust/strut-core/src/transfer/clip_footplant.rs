@@ -11,6 +11,7 @@ use crate::kinematics::{Limb, SOFT_SHARE, Sole, Soles, WorldPose, two_bone_ik, w
 use crate::math::Vec3;
 use crate::math::gaussian;
 use crate::math::interpolation::smooth_step;
+use crate::math::stats::runs_where;
 use std::collections::VecDeque;
 use std::ops::{Add, Mul, Range, Sub};
 
@@ -330,14 +331,7 @@ where
 
 /// Maximal runs of frames in which a foot is held.
 fn runs(held: &[[bool; 2]], side: usize) -> Vec<Range<usize>> {
-    let mut runs: Vec<Range<usize>> = Vec::new();
-    for f in (0..held.len()).filter(|&f| held[f][side]) {
-        match runs.last_mut() {
-            Some(run) if run.end == f => run.end = f + 1,
-            _ => runs.push(f..f + 1),
-        }
-    }
-    runs
+    runs_where(held.len(), |frame| held[frame][side])
 }
 
 #[cfg(test)]

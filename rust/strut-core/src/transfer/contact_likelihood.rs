@@ -85,30 +85,30 @@ pub(super) struct Votes {
 
 /// Weights of a neighbour's vote for the left and the right foot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Voice {
+pub(super) struct ContactVote {
     pub(super) row: usize,
     pub(super) weights: [f32; 2],
 }
 
 /// Votes of the neighbours; empty before the first frame of the input.
-pub(super) fn voices<'a>(
+pub(super) fn contact_votes<'a>(
     catalogue: &'a Catalogue,
     neighbours: &'a [Neighbour],
     feet: &RecentFeet,
-) -> impl Iterator<Item = Voice> + 'a {
+) -> impl Iterator<Item = ContactVote> + 'a {
     let (index, rate_hz) = (catalogue.index(), catalogue.rate_hz);
     let input = feet.frames.map(|frames| FeetState::new(&frames, rate_hz));
     neighbours.iter().zip(std::iter::repeat(input)).filter_map(move |(n, input)| {
         let row = n.row as usize;
         let differences = FeetState::of_row(index, row, rate_hz).differences(&input?);
-        Some(Voice { row, weights: differences.map(|difference| 1.0 / (difference + SAME)) })
+        Some(ContactVote { row, weights: differences.map(|difference| 1.0 / (difference + SAME)) })
     })
 }
 
 /// Result of the vote; 0 without neighbours.
 pub(super) fn vote(catalogue: &Catalogue, neighbours: &[Neighbour], feet: &RecentFeet) -> Votes {
     let (mut votes, mut sums) = (Votes::default(), [0.0_f32; 2]);
-    for Voice { row, weights } in voices(catalogue, neighbours, feet) {
+    for ContactVote { row, weights } in contact_votes(catalogue, neighbours, feet) {
         for (side, weight) in weights.into_iter().enumerate() {
             sums[side] += weight;
             votes.now[side] += weight * f32::from(catalogue.contact(row)[side]);

@@ -11,7 +11,7 @@ pub use floats::PredictionsError;
 use super::blend::{StyleBlend, StyleError};
 use super::body_part::BodyPart;
 use super::frame::StyledFrame;
-use super::output::{Cue, Output, Predicted};
+use super::output::{Output, OutputInput, Predicted};
 use super::stylizer::Stylizer;
 use crate::humanoid::{Pose, Proportions};
 use crate::pose_vector::{Placement, PoseChart, PoseRow};
@@ -32,7 +32,7 @@ pub struct Predictions {
     timing: bool,
     footplant: bool,
     /// Of each frame, with the likelihoods that the input's feet are planted.
-    cues: Vec<(Cue, [f32; 2])>,
+    output_inputs: Vec<(OutputInput, [f32; 2])>,
     /// Per frame, of every style.
     predicted: Vec<Predicted>,
 }
@@ -40,7 +40,7 @@ pub struct Predictions {
 impl Predictions {
     /// Number of frames of the input.
     pub fn frames(&self) -> usize {
-        self.cues.len()
+        self.output_inputs.len()
     }
 
     /// Number of frames of one loop.
@@ -73,10 +73,7 @@ pub struct Recorder {
 
 impl Recorder {
     /// Starts with the options of a stylizer, whose own stream is not changed.
-    ///
-    /// # Errors
-    /// Never: the number of weights is always the number of styles.
-    pub fn new(stylizer: &Stylizer) -> Result<Self, StyleError> {
+    pub fn new(stylizer: &Stylizer) -> Self {
         let mut stylizer = stylizer.clone();
         let db = stylizer.model().catalogue();
         let styles = db.styles.len();
@@ -89,16 +86,16 @@ impl Recorder {
             styles,
             timing: stylizer.options().timing,
             footplant: stylizer.options().footplant,
-            cues: Vec::new(),
+            output_inputs: Vec::new(),
             predicted: Vec::new(),
         };
-        // Every style has a weight, so that each is predicted.
-        stylizer.set_styles(&vec![1.0 / styles as f32; styles])?;
+        // Every style has a weight, so that each is predicted. One finite weight per style is always accepted.
+        let _ = stylizer.set_styles(&vec![1.0 / styles as f32; styles]);
         for part in BodyPart::ALL {
-            stylizer.set_part_styles(part, None)?;
+            let _ = stylizer.set_part_styles(part, None);
         }
         stylizer.reset(None);
-        Ok(Self { stylizer, predictions })
+        Self { stylizer, predictions }
     }
 
     /// Number of frames so far.
@@ -109,8 +106,8 @@ impl Recorder {
     /// Adds the next frame: a pose on the database's proportions and at its rate.
     pub fn push(&mut self, pose: &Pose) {
         self.stylizer.push(pose);
-        if let Some(cue) = self.stylizer.cue() {
-            self.predictions.cues.push((*cue, self.stylizer.contact_votes()));
+        if let Some(output_input) = self.stylizer.output_input() {
+            self.predictions.output_inputs.push((*output_input, self.stylizer.contact_votes()));
             self.predictions.predicted.extend(self.stylizer.predicted().map(|(_, of)| *of));
         }
     }
@@ -172,14 +169,14 @@ impl Performer {
     /// Advances by one frame of the input. Allocates nothing.
     pub fn advance(&mut self) -> &StyledFrame {
         let Self { predictions, blend, output, next, begun_anew, faded } = self;
-        let (mut cue, mut contact) = predictions.cues[*next];
+        let (mut output_input, mut contact) = predictions.output_inputs[*next];
         let mut predicted = predictions.of_frame(*next);
         if *begun_anew && *next < FADE_FRAMES {
             let ending = predictions.period() + *next;
             let share = (*next + 1) as f32 / (FADE_FRAMES + 1) as f32;
-            let (old, old_contact) = &predictions.cues[ending];
-            mix(&old.row, share, &mut cue.row);
-            cue.turn = old.turn + share * (cue.turn - old.turn);
+            let (old, old_contact) = &predictions.output_inputs[ending];
+            mix(&old.row, share, &mut output_input.row);
+            output_input.turn = old.turn + share * (output_input.turn - old.turn);
             mix(old_contact, share, &mut contact);
             faded.clear();
             faded.extend(predicted.iter().zip(predictions.of_frame(ending)).map(|(new, old)| {
@@ -193,7 +190,7 @@ impl Performer {
         }
         // Only styles that have weights, as in a stylizer.
         let active = predicted.iter().enumerate().filter(|(style, _)| blend.is_active(*style));
-        output.place(blend, &cue, active.clone(), predictions.timing);
+        output.place(blend, &output_input, active.clone(), predictions.timing);
         output.take_contacts(blend, contact, active);
         output.plant(predictions.footplant);
         *next += 1;
@@ -239,7 +236,7 @@ mod tests {
     }
 
     fn predictions(stylizer: &Stylizer, input: &[Pose]) -> Option<Arc<Predictions>> {
-        let mut recorder = Recorder::new(stylizer).unwrap();
+        let mut recorder = Recorder::new(stylizer);
         for pose in input {
             recorder.push(pose);
         }

@@ -8,7 +8,7 @@ use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
 use super::options::{Method, Options};
 use super::output::Predicted;
-use super::phase_lock::{PhaseLock, SeenPhase};
+use super::phase_lock::{PhaseEstimate, PhaseLock};
 use super::regression::{Gathered, InputMoments, Prediction, Regressors, Samples, interpolate, predict};
 use super::timing::{Moment, duration};
 use super::trained::{Trained, Training};
@@ -314,7 +314,7 @@ impl Mixture {
             (s.now.step_secs, s.now.contact) = (0.0, [0.0; 2]);
         }
         let now = Moment { pose: input.current, previous: input.previous };
-        let mut seen = SeenPhase::default();
+        let mut seen = PhaseEstimate::default();
         let [of_inputs, of_outputs] = &mut self.timing_distances;
         for (component, &weight) in self.components.iter().zip(&self.weights) {
             if weight == 0.0 {

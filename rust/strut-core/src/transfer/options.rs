@@ -5,6 +5,7 @@ use thiserror::Error;
 
 /// Method that computes a prediction from the neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Method {
     /// Mixture of autoregressive models, one for each class (Eq. 2–5), with bias correction: Strut's own method.
     #[default]
@@ -123,6 +124,7 @@ pub const MAX_K: usize = 1000;
 
 /// Reason why options are rejected.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum OptionsError {
     /// A number is outside its range.
     #[error("{name} is {value}; {expected} was expected")]

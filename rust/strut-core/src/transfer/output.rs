@@ -26,7 +26,7 @@ pub(super) struct Predicted {
 
 /// Data of an input frame that its output needs, in addition to predictions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Cue {
+pub(super) struct OutputInput {
     /// xₜ.
     pub(super) row: PoseRow,
     pub(super) at: Placement,
@@ -34,7 +34,7 @@ pub(super) struct Cue {
     pub(super) turn: f32,
 }
 
-impl Cue {
+impl OutputInput {
     pub(super) fn new(row: &PoseRow, at: Placement, previous_at: Placement) -> Self {
         Self { row: *row, at, turn: wrap_angle(at.heading - previous_at.heading) }
     }
@@ -114,7 +114,7 @@ impl Output {
     pub(super) fn place<'a>(
         &mut self,
         blend: &StyleBlend,
-        cue: &Cue,
+        output_input: &OutputInput,
         styles: impl Iterator<Item = (usize, &'a Predicted)> + Clone,
         timing: bool,
     ) {
@@ -126,18 +126,18 @@ impl Output {
         let [least, greatest] = DURATION_RANGE.map(|r| r * frame_secs);
         let step_secs = self.shared(frame_secs, step_secs.clamp(least, greatest));
         let rows = styles.map(|(style, of)| (style, &of.row));
-        let mut row = blended(blend, &self.parts, &self.limits, &cue.row, rows);
-        for (styled, &of_input) in row.iter_mut().zip(&cue.row) {
+        let mut row = blended(blend, &self.parts, &self.limits, &output_input.row, rows);
+        for (styled, &of_input) in row.iter_mut().zip(&output_input.row) {
             *styled = self.shared(of_input, *styled);
         }
         let place = match self.place {
-            None => self.start.unwrap_or(cue.at),
-            Some(p) => p.advanced(&row, step_secs, cue.turn),
+            None => self.start.unwrap_or(output_input.at),
+            Some(p) => p.advanced(&row, step_secs, output_input.turn),
         };
         let first = self.place.is_none();
         self.place = Some(place);
         self.frame.pose = self.chart.decode(&row, place);
-        self.limits.apply(&self.chart, &row, &cue.row, &mut self.frame.pose);
+        self.limits.apply(&self.chart, &row, &output_input.row, &mut self.frame.pose);
         self.frame.dt_secs = match (first, timing) {
             (true, _) => 0.0,
             (false, true) => step_secs,

@@ -21,14 +21,14 @@ const MOST_CORRECTION: f32 = 0.25;
 
 /// Phase estimate from the neighbours of a frame: weighted sums.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct SeenPhase {
+pub(super) struct PhaseEstimate {
     cos: f32,
     sin: f32,
     advance: f32,
     weight: f32,
 }
 
-impl SeenPhase {
+impl PhaseEstimate {
     /// Adds the neighbours of a class.
     pub(super) fn add(&mut self, phases: &GaitPhase, class_weight: f32, neighbours: &[Neighbour], weights: &[f32]) {
         let total: f32 = weights.iter().sum();
@@ -70,7 +70,7 @@ impl PhaseLock {
     ///
     /// `known` is the similarity of the input to the database: for unknown input the neighbours' phase is no better
     /// than their durations, and following it makes the output rougher. `tempo` is η, the exponent of the pace.
-    pub(super) fn follow(&mut self, seen: SeenPhase, known: f32, tempo: f32, frame_secs: f32) -> f32 {
+    pub(super) fn follow(&mut self, seen: PhaseEstimate, known: f32, tempo: f32, frame_secs: f32) -> f32 {
         if seen.weight < 0.5 {
             *self = Self::default();
             return 1.0;
@@ -103,9 +103,9 @@ mod tests {
     /// η.
     const HALF: f32 = 0.5;
 
-    fn seen(phase: f32) -> SeenPhase {
+    fn seen(phase: f32) -> PhaseEstimate {
         let (sin, cos) = crate::math::float_funcs::sin_cos(TAU * phase);
-        SeenPhase { cos, sin, advance: ADVANCE, weight: 1.0 }
+        PhaseEstimate { cos, sin, advance: ADVANCE, weight: 1.0 }
     }
 
     /// Pace after each of these phases.
@@ -141,7 +141,7 @@ mod tests {
         let mut lock = PhaseLock::default();
         lock.follow(seen(0.1), KNOWN, HALF, FRAME_SECS);
         lock.follow(seen(0.05), KNOWN, HALF, FRAME_SECS);
-        assert_eq!(lock.follow(SeenPhase::default(), KNOWN, HALF, FRAME_SECS), 1.0);
+        assert_eq!(lock.follow(PhaseEstimate::default(), KNOWN, HALF, FRAME_SECS), 1.0);
         assert_eq!(lock.phase, None);
     }
 

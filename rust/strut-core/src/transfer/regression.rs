@@ -302,14 +302,9 @@ mod tests {
         (1..rows).map(|row| Neighbour { distance: 0.0, row: row as u32 }).collect()
     }
 
-    /// 60 numbers between −1 and 1 (linear congruential generator of Numerical Recipes).
+    /// 60 numbers between −1 and 1.
     fn noise(seed: u32) -> Vec<f32> {
-        let next = |s: &u32| Some(s.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
-        std::iter::successors(Some(seed), next)
-            .skip(1)
-            .take(60)
-            .map(|s| (s >> 8) as f32 / (1 << 23) as f32 - 1.0)
-            .collect()
+        crate::fixtures::noise(seed).take(60).map(|v| v as f32).collect()
     }
 
     proptest! {

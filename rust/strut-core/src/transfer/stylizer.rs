@@ -11,7 +11,7 @@ use super::input_stream::{InputFrame, InputStream};
 use super::mar::{Mixture, StylePrediction};
 use super::model::Model;
 use super::options::{Options, OptionsError};
-use super::output::{Cue, Output, Predicted};
+use super::output::{Output, OutputInput, Predicted};
 use crate::humanoid::Pose;
 use crate::pose_vector::{Placement, PoseRow};
 use crate::search::Neighbours;
@@ -32,7 +32,7 @@ pub struct Stylizer {
 
     input: InputStream,
     /// Data of the last input frame that the output needs.
-    cue: Option<Cue>,
+    output_input: Option<OutputInput>,
     output: Output,
 }
 
@@ -54,7 +54,7 @@ impl Stylizer {
             contacts: Neighbours::default(),
             votes: Votes::default(),
             input: InputStream::new(model.index().window_length()),
-            cue: None,
+            output_input: None,
             output: Output::new(&db.chart, &db.proportions, db.rate_hz, db.observed_range()),
             options,
             model,
@@ -171,8 +171,8 @@ impl Stylizer {
     }
 
     /// Data of the last input frame that its output needs; `None` before the first.
-    pub(super) fn cue(&self) -> Option<&Cue> {
-        self.cue.as_ref()
+    pub(super) fn output_input(&self) -> Option<&OutputInput> {
+        self.output_input.as_ref()
     }
 
     /// Predictions of the last frame, one per style.
@@ -226,8 +226,8 @@ impl Stylizer {
         clock.end(Stage::Timing);
 
         self.replace_unusable(&input.row);
-        let cue = self.cue.insert(Cue::new(&input.row, input.at, input.previous_at));
-        self.output.place(&self.blend, cue, predicted(&self.styles), self.options.timing);
+        let output_input = self.output_input.insert(OutputInput::new(&input.row, input.at, input.previous_at));
+        self.output.place(&self.blend, output_input, predicted(&self.styles), self.options.timing);
         for s in &mut self.styles {
             s.previous = s.now.row;
         }

@@ -18,13 +18,13 @@ const NOTED_METRES: f32 = 1.0;
 
 /// Length of a path over the ground, added up frame by frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Way {
+pub(super) struct PathLength {
     metres: f32,
     frames: usize,
     from: Vec3,
 }
 
-impl Way {
+impl PathLength {
     /// Adds the next frame. The distance across a cut does not count.
     pub(super) fn add(&mut self, pose: &Pose, rate_hz: f32, is_cut: bool) {
         let step = (STEP_SECS * rate_hz).round().max(1.0) as usize;

@@ -22,7 +22,7 @@ const MOST_WRONG_FOOT: f64 = 0.15;
 
 /// Plausibility of a style at an intensity.
 #[derive(Clone, Copy, Debug)]
-pub struct Bearing {
+pub struct ExtrapolationReport {
     /// Whether the walk fails by any of the four criteria of `docs/methods/hsmm.md` §10.
     pub fails: bool,
     /// Least angle of a knee, degrees; negative is hyperextended.
@@ -33,13 +33,13 @@ pub struct Bearing {
 ///
 /// # Errors
 /// See [`WeightsError`].
-pub fn bearing(
+pub fn extrapolation(
     model: &WalkModel,
     runtime: &Arc<RuntimeWalkModel>,
     style: usize,
     intensity: f32,
     limits: bool,
-) -> Result<Bearing, WeightsError> {
+) -> Result<ExtrapolationReport, WeightsError> {
     let mut walker = walker(runtime, style, intensity)?;
     walker.set_limits(limits);
     walker.reset(Vec3::ZERO, 0.0);
@@ -65,7 +65,7 @@ pub fn bearing(
         || knee < LEAST_KNEE
         || (!limits && shortest < SHORTEST)
         || share(wrong_foot, frames) > MOST_WRONG_FOOT;
-    Ok(Bearing { fails, knee })
+    Ok(ExtrapolationReport { fails, knee })
 }
 
 /// Strength of a style in walks at some intensities: the projection of the states' mean poses on the change from intensity 0

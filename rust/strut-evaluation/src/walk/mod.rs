@@ -9,7 +9,7 @@ mod recursion;
 mod transition;
 
 pub use context::{ContextTree, Split};
-pub use extrapolation::{Bearing, bearing, strengths};
+pub use extrapolation::{ExtrapolationReport, extrapolation, strengths};
 pub use gait_statistics::GaitStatistics;
 pub use horizon::horizon_error;
 pub use reconstruction::{Reconstruction, recognise};

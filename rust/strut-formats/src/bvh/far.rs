@@ -5,6 +5,7 @@
 //! added when a motion is converted to the file.
 
 use super::{Bvh, Channel};
+use strut_core::math::stats::median;
 
 /// A body is far if its median position is farther from the origin than this many times the length of all its bones:
 /// about 20 m, which no recording of `../shared/data` comes near.
@@ -47,7 +48,7 @@ impl Bvh {
             for (channel, c) in joint.channels.iter().zip(columns.clone()) {
                 if let Channel::Position(axis) = channel {
                     let is_far = column(c).all(|value| value.abs() > threshold);
-                    place[*axis as usize] = if is_far { median(column(c).collect()) } else { 0.0 };
+                    place[*axis as usize] = if is_far { median(column(c)).unwrap_or(0.0) } else { 0.0 };
                 }
             }
             let place = place.map(|at| if at.abs() > threshold { at } else { 0.0 });
@@ -71,10 +72,4 @@ impl Bvh {
         let bones: f64 = below_root().filter(|joint| !is_placed(&joint.channels)).map(|j| length(j.offset)).sum();
         if bones > 0.0 { bones } else { below_root().map(|joint| length(joint.offset)).sum() }
     }
-}
-
-/// Median; 0 for no numbers.
-fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }

@@ -85,4 +85,7 @@ pub enum StrutdbError {
     /// The content is not consistent.
     #[error("the database is not consistent: {0}")]
     Content(#[from] DatabaseError),
+    /// The header is not consistent.
+    #[error("the database is not consistent: {0}")]
+    Header(String),
 }

@@ -5,7 +5,7 @@ use super::{KIND, MAX_CLIPS, StrutdbError};
 use crate::container::{self, ContainerError, Source, Tensor, Tensors};
 use safetensors::tensor::Dtype;
 use strut_core::catalogue::{Catalogue, CatalogueBuilder, CatalogueSize};
-use strut_core::database::{Clip, Database, DatabaseError, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES, PointCloud};
+use strut_core::database::{Clip, Database, DatabaseParts, MAX_COUNTERPARTS, MAX_FRAMES, PointCloud};
 use strut_core::humanoid::JOINTS;
 use strut_core::math::Quat;
 use strut_core::pose_vector::{DOFS, PoseChart, PoseRow, ROW};
@@ -226,7 +226,7 @@ fn index_of(names: &[String], name: &str, what: &str) -> Result<u16, StrutdbErro
 }
 
 fn invalid(message: String) -> StrutdbError {
-    DatabaseError::Invalid(message).into()
+    StrutdbError::Header(message)
 }
 
 /// Number of rows copied at once, on the stack.

@@ -36,7 +36,7 @@ impl Frame {
         let mut world = [self.root.place; BONES];
         for bone in Bone::all() {
             let parent = bone.parent().map_or(self.root.place, |parent| world[parent.index()]);
-            world[bone.index()] = self.bones[bone.index()].map_or(parent, |place| parent.then(&place));
+            world[bone.index()] = self.bones[bone.index()].map_or(parent, |place| parent.compose(&place));
         }
         world
     }

@@ -12,7 +12,7 @@ pub struct Place {
 
 impl Place {
     /// Composes two transforms: `self * place`, where `place` is relative to this one.
-    pub fn then(&self, place: &Self) -> Self {
+    pub fn compose(&self, place: &Self) -> Self {
         let position = self.position + self.rotation * place.position;
         Self { position, rotation: (self.rotation * place.rotation).normalized() }
     }

@@ -5,7 +5,7 @@ use crate::build::clip::bind;
 use crate::build::progress::Progress;
 use crate::common::{EngineError, sentence};
 use std::collections::HashMap;
-use strut_core::database::TwoManners;
+use strut_core::database::BimodalStyle;
 use strut_core::database::build::{self, Build, BuildOptions, BuildReport, SourceClip};
 use strut_core::humanoid::Proportions;
 use strut_core::incremental::IncrementalJob;
@@ -116,7 +116,7 @@ impl Building {
         listener.progress("indexing", 0, 1);
         let sources = self.build.clips().iter().map(|c| (c.name.clone(), c.source.clone())).collect();
         let (database, report) = self.build.finish(&Sequential).map_err(EngineError::unusable_file)?;
-        let built = Built::new(database, refused(&report, &sources), two_manners(&report, &sources));
+        let built = Built::new(database, refused(&report, &sources), bimodal_styles(&report, &sources));
         listener.progress("indexing", 1, 1);
         Ok(built)
     }
@@ -134,8 +134,8 @@ fn refused(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<Strin
 }
 
 /// Returns the bimodal styles, with paths in place of the names of clips.
-fn two_manners(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<TwoManners> {
-    let mut found = report.two_manners.clone();
+fn bimodal_styles(report: &BuildReport, sources: &HashMap<String, String>) -> Vec<BimodalStyle> {
+    let mut found = report.bimodal_styles.clone();
     found.iter_mut().flat_map(|f| f.clips.iter_mut().flatten()).for_each(|name| *name = path(name, sources));
     found
 }

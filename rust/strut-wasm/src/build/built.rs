@@ -2,7 +2,7 @@
 
 use crate::common::sentence;
 use strut_core::database::build::Doubt;
-use strut_core::database::{Database, TwoManners};
+use strut_core::database::{BimodalStyle, Database};
 use strut_core::search::Index;
 use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -13,15 +13,15 @@ pub struct Built {
     database: Database,
     file: Vec<u8>,
     refused: Vec<String>,
-    two_manners: Vec<TwoManners>,
+    bimodal_styles: Vec<BimodalStyle>,
     doubt: String,
 }
 
 impl Built {
-    /// Creates the handle. `two_manners` names clips by their paths.
-    pub(crate) fn new(database: Database, refused: Vec<String>, two_manners: Vec<TwoManners>) -> Self {
+    /// Creates the handle. `bimodal_styles` names clips by their paths.
+    pub(crate) fn new(database: Database, refused: Vec<String>, bimodal_styles: Vec<BimodalStyle>) -> Self {
         let file = strutdb::write(&database, &Index::build(&database).plan(), strut_formats::GENERATOR);
-        Self { database, file, refused, two_manners, doubt: String::new() }
+        Self { database, file, refused, bimodal_styles, doubt: String::new() }
     }
 
     /// Adds the reason why the style of one clip may look wrong.
@@ -75,14 +75,14 @@ impl Built {
 
     /// Returns the clips of bimodal styles: action, style, cluster (0 or 1) and path of each, in turn.
     #[wasm_bindgen(js_name = twoManners)]
-    pub fn two_manners(&self) -> Vec<String> {
-        let clips = |found: &TwoManners| {
-            let TwoManners { action, style, clips, .. } = found;
+    pub fn bimodal_styles(&self) -> Vec<String> {
+        let clips = |found: &BimodalStyle| {
+            let BimodalStyle { action, style, clips, .. } = found;
             let entry =
                 |manner: usize, path: &String| [action.clone(), style.clone(), manner.to_string(), path.clone()];
             let of = |manner: usize| clips[manner].iter().flat_map(move |path| entry(manner, path));
             of(0).chain(of(1)).collect::<Vec<_>>()
         };
-        self.two_manners.iter().flat_map(clips).collect()
+        self.bimodal_styles.iter().flat_map(clips).collect()
     }
 }

@@ -16,9 +16,9 @@ pub struct Clips {
 }
 
 /// Source of a clip.
-#[wasm_bindgen]
+#[wasm_bindgen(js_name = Among)]
 #[derive(Clone, Copy, Debug)]
-pub enum Among {
+pub enum ClipSource {
     /// A clip of the database.
     Own,
     /// A fallback walk for a database with too little walking.
@@ -47,7 +47,7 @@ impl Clips {
     #[allow(clippy::too_many_arguments)] // One call instead of an object that both sides would have to define.
     pub fn add(
         &mut self,
-        among: Among,
+        among: ClipSource,
         name: String,
         action: String,
         poses: &[f32],
@@ -62,9 +62,9 @@ impl Clips {
             clip = carried.map_err(EngineError::bad_input)?;
         }
         match among {
-            Among::Own => self.own.push(clip),
-            Among::Spare => self.spare.push(clip),
-            Among::Takes => self.takes.push(clip),
+            ClipSource::Own => self.own.push(clip),
+            ClipSource::Spare => self.spare.push(clip),
+            ClipSource::Takes => self.takes.push(clip),
         }
         Ok(())
     }

@@ -3,5 +3,5 @@
 mod clips;
 mod driver;
 
-pub use clips::{Among, Clips};
+pub use clips::{ClipSource, Clips};
 pub use driver::{Driver, FRAME};

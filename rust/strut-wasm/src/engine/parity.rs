@@ -14,7 +14,7 @@ use crate::engine::stylizer::Stylizer;
 use std::fmt::Write;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use strut_core::crowd::{self, Crowd, Performers, Vertex};
+use strut_core::crowd::{self, Performers, Vertex, Walkers};
 use strut_core::database::build::{BuildOptions, SourceClip, build};
 use strut_core::hsmm::{
     JointPath, LabelledClip, Options as WalkOptions, PathOptions, RuntimeWalkModel, StyleMeans, Track, Walker,
@@ -211,7 +211,7 @@ fn walk_stages(report: &mut String, db: &strut_core::database::Database) -> Resu
 /// Reports a crowd with a style map and a route, one hash per tick.
 fn crowd_stage(report: &mut String, runtime: RuntimeWalkModel) -> Result<(), EngineError> {
     let options = crowd::Options { count: CROWD, seed: 3 };
-    let mut crowd = Crowd::new(Arc::new(runtime), options).map_err(EngineError::bad_input)?;
+    let mut crowd = Walkers::new(Arc::new(runtime), options).map_err(EngineError::bad_input)?;
     let vertex = |style: usize, x: f32, intensity: f32| Vertex { style, x, z: 1.0, reach: 4.0, intensity };
     crowd.set_field(&[vertex(0, 3.0, 1.5), vertex(1, -4.0, -0.5)]).map_err(EngineError::bad_input)?;
     let mut hashes = Vec::new();
@@ -233,7 +233,7 @@ fn performers_stage(report: &mut String, database: &Database, packed: &PackedMot
     let inputs = packed.inputs()?;
     let input = inputs.first().ok_or_else(|| EngineError::bad_input("there is no input"))?;
     let input = Input::from_packed(database, packed, input)?;
-    let mut recorder = Recorder::new(Stylizer::new(database)?.core()).map_err(EngineError::bad_input)?;
+    let mut recorder = Recorder::new(Stylizer::new(database)?.core());
     input.humanoid().poses.iter().take(PERFORMED_FRAMES).for_each(|pose| recorder.push(pose));
     let numbers = recorder.finish().map(|of| of.to_floats()).unwrap_or_default();
     let predictions = Predictions::from_floats(&numbers).map_err(EngineError::bad_input)?;

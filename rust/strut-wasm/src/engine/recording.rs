@@ -22,7 +22,7 @@ impl Recording {
     /// None.
     #[wasm_bindgen(constructor)]
     pub fn new(stylizer: &Stylizer, input: &Input, first: usize, frames: usize) -> Result<Self, EngineError> {
-        let recorder = Recorder::new(stylizer.core()).map_err(EngineError::bad_input)?;
+        let recorder = Recorder::new(stylizer.core());
         let poses = input.humanoid().poses.iter().skip(first).take(frames).copied().collect();
         Ok(Self { poses, recorder })
     }

@@ -51,6 +51,7 @@ impl fmt::Display for Better {
 
 /// Reason why a clip cannot become a style of a database.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum AddStyleError {
     /// The database already has a style of this name.
     #[error("the database already has a style '{0}'; another name was expected")]

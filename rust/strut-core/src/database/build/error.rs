@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Reason why a build failed.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum BuildError {
     /// No clip was given.
     #[error("no clips were given; at least one is needed")]

@@ -6,7 +6,7 @@ use super::options::{BuildOptions, RATES_HZ};
 use super::prepare::{Labels, Preparation, Prepared};
 use super::report::{ActionReport, BuildReport, ClipReport};
 use super::source::SourceClip;
-use crate::database::{Database, MAX_FRAMES, two_manners};
+use crate::database::{Database, MAX_FRAMES, bimodal_styles};
 use crate::incremental::IncrementalJob;
 use crate::parallel::ParallelMap;
 use crate::pose_vector::PoseChart;
@@ -208,7 +208,7 @@ impl<C: Borrow<SourceClip> + Sync> IncrementalJob for Build<C> {
         }
         let parts = assemble::parts(&clips, &kept, labels, &chart, &options);
         let database = Database::new(parts)?;
-        report.two_manners = two_manners(&database);
+        report.bimodal_styles = bimodal_styles(&database);
         Ok((database, report))
     }
 }

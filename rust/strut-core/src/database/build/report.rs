@@ -1,6 +1,6 @@
 //! Report on a build's actions, styles and clips, for messages and for the command line's JSON output.
 
-use crate::database::TwoManners;
+use crate::database::BimodalStyle;
 use crate::humanoid::TooManyFrames;
 use crate::registration::{self, FaultyCycle};
 use thiserror::Error;
@@ -13,7 +13,7 @@ pub struct BuildReport {
     /// One entry for each clip, rejected ones included, sorted by action, style and take.
     pub clips: Vec<ClipReport>,
     /// Bimodal styles, in the database's order.
-    pub two_manners: Vec<TwoManners>,
+    pub bimodal_styles: Vec<BimodalStyle>,
 }
 
 impl BuildReport {

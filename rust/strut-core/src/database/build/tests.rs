@@ -506,13 +506,13 @@ fn a_clip_unlike_the_others_has_the_greatest_residual() {
 }
 
 #[test]
-fn a_style_of_two_manners_is_named_with_the_clips_of_each() {
+fn bimodal_styles_are_reported_with_the_clips_of_each_cluster() {
     let neutral = (1..=4).map(|take| walking("neutral", take, 1.0, 0.01 * take as f32, 0.0));
     let bends = [0.4, 0.41, 0.6, 0.62, 0.61];
     let old = (1..).zip(bends).map(|(take, bend)| walking("old", take, 1.2, bend, 0.0));
     let clips: Vec<SourceClip> = neutral.chain(old).collect();
     let (_, report) = build(&clips, &BuildOptions::default(), &Sequential, &mut quiet).unwrap();
-    let [found] = report.two_manners.as_slice() else { panic!("{:?}", report.two_manners) };
+    let [found] = report.bimodal_styles.as_slice() else { panic!("{:?}", report.bimodal_styles) };
     assert_eq!((found.action.as_str(), found.style.as_str()), ("walk", "old"));
     assert_eq!(found.clips[0], ["walk_old_1", "walk_old_2"]);
     assert_eq!(found.clips[1], ["walk_old_3", "walk_old_4", "walk_old_5"]);

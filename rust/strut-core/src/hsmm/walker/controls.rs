@@ -21,6 +21,7 @@ pub const MAX_TRANSITIONS: usize = 1000;
 
 /// Error of style weights.
 #[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum WeightsError {
     /// The number of weights differs from that of the styles.
     #[error("{found} weights were given for {styles} styles")]

@@ -9,7 +9,7 @@ use super::{FADE_FRAMES, Predictions};
 use crate::humanoid::{JOINTS, Proportions};
 use crate::math::{Quat, Vec3};
 use crate::pose_vector::{Placement, PoseChart, PoseRow, ROW};
-use crate::transfer::output::{Cue, Predicted};
+use crate::transfer::output::{OutputInput, Predicted};
 use thiserror::Error;
 
 /// Sizes of the header, of a frame, and of a style in a frame, in numbers.
@@ -36,7 +36,7 @@ impl Predictions {
         floats.extend(self.chart.means.iter().flat_map(|mean| mean.to_array()));
         floats.extend(self.proportions.offsets.iter().flat_map(Vec3::to_array));
         floats.extend(self.observed_range.iter().flatten());
-        for (Cue { row, at, turn }, contact) in &self.cues {
+        for (OutputInput { row, at, turn }, contact) in &self.output_inputs {
             floats.extend(row.iter().chain(&[at.x, at.z, at.heading, *turn]).chain(contact));
         }
         for Predicted { row, step_secs, contact } in &self.predicted {
@@ -71,9 +71,9 @@ fn read(floats: &[f32]) -> Option<Predictions> {
     let (of_frames, of_styles) = rest.split_at(frames * OF_FRAME);
     let proportions = Proportions { offsets: chunks(offsets, Vec3::from_array)? };
     let observed_range: [PoseRow; 2] = chunks(range, |row: [f32; ROW]| row)?;
-    let cues = of_frames.as_chunks::<OF_FRAME>().0.iter().map(|of| {
+    let output_inputs = of_frames.as_chunks::<OF_FRAME>().0.iter().map(|of| {
         let (row, &[x, z, heading, turn, left, right]) = split(of);
-        (Cue { row, at: Placement { x, z, heading }, turn }, [left, right])
+        (OutputInput { row, at: Placement { x, z, heading }, turn }, [left, right])
     });
     let predicted = of_styles.as_chunks::<OF_STYLE>().0.iter().map(|of| {
         let (row, &[step_secs, left, right]) = split(of);
@@ -91,7 +91,7 @@ fn read(floats: &[f32]) -> Option<Predictions> {
         styles,
         timing: timing != 0.0,
         footplant: footplant != 0.0,
-        cues: cues.collect(),
+        output_inputs: output_inputs.collect(),
         predicted: predicted.collect(),
     })
 }

@@ -1,7 +1,7 @@
 //! Neighbours that voted for a contact (`docs/methods/mar.md` §11).
 
 use super::Lens;
-use crate::transfer::contact_likelihood::voices;
+use crate::transfer::contact_likelihood::contact_votes;
 
 /// Vote of a frame; pairs are left and right.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,15 +28,15 @@ impl Lens {
         let inside = self.stylizer.inside();
         let catalogue = self.model().catalogue();
         let frame = self.stylizer.frame();
-        let voices: Vec<_> = voices(catalogue, inside.voters, inside.feet).collect();
+        let votes: Vec<_> = contact_votes(catalogue, inside.voters, inside.feet).collect();
         Contacts {
             votes: self.stylizer.contact_votes(),
             smoothed: frame.contact,
             output: frame.contact_out,
             planted: frame.planted,
-            contacts: voices.iter().map(|v| catalogue.contact(v.row).map(|c| c != 0)).collect(),
-            rows: voices.iter().map(|v| v.row).collect(),
-            voices: voices.iter().map(|v| v.weights).collect(),
+            contacts: votes.iter().map(|v| catalogue.contact(v.row).map(|c| c != 0)).collect(),
+            rows: votes.iter().map(|v| v.row).collect(),
+            voices: votes.iter().map(|v| v.weights).collect(),
         }
     }
 }

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Reason why a lens cannot show something.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum LensError {
     /// The input has too few frames.
     #[error("the input has {frames} frames; {least} are needed at least")]

@@ -33,7 +33,8 @@ impl Workload {
     #[wasm_bindgen(js_name = heldOutOf)]
     pub fn held_out_of(bytes: &[u8]) -> Result<Self, EngineError> {
         let whole = strutdb::read(bytes).map_err(|e| EngineError::bad_file(e, ""))?.database;
-        let (database, queries) = benchmark::hold_out(&whole).map_err(EngineError::bad_input)?;
+        let (database, queries) = benchmark::hold_out(&whole)
+            .ok_or_else(|| EngineError::bad_input("no class has two clips, of which one could be held out"))?;
         Ok(Self { database, queries })
     }
 

@@ -1,5 +1,5 @@
+use super::super::*;
 use super::*;
-use crate::crowd::{INTENSITY, JOINT_FLOATS, TICK_HZ};
 use crate::fixtures::{Gait, NEUTRAL, database, walk};
 use crate::humanoid::Role;
 use crate::kinematics::WorldPose;
@@ -14,7 +14,7 @@ fn predictions() -> Arc<Predictions> {
 
 fn recorded(input: &[Pose]) -> Arc<Predictions> {
     let stylizer = Stylizer::new(Arc::new(Model::new(database())), crate::transfer::Options::DEFAULT).unwrap();
-    let mut recorder = Recorder::new(&stylizer).unwrap();
+    let mut recorder = Recorder::new(&stylizer);
     for pose in input {
         recorder.push(pose);
     }
@@ -44,7 +44,7 @@ fn joints(performers: &Performers) -> Vec<Vec3> {
 }
 
 #[test]
-fn nobody_leaves_the_ground_or_stays_inside_somebody_else() {
+fn performers_stay_on_the_ground_and_apart() {
     for count in [1, 12, 100] {
         let mut performers = performers(count, 7);
         performers.set_field(&[Vertex { intensity: 1.5, ..vertex(-3.0, 0.0) }]).unwrap();
@@ -78,8 +78,8 @@ fn feet_that_stand_do_not_slide_though_their_owner_turns() {
     let mut before = None;
     for _ in 0..30 * TICK_HZ as usize {
         performers.tick();
-        let member = &performers.members[0];
-        let (world, planted) = (*member.world(), member.planted());
+        let member = &performers.agents[0];
+        let (world, planted) = (member.world(), member.planted());
         if let Some((was, was_planted)) = before.replace((world, planted)) {
             let was: WorldPose = was;
             let was_planted: [bool; 2] = was_planted;
@@ -100,7 +100,7 @@ fn feet_that_stand_do_not_slide_though_their_owner_turns() {
 }
 
 #[test]
-fn nobody_jumps_where_the_motion_begins_anew_or_the_field_is_another() {
+fn loops_and_new_fields_cause_no_jumps() {
     let mut performers = performers(40, 2);
     performers.set_field(&[vertex(2.0, 0.0)]).unwrap();
     let mut before = joints(&performers);
@@ -134,7 +134,7 @@ fn a_vertex_changes_whoever_it_reaches_within_half_a_second() {
 }
 
 #[test]
-fn who_performs_alone_in_no_style_does_what_a_performer_does() {
+fn a_lone_neutral_agent_matches_a_performer() {
     let mut performers = performers(1, 3);
     let predictions = predictions();
     let mut alone = crate::transfer::Performer::new(Arc::clone(&predictions), None);
@@ -143,20 +143,20 @@ fn who_performs_alone_in_no_style_does_what_a_performer_does() {
     let knee = Role::LeftLowerLeg.index();
     for _ in 0..60 {
         performers.tick();
-        let own = performers.members[0].pose().rotations[knee];
+        let own = performers.agents[0].pose().rotations[knee];
         let nearest = frames.iter().map(|pose| pose.rotations[knee].dot(own).abs()).fold(0.0, f32::max);
         assert!(nearest > 0.999, "{nearest}");
     }
 }
 
 #[test]
-fn who_stays_in_place_is_not_turned() {
+fn motion_in_place_is_not_turned() {
     let mut pose = walk(&NEUTRAL, 1, 0.0).poses[0];
     pose.root.x = 0.0;
     let standing = vec![pose; 60];
     let mut performers = Performers::new(recorded(&standing), Options { count: 3, seed: 1 }).unwrap();
     let seen = |performers: &Performers| -> Vec<(Vec3, Vec3)> {
-        let poses = performers.members.iter().map(Performing::pose);
+        let poses = performers.agents.iter().map(Performing::pose);
         poses.map(|pose| (pose.root, pose.rotations[0] * Vec3::Z)).collect()
     };
     (0..10).for_each(|_| performers.tick());
@@ -194,20 +194,20 @@ fn performers_come_and_go_at_the_end() {
 }
 
 #[test]
-fn the_next_ticks_are_those_that_come_to_who_is_alone() {
+fn ahead_gives_the_ticks_of_a_lone_agent() {
     let mut performers = performers(1, 9);
     performers.set_field(&[vertex(1.0, 1.0)]).unwrap();
     (0..50).for_each(|_| performers.tick());
     for pose in performers.ahead(0, 90).unwrap() {
         performers.tick();
-        assert_eq!(performers.members[0].pose(), &pose);
+        assert_eq!(performers.agents[0].pose(), &pose);
         assert_eq!(performers.world()[..3], pose.root.to_array());
     }
     assert_eq!(performers.ahead(1, 1), None);
 }
 
 #[test]
-fn what_is_no_crowd_is_refused_and_changes_nothing() {
+fn invalid_parameters_are_rejected_and_changes_nothing() {
     let predictions = predictions();
     for count in [0, MAX_COUNT + 1] {
         let refused = Performers::new(Arc::clone(&predictions), Options { count, seed: 1 });

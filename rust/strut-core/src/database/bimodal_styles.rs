@@ -29,7 +29,7 @@ const MIN_EXPLAINED: f64 = 0.5;
 
 /// A bimodal style: its takes of an action form two clusters.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TwoManners {
+pub struct BimodalStyle {
     /// Name of the action.
     pub action: String,
     /// Name of the style.
@@ -42,13 +42,13 @@ pub struct TwoManners {
 }
 
 /// Bimodal styles of a database, in the order of its classes. Classes with fewer than 4 clips are not tested.
-pub fn two_manners(db: &Database) -> Vec<TwoManners> {
+pub fn bimodal_styles(db: &Database) -> Vec<BimodalStyle> {
     let takes = statistics_of_takes(db);
     let spread = TakeSpread::of(&takes);
     let found = db.classes().iter().zip(&takes).filter_map(|(class, takes)| {
-        let (separation, groups) = manners(takes, &spread)?;
+        let (separation, groups) = clusters(takes, &spread)?;
         let name = |i: usize| db.clips[class.clips.start + i].name.clone();
-        Some(TwoManners {
+        Some(BimodalStyle {
             action: db.actions[usize::from(class.action)].clone(),
             style: db.styles[usize::from(class.style)].clone(),
             separation: separation as f32,
@@ -65,7 +65,7 @@ pub fn statistics_of_takes(db: &Database) -> Vec<Vec<MotionStatistics>> {
 }
 
 /// Distance and takes (as indices) of the two clusters that takes form, if they do.
-fn manners(takes: &[MotionStatistics], spread: &TakeSpread) -> Option<(f64, [Vec<usize>; 2])> {
+fn clusters(takes: &[MotionStatistics], spread: &TakeSpread) -> Option<(f64, [Vec<usize>; 2])> {
     let standardised: Vec<MotionStatistics> = takes.iter().map(|take| spread.standardised(take)).collect();
     let found = principal_partition(&standardised, MIN_CLIPS)?;
     let separation = found.distance / spread.distance_of_takes();
@@ -90,7 +90,7 @@ mod tests {
     fn manners_of(class: &[MotionStatistics]) -> Option<(f64, [Vec<usize>; 2])> {
         let mut classes: Vec<_> = (0..5).map(|i| takes(6, i as f64, i)).collect();
         classes.push(class.to_vec());
-        manners(class, &TakeSpread::of(&classes))
+        clusters(class, &TakeSpread::of(&classes))
     }
 
     fn of_two_places(apart: f64, seed: u64) -> Vec<MotionStatistics> {
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn of_three_takes_or_fewer_nothing_is_said() {
+    fn bimodality_needs_four_takes() {
         for n in 0..=3 {
             let class = takes(n, 1.0, 7);
             let apart: Vec<MotionStatistics> =
@@ -138,6 +138,6 @@ mod tests {
     #[test]
     fn takes_that_are_all_alike_have_one_manner() {
         let class = vec![[1.0; STATISTICS]; 6];
-        assert_eq!(manners(&class, &TakeSpread::of(std::slice::from_ref(&class))), None);
+        assert_eq!(clusters(&class, &TakeSpread::of(std::slice::from_ref(&class))), None);
     }
 }

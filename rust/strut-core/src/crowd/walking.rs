@@ -1,10 +1,12 @@
-//! An agent of the crowd: a walker with its own goal and random state.
+//! An agent that walks, with its own goal and random state.
 
+use super::agent::Agent;
 use super::errand::{Errand, Ground, Start};
-use super::field::Field;
 use super::grid::Others;
-use super::steering::{self, FORESEEN, Figure, Intention, OVERLAPPING, Pace, facing};
+use super::steering::{self, AgentState, FORESEEN, OVERLAPPING, Pace, SteeringInput, facing};
 use crate::hsmm::{RATE_HZ, RuntimeWalkModel, STRIDE, Walker};
+use crate::humanoid::{Pose, Proportions};
+use crate::kinematics::WorldPose;
 use crate::math::random::SplitMix64;
 use crate::math::{Vec2, Vec3};
 use std::sync::Arc;
@@ -20,9 +22,9 @@ const LEAST_STEP_LENGTH: f32 = 0.3;
 /// Initial speed, m/s.
 const SPEED: f32 = 1.2;
 
-/// An agent of the crowd.
+/// An agent that walks by the model of walk styles.
 #[derive(Clone, Debug)]
-pub(super) struct Member {
+pub struct Walking {
     pub(super) walker: Walker,
     random: SplitMix64,
     errand: Errand,
@@ -40,26 +42,29 @@ pub(super) struct Member {
     speed: f32,
 }
 
-impl Member {
-    /// Creates agent number `index` of the crowd of a seed; writes its weights.
-    pub(super) fn new(
-        model: &Arc<RuntimeWalkModel>,
-        seed: u32,
-        index: usize,
-        field: &Field,
-        weights: &mut [f32],
-    ) -> Self {
+impl Agent for Walking {
+    type Shared = Arc<RuntimeWalkModel>;
+
+    fn styles(model: &Self::Shared) -> usize {
+        model.styles()
+    }
+
+    fn proportions(model: &Self::Shared) -> &Proportions {
+        model.proportions()
+    }
+
+    fn new(model: &Self::Shared, seed: u32, index: usize, ground: &Ground, weights: &mut [f32]) -> Self {
         let mut start = Start::new(seed, index);
         let at = start.at;
         let mut walker = Walker::new(Arc::clone(model));
         walker.set_variation(Some(start.random.next_u64() as u32));
-        field.write_weights(at, weights);
+        ground.field.write_weights(at, weights);
         // A field's weights are always valid for a walker.
         let _ = walker.set_styles(weights);
         walker.reset(Vec3::new(at.x, 0.0, at.y), start.heading());
         let mut random = start.random;
         (0..=random.below(CYCLE)).for_each(|_| _ = walker.advance());
-        let mut member = Self {
+        let mut agent = Self {
             step: walker.next_step(),
             walker,
             errand: Errand::new(&mut random),
@@ -72,30 +77,38 @@ impl Member {
             cruise: SPEED,
             speed: SPEED,
         };
-        member.from = member.figure().at;
-        member
+        agent.from = agent.state().at;
+        agent
     }
 
-    /// State as seen by other agents.
-    pub(super) fn figure(&self) -> Figure {
+    fn state(&self) -> AgentState {
         let root = self.walker.pose().root;
-        Figure { at: Vec2::new(root.x, root.z), facing: facing(self.walker.heading()), speed: self.speed }
+        AgentState { at: Vec2::new(root.x, root.z), facing: facing(self.walker.heading()), speed: self.speed }
     }
 
-    /// Advances by a frame among others; updates the agent's weights.
-    pub(super) fn tick(&mut self, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
+    fn tick(&mut self, _: &Self::Shared, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         self.frames += 1;
         if self.walker.next_step() != self.step {
             // Uses the walking speed: with its own speed, a standing agent would never find a free path.
-            let me = Figure { speed: self.cruise, ..self.figure() };
+            let me = AgentState { speed: self.cruise, ..self.state() };
             self.begin_step(&me, ground, others, weights);
         }
-        self.walker.shift(steering::aside(&self.figure(), others.within(OVERLAPPING)));
+        self.walker.shift(steering::aside(&self.state(), others.within(OVERLAPPING)));
         self.walker.advance();
     }
 
+    fn pose(&self) -> &Pose {
+        self.walker.pose()
+    }
+
+    fn world(&self) -> WorldPose {
+        self.walker.world()
+    }
+}
+
+impl Walking {
     /// Chooses turn and pace, and takes the styles of the place where the step leads.
-    fn begin_step(&mut self, me: &Figure, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
+    fn begin_step(&mut self, me: &AgentState, ground: &Ground, others: &mut Others, weights: &mut [f32]) {
         let length = me.at.distance(self.from);
         self.speed = length * RATE_HZ / self.frames as f32;
         if self.pace == Pace::Walks && length > LEAST_STEP_LENGTH {
@@ -103,8 +116,8 @@ impl Member {
         }
         (self.step, self.from, self.frames) = (self.walker.next_step(), me.at, 0);
         let (wander, target) = self.errand.next(me.at, me.facing, ground, &mut self.random);
-        let intention = Intention { wander, target, length: self.length, stood: self.stood, radius: ground.radius };
-        let (turn, pace) = steering::step(me, &intention, others.within(FORESEEN));
+        let input = SteeringInput { wander, target, length: self.length, stood: self.stood, radius: ground.radius };
+        let (turn, pace) = steering::step(me, &input, others.within(FORESEEN));
         self.walker.set_turn(turn);
         self.set_pace(pace);
         if ground.field.write_weights(me.at + LOOK_AHEAD_SECS * self.speed * me.facing, weights) {
