@@ -6,8 +6,8 @@ import { type Measured, measure } from "../../player/measured";
 import type { Style } from "../built_in";
 import type { Measure } from "../kind";
 import { AXES } from "../line/line_state";
+import { memoized } from "../memoized";
 import { meanOf } from "../pairing";
-import { remembered } from "../remembered";
 import { inputOf, type JudgeState, METHODS, type Method, type Take } from "./judge_state";
 import { type Achieved, BUILT_IN_OTHER_TAKE, RECORDED, type Standing, steadiest } from "./recorded";
 
@@ -34,7 +34,7 @@ interface Held {
   truth: Measured;
 }
 
-const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held> => {
+const heldOf = memoized(async (engine, take: Take, style: Style): Promise<Held> => {
   const [motion, performed] = await Promise.all([engine.motion({ name: take }), engine.counterpart(take, style)]);
   if (!performed) throw new Error(`“${take}” has no recording in the style “${style}”.`);
   const { rateHz, proportions } = motion;
@@ -42,7 +42,7 @@ const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held
 });
 
 /** The result of a method on a take that is held out, or left in; computed once. */
-export const trialOf = remembered(
+export const trialOf = memoized(
   async (engine, take: Take, style: Style, leftIn: boolean, method: Method): Promise<Trial> => {
     // Without foot planting, as in the evaluation.
     const options = { ...DEFAULT_OPTIONS, styles: { [style]: 1 }, method, footplant: false };

@@ -5,7 +5,7 @@ import { setAttributes, svg } from "../../ui/dom";
 import type { Viewer } from "../../viewer";
 import type { FigureKind, FigureParts } from "../kind";
 import { LimbHandles } from "../limb_handles";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { SceneFigure } from "../scene_figure";
 import { turnOf, withTurn } from "../turned_joints";
 import { type Aligned, align, positionsOf, WEIGHT, WEIGHTS } from "./alignment";
@@ -29,8 +29,8 @@ export const QUERY: FigureKind<NearState> = {
   create: (parts) => new QueryFigure(parts),
 };
 
-const posesOf = remembered((engine, rows: readonly number[]) => engine.rowPoses(rows));
-const proportionsOf = remembered(async (engine, name: string) => (await engine.motion({ name })).proportions);
+const posesOf = memoized((engine, rows: readonly number[]) => engine.rowPoses(rows));
+const proportionsOf = memoized(async (engine, name: string) => (await engine.motion({ name })).proportions);
 
 /** A query with its aligned nearest examples. */
 interface Shown {
