@@ -40,6 +40,12 @@ export interface KnobLanguage {
 
 const ENGLISH: KnobLanguage = { decimal: ".", number: "number" };
 
+export interface KnobText {
+  symbol: string;
+  name: string;
+  description: string;
+}
+
 export class Knob {
   readonly element: HTMLElement;
   readonly #dial: HTMLElement;
@@ -53,7 +59,7 @@ export class Knob {
 
   /** `symbol` is displayed, `name` and `description` are announced and shown as a tooltip. */
   constructor(
-    text: { symbol: string; name: string; description: string },
+    text: KnobText,
     range: DialRange,
     initial: number,
     listeners: KnobListeners,
