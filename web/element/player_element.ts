@@ -11,17 +11,15 @@ import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
 import type { Database, Motion, Source } from "../package/types";
-import { formatNumber, html } from "../ui/dom";
+import { html } from "../ui/dom";
 import { prefersReducedMotion } from "../ui/media";
-import { COMPACT, Polygon } from "../ui/polygon/polygon";
-import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/selection";
+import { allOf, type Selection, vertexOrder } from "../ui/polygon/selection";
 import { graphics } from "../viewer";
 import { Announcer } from "./announcer";
 import {
   ATTRIBUTE_NAMES,
   type AttributeName,
   type PropertyName,
-  propertyOf,
   readAttribute,
   type ValueOf,
   writeProperty,
@@ -37,10 +35,12 @@ import { schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
 import { closeFigure, type Opened, openFigure } from "./opened";
 import { Poster } from "./poster";
-import { addressesOf, completed, settingsOf, triangleOf } from "./settings";
+import { defineProperties, takeEarlyProperties } from "./properties";
+import { addressesOf, completed, settingsOf } from "./settings";
 import { sheets } from "./sheets";
 import { isShortcut } from "./shortcut";
 import { strings } from "./strings";
+import { StylesPanel } from "./styles_panel";
 
 /** Distance from the visible area at which it loads, pixels. */
 const NEAR_PX = 200;
@@ -50,8 +50,6 @@ const CLOCK_MS = 60;
 const UNSEEN_MS = 30_000;
 /** The error of a player that is removed from its page while it loads. */
 const TAKEN_AWAY = { code: "cancelled", message: "The player was removed from the page.", hint: "" } as const;
-/** Smaller weights are not announced. */
-const SAID = 0.005;
 
 /** Properties that only reflect an attribute. */
 type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
@@ -72,18 +70,13 @@ export class StrutPlayer extends ElementBase {
   readonly #credit = new Credit();
   readonly #cast = new Cast((character) => this.#onCast(character));
   readonly #announcer = new Announcer();
-  readonly #styles = html("div", { class: "styles", part: "styles", hidden: true });
-  readonly #polygon: Polygon;
+  readonly #styles = new StylesPanel((styles) => this.#choose(styles));
   readonly #bar: Bar;
   readonly #observers: IntersectionObserver[] = [];
   #connected = false;
   #opening: AbortController | undefined;
   #opened: Opened | undefined;
   #ready = new Deferred();
-  #selection: Selection = [];
-  #beforeGesture: Selection = [];
-  /** Styles at the corners of the polygon. */
-  #vertices: readonly string[] = [];
   #source: Source | Motion | undefined;
   #base: Source | Database | undefined;
   #star: CastSource | undefined;
@@ -106,17 +99,6 @@ export class StrutPlayer extends ElementBase {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.adoptedStyleSheets = sheets();
-    this.#polygon = new Polygon(
-      {
-        onChange: (selection) => this.#choose(selection),
-        onSettle: () => {
-          this.#beforeGesture = this.#selection;
-        },
-        onCancel: () => this.#choose(this.#beforeGesture),
-      },
-      COMPACT,
-    );
-    this.#styles.append(this.#polygon.element);
     this.#bar = new Bar(
       {
         onPlay: () => this.#toggle(),
@@ -129,7 +111,14 @@ export class StrutPlayer extends ElementBase {
     const stage = html("div", { class: "stage", part: "stage" });
     stage.append(this.#picture, this.#credit.element, this.#poster.element, this.#message.element);
     const instructions = html("p", { class: "visually-hidden", id: "instructions" }, strings.instructions);
-    this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#announcer.element);
+    this.#player.append(
+      stage,
+      this.#styles.element,
+      this.#bar.element,
+      this.#probe,
+      instructions,
+      this.#announcer.element,
+    );
     root.append(this.#player);
     this.addEventListener("keydown", (event) => this.#onKey(event));
     this.addEventListener("focusin", () => this.#focus(true));
@@ -212,7 +201,7 @@ export class StrutPlayer extends ElementBase {
 
   /** The styles and their weights. */
   get styles(): StyleWeights {
-    return weightsOf(this.#opened ? this.#selection : settingsOf(this).styles);
+    return weightsOf(this.#opened ? this.#styles.selection : settingsOf(this).styles);
   }
 
   set styles(value: string | StyleWeights) {
@@ -278,7 +267,7 @@ export class StrutPlayer extends ElementBase {
   connectedCallback(): void {
     if (this.#connected) return;
     this.#connected = true;
-    this.#takeEarlyProperties();
+    takeEarlyProperties(this, ["accept", "currentTime"]);
     this.#plays ||= this.autoplay && !prefersReducedMotion();
     this.#showAttributes();
     this.#observe(NEAR_PX, (isNear) => {
@@ -393,7 +382,7 @@ export class StrutPlayer extends ElementBase {
 
   #takeOpened({ figure, database, fault }: Opened): void {
     const settings = settingsOf(this);
-    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#styles.selection = completed(settings.styles, database.value.info.neutral);
     this.#bar.setDuration(figure.frames, figure.rateHz);
     if (this.#startSecs !== undefined) figure.seek(this.#startSecs * figure.rateHz);
     this.#startSecs = undefined;
@@ -470,17 +459,6 @@ export class StrutPlayer extends ElementBase {
     this.#cast.dispose();
   }
 
-  /** Applies properties that were set before the element was defined. */
-  #takeEarlyProperties(): void {
-    for (const name of [...ATTRIBUTE_NAMES.map(propertyOf), "accept", "currentTime"].filter((known) =>
-      Object.hasOwn(this, known),
-    )) {
-      const value: unknown = Reflect.get(this, name);
-      Reflect.deleteProperty(this, name);
-      Reflect.set(this, name, value);
-    }
-  }
-
   #observe(margin: number, act: (isInside: boolean) => void): void {
     const take = (entries: IntersectionObserverEntry[]) => act(entries.at(-1)!.isIntersecting);
     const observer = new IntersectionObserver(take, { rootMargin: `${margin}px` });
@@ -508,7 +486,7 @@ export class StrutPlayer extends ElementBase {
     this.#bar.ghost = settingsOf(this).ghost;
     this.#poster.picture = this.poster;
     this.#player.classList.toggle("bare", this.#bar.element.hidden !== false);
-    this.#styles.hidden = !controls.includes("styles") || !this.#opened;
+    this.#styles.element.hidden = !controls.includes("styles") || !this.#opened;
     this.#describe();
   }
 
@@ -524,7 +502,7 @@ export class StrutPlayer extends ElementBase {
       return;
     }
     this.#message.hide();
-    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#styles.selection = completed(settings.styles, database.value.info.neutral);
     this.#showStyles(true);
   }
 
@@ -542,12 +520,9 @@ export class StrutPlayer extends ElementBase {
   }
 
   #showStyles(glide: boolean): void {
-    const { info } = this.#opened!.database.value;
-    const { vertices, selection } = triangleOf(this.#selection, info, this.#vertices);
-    this.#vertices = vertices;
-    this.#polygon.show({ vertices, selection, whole: false, beyond: isBeyondData(selection, 1) }, glide);
-    const isOver = !this.#styles.hidden && getComputedStyle(this.#styles).position === "absolute";
-    this.#opened!.figure.viewer.covered = isOver ? this.#styles.offsetWidth / 2 : 0;
+    const { database, figure } = this.#opened!;
+    this.#styles.show(database.value.info, glide);
+    figure.viewer.covered = this.#styles.covered;
     this.#bar.href = this.#address();
     this.#describe();
   }
@@ -556,18 +531,14 @@ export class StrutPlayer extends ElementBase {
   #address(): string {
     if (!site()) return "";
     const { linked } = settingsOf(this);
-    const state = { ...initialOf(PLAY_FIELDS), ...linked, styles: this.#selection };
+    const state = { ...initialOf(PLAY_FIELDS), ...linked, styles: this.#styles.selection };
     return `${site()}#${writeHash(PLAY_FIELDS, state)}`;
   }
 
   #describe(): void {
     const { viewer } = this.#opened?.figure ?? {};
     if (!viewer) return;
-    const said = [...this.#selection]
-      .filter(({ weight }) => Math.abs(weight) > SAID)
-      .sort((a, b) => b.weight - a.weight)
-      .map(({ name, weight }) => [name, formatNumber(weight, 2)] as const);
-    viewer.description = this.alt || strings.description(strings.mix(said));
+    viewer.description = this.alt || strings.description(strings.mix(this.#styles.said));
     viewer.describedBy = "instructions";
   }
 
@@ -639,7 +610,7 @@ export class StrutPlayer extends ElementBase {
     };
     const style = vertexOrder(styles, neutral)[Number(event.key) - 1];
     const act = style
-      ? () => this.#choose(allOf(this.#selection, style))
+      ? () => this.#choose(allOf(this.#styles.selection, style))
       : (keys[event.key] ?? keys[event.key.toLowerCase()]);
     if (!act) return;
     event.preventDefault();
@@ -647,17 +618,4 @@ export class StrutPlayer extends ElementBase {
   }
 }
 
-for (const name of ATTRIBUTE_NAMES) {
-  const property = propertyOf(name);
-  if (Object.hasOwn(StrutPlayer.prototype, property)) continue;
-  Object.defineProperty(StrutPlayer.prototype, property, {
-    configurable: true,
-    enumerable: true,
-    get(this: StrutPlayer) {
-      return readAttribute(this, name);
-    },
-    set(this: StrutPlayer, value: unknown) {
-      writeProperty(this, name, value);
-    },
-  });
-}
+defineProperties(StrutPlayer.prototype);
