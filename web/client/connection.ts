@@ -45,7 +45,7 @@ export interface Reopenable {
 }
 
 /** Result of reopening everything after a failed worker was replaced. */
-export interface Restart {
+interface Restart {
   /** The fault, a sentence for the user. */
   message: string;
   /** Objects that could not be reopened, and the reasons. */

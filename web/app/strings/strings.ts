@@ -17,7 +17,7 @@ import { walk } from "../views/walk/strings.en";
 const en = { embed, page, play, compare, data, walk, keyStyle, crowd, synthesis };
 
 /** The table of a language. */
-export type Strings = Translated<typeof en>;
+type Strings = Translated<typeof en>;
 
 /** The current language. */
 export const strings: Strings = en;

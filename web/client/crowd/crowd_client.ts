@@ -13,7 +13,7 @@ import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 export type { CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
 /** Settings of a crowd that depend on its agents. */
-export interface CrowdChoices {
+interface CrowdChoices {
   /** Computes the styles by place from the available styles; overrides the start's field. */
   fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
   /** Computes the bones on which the joints are placed from the crowd's own, 21 × xyz in metres; by default the crowd's own. */
@@ -21,7 +21,7 @@ export interface CrowdChoices {
 }
 
 /** Dependencies that tests replace. */
-export interface CrowdSurroundings {
+interface CrowdSurroundings {
   spawn?: () => ClientPort;
   clock?: Clock;
 }

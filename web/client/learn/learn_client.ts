@@ -5,7 +5,7 @@ import workerAddress from "./learn_worker?worker&url";
 import type { LearnEngine } from "./protocol";
 
 /** An engine with its disposal. */
-export type LearnClient = LearnEngine & { dispose(): void };
+type LearnClient = LearnEngine & { dispose(): void };
 
 function spawnWorker(): ClientPort {
   const address = new URL(workerAddress, import.meta.url);

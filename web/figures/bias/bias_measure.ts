@@ -24,7 +24,7 @@ export interface Band {
 }
 
 /** The band of a fit. */
-export function bandOf(fit: Fit, keep: number): Band {
+function bandOf(fit: Fit, keep: number): Band {
   const [x, mean, deviation, bias, y] = [fit.query[2], fit.means.x, fit.deviation, fit.bias, fit.predicted].map(
     (radians) => radians * DEGREES,
   ) as [number, number, number, number, number];

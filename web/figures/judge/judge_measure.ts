@@ -82,7 +82,7 @@ export async function standingOn(
 }
 
 /** Mean distance in each frame of joints relative to the hips, heading removed, mm. */
-export function poseErrors(a: Measured, b: Measured): Float64Array {
+function poseErrors(a: Measured, b: Measured): Float64Array {
   return Float64Array.from({ length: Math.min(a.frames, b.frames) }, (_, frame) => {
     const hips = 3 * JOINTS * frame;
     const rise = a.local[hips + 1]! - b.local[hips + 1]!;
@@ -96,7 +96,7 @@ export function poseErrors(a: Measured, b: Measured): Float64Array {
 }
 
 /** Mean magnitude of the second difference of the joints, metres per squared frame. */
-export function accelerationOf({ local, frames }: Measured): number {
+function accelerationOf({ local, frames }: Measured): number {
   const size = 3 * JOINTS;
   let sum = 0;
   for (let at = size; at < size * (frames - 1); at += 3) {
@@ -107,7 +107,7 @@ export function accelerationOf({ local, frames }: Measured): number {
 }
 
 /** Correlation of the fast content of two motions, after subtracting a moving average of `window` frames. */
-export function contentOf(a: Measured, b: Measured, window: number): number {
+function contentOf(a: Measured, b: Measured, window: number): number {
   const frames = Math.min(a.frames, b.frames);
   let [ab, aa, bb] = [0, 0, 0];
   for (let number = 3; number < 3 * JOINTS; number++) {

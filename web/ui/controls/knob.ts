@@ -16,7 +16,7 @@ const SWEEP = 270;
 const START = -135;
 const RADIUS = 18;
 
-export interface KnobListeners extends GestureListeners {
+interface KnobListeners extends GestureListeners {
   onInput: (value: number) => void;
 }
 
@@ -33,7 +33,7 @@ const arc = (share: number): string => {
 };
 
 /** Number formatting: the decimal sign, and the name of a field for a number. */
-export interface KnobLanguage {
+interface KnobLanguage {
   decimal: string;
   number: string;
 }
