@@ -46,8 +46,6 @@ import { StylesPanel } from "./styles_panel";
 const NEAR_PX = 200;
 /** Minimum time between two updates of the clock during playback, milliseconds, since each one causes a repaint. */
 const CLOCK_MS = 60;
-/** Time out of sight after which a character is freed, milliseconds. */
-const UNSEEN_MS = 30_000;
 /** The error of a player that is removed from its page while it loads. */
 const TAKEN_AWAY = { code: "cancelled", message: "The player was removed from the page.", hint: "" } as const;
 
@@ -77,9 +75,12 @@ export class StrutPlayer extends ElementBase {
   #opening: AbortController | undefined;
   #opened: Opened | undefined;
   #ready = new Deferred();
-  #source: Source | Motion | undefined;
-  #base: Source | Database | undefined;
-  #star: CastSource | undefined;
+  /** What the page has given as objects; URLs are in the attributes. */
+  readonly #given: {
+    src?: Source | Motion | undefined;
+    db?: Source | Database | undefined;
+    character?: CastSource | undefined;
+  } = {};
   #visible = false;
   #failed = false;
   /** Whether the open figure has been drawn. */
@@ -88,9 +89,6 @@ export class StrutPlayer extends ElementBase {
   #plays = false;
   /** Whether an attribute is being written by the element itself. */
   #reflecting = false;
-  /** Whether the character was freed because the player was not visible. */
-  #isCastFreed = false;
-  #unseen: ReturnType<typeof setTimeout> | undefined;
   #clockAt = 0;
   /** Start position after loading, seconds: the previous position, or one that was sought. */
   #startSecs: number | undefined;
@@ -161,32 +159,31 @@ export class StrutPlayer extends ElementBase {
 
   /** The motion: a URL, or an argument or a result of `openMotion`. */
   get src(): Source | Motion {
-    return this.#source ?? addressesOf(this).src;
+    return this.#given.src ?? addressesOf(this).src;
   }
 
   set src(value: Source | Motion) {
-    this.#source = typeof value === "string" ? undefined : value;
-    this.#takeSource("src", value);
+    this.#give("src", value);
+    this.#reopen();
   }
 
   /** The database: a URL, or an argument or a result of `openDatabase`. */
   get db(): Source | Database {
-    return this.#base ?? addressesOf(this).db;
+    return this.#given.db ?? addressesOf(this).db;
   }
 
   set db(value: Source | Database) {
-    this.#base = typeof value === "string" ? undefined : value;
-    this.#takeSource("db", value);
+    this.#give("db", value);
+    this.#reopen();
   }
 
   /** The character: a URL, empty for the mannequin, a file, or a result of `loadCharacter`. */
   get character(): CastSource {
-    return this.#star ?? readAttribute(this, "character");
+    return this.#given.character ?? readAttribute(this, "character");
   }
 
   set character(value: CastSource) {
-    this.#star = typeof value === "string" ? undefined : value;
-    this.#writeSource("character", value);
+    this.#give("character", value);
     this.#perform();
   }
 
@@ -276,7 +273,8 @@ export class StrutPlayer extends ElementBase {
     this.#observe(0, (isVisible) => {
       this.#visible = isVisible;
       this.#applyPlaying();
-      this.#freeUnseen();
+      if (isVisible && this.#cast.isFreed) this.#perform();
+      this.#cast.isVisible = isVisible;
     });
     if (this.loading === "eager") void this.#open();
   }
@@ -300,14 +298,11 @@ export class StrutPlayer extends ElementBase {
   attributeChangedCallback(name: AttributeName, before: string | null, now: string | null): void {
     if (before === now || this.#reflecting || !this.#connected) return;
     this.#showAttributes();
-    if (name === "src" || name === "db") {
+    if (name === "src" || name === "db" || name === "character") {
       // A URL replaces an object.
-      if (name === "src") this.#source = undefined;
-      else this.#base = undefined;
-      this.#reopen();
-    } else if (name === "character") {
-      this.#star = undefined;
-      this.#perform();
+      delete this.#given[name];
+      if (name === "character") this.#perform();
+      else this.#reopen();
     } else if (name === "theme") this.#recolour();
     else this.#applySettings();
     if (name === "frame") this.#opened?.figure.seek(this.frame);
@@ -315,19 +310,16 @@ export class StrutPlayer extends ElementBase {
 
   // --- opening and closing ---
 
-  /** Opens another motion or database, if one is open or requested already. */
-  #takeSource(name: "src" | "db", value: unknown): void {
-    this.#writeSource(name, value);
-    this.#reopen();
-  }
-
-  /** The attribute contains a source only if that is a URL. */
-  #writeSource(name: "src" | "db" | "character", value: unknown): void {
+  /** Keeps a source; its attribute contains it only if it is a URL. */
+  #give<K extends "src" | "db" | "character">(name: K, value: StrutPlayer[K]): void {
+    const isUrl = typeof value === "string";
+    Object.assign(this.#given, { [name]: isUrl ? undefined : value });
     this.#reflecting = true;
-    writeProperty(this, name, typeof value === "string" ? value : null);
+    writeProperty(this, name, isUrl ? value : null);
     this.#reflecting = false;
   }
 
+  /** Opens another motion or database, if one is open or requested already. */
   #reopen(): void {
     if (this.#opened || this.#opening || this.#failed) void this.#open();
   }
@@ -360,7 +352,7 @@ export class StrutPlayer extends ElementBase {
 
   async #openFigure(signal: AbortSignal): Promise<Opened> {
     const settings = settingsOf(this);
-    const file = this.#source === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
+    const file = this.#given.src === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
     const motion = file ? new File([file.bytes], `${file.name}.bvh`) : this.src;
     const listeners: FigureListeners = {
       onFrame: (frame) => this.#onFrame(frame),
@@ -399,7 +391,6 @@ export class StrutPlayer extends ElementBase {
   /** Makes the requested character perform, once a figure is open. */
   #perform(): void {
     if (!this.#opened) return;
-    this.#isCastFreed = false;
     this.#message.hide();
     this.#cast.take(this.character).catch((thrown: unknown) => this.#complain(thrown));
   }
@@ -407,17 +398,6 @@ export class StrutPlayer extends ElementBase {
   #onCast(character: Character | undefined): void {
     this.#credit.show(character?.licence);
     this.#opened?.figure.perform(character).catch((thrown: unknown) => this.#complain(thrown));
-  }
-
-  /** Frees the character of a player that has not been visible for a while; it is loaded again when the player is. */
-  #freeUnseen(): void {
-    clearTimeout(this.#unseen);
-    if (this.#visible && this.#isCastFreed) this.#perform();
-    if (this.#visible || !this.#cast.character) return;
-    this.#unseen = setTimeout(() => {
-      this.#isCastFreed = true;
-      this.#cast.dispose();
-    }, UNSEEN_MS);
   }
 
   #onDrawn(): void {
@@ -454,9 +434,7 @@ export class StrutPlayer extends ElementBase {
     const opened = this.#opened;
     this.#opened = undefined;
     if (opened) closeFigure(opened);
-    if (!abort) return;
-    clearTimeout(this.#unseen);
-    this.#cast.dispose();
+    if (abort) this.#cast.dispose();
   }
 
   #observe(margin: number, act: (isInside: boolean) => void): void {
