@@ -45,11 +45,11 @@ const ROOMS = {
   element: ["character", "package/types.ts", "link", "ui", "player", "viewer", "client", "humanoid"],
   // One live figure, on any page, independent of lessons. The tables of documents are read when the page is built.
   figures: ["element", "link", "ui", "player", "viewer", "client", "humanoid", "docs"],
-  lessons: ["figures", "link", "client", "humanoid"],
+  lessons: ["figures", "link", "ui", "client", "humanoid"],
   // The pages for iframes.
   embed: ["figures", "element"],
   package: ["element", "character", "package/types.ts", "formats", "streams", "client", "engine", "humanoid"],
-  "app/strings": [],
+  "app/strings": ["ui"],
   "app/ui": ["app/strings", "formats", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/state": ["app/ui", "app/strings", "link", "ui", "player", "viewer", "client", "humanoid"],
   "app/outputs": [

@@ -3,7 +3,7 @@ import type { Object3D } from "three";
 import { nameInFile } from "./joints";
 
 /** A model as binary glTF. */
-export interface Converted {
+interface Converted {
   readonly file: Uint8Array;
   /** Index of a node in the file. */
   readonly indexOf: (node: Object3D) => number | undefined;

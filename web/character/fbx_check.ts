@@ -13,7 +13,7 @@ const ELEMENT_BYTES: Readonly<Record<string, number>> = { b: 1, c: 1, i: 4, f: 4
 const VALUE_BYTES: Readonly<Record<string, number>> = { C: 1, Y: 2, I: 4, F: 4, D: 8, L: 8 };
 
 /** Decompresses zlib data. */
-export type Inflate = (packed: Uint8Array) => Uint8Array;
+type Inflate = (packed: Uint8Array) => Uint8Array;
 
 /** @throws StrutError `bad-file` if times do not increase, or values jump beyond all bounds */
 export function checkFbx(file: Uint8Array, inflate: Inflate): void {

@@ -16,7 +16,7 @@ export interface GlbChunks {
 }
 
 /** An animation to append; every channel has one key per time. */
-export interface NewAnimation {
+interface NewAnimation {
   readonly name: string;
   readonly times: Float32Array;
   readonly channels: readonly {

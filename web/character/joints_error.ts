@@ -3,7 +3,7 @@ import { type ErrorParts, StrutError } from "../engine/errors";
 import type { Role } from "../humanoid";
 
 /** Contents of a {@link JointsError} as plain data. */
-export interface JointsErrorParts extends ErrorParts {
+interface JointsErrorParts extends ErrorParts {
   missing: readonly Role[];
   joints: readonly string[];
   roles: Readonly<Partial<Record<Role, string>>>;

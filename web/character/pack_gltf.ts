@@ -4,7 +4,7 @@ import { glbOf, paddedLength } from "./glb_patch";
 import { isRecord } from "./vrm_humanoid";
 
 /** A file by its path. */
-export interface FileBeside {
+interface FileBeside {
   readonly path: string;
   bytes(): Promise<Uint8Array>;
 }

@@ -122,7 +122,7 @@ class SingleSessionClient implements StrutClient {
 
   openDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
     return this.inTurn(async () => {
-      if (!this.whole && !isFirst(source)) return this.openBeside(source, call);
+      if (!this.whole && !isFirst(source)) return this.openInNewEngine(source, call);
       const database = await this.engine.openDatabase(source, call);
       try {
         const motion = this.opened?.playing?.motion;
@@ -141,7 +141,7 @@ class SingleSessionClient implements StrutClient {
   }
 
   async exchangeDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
-    const exchanging = this.openBeside(source, call, (move) => this.inTurn(move));
+    const exchanging = this.openInNewEngine(source, call, (move) => this.inTurn(move));
     this.exchanging = exchanging;
     try {
       return await exchanging;
@@ -164,7 +164,7 @@ class SingleSessionClient implements StrutClient {
   }
 
   async openInput(source: InputSource, call?: CallOptions): Promise<InputInfo> {
-    if (!this.whole && !isFirst(source)) await this.completed(call);
+    if (!this.whole && !isFirst(source)) await this.ensureFullEngine(call);
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
       const motion = await this.engine.openMotion(source, call);
@@ -223,30 +223,30 @@ class SingleSessionClient implements StrutClient {
   }
 
   async analyse(call?: CallOptions): Promise<Analysis> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     return this.openedInput().session.analyse(call);
   }
 
   async openAtlas(columns: number, call?: CallOptions): Promise<OpenedAtlas> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     const { database } = this.openedDatabase();
     return this.engine.openAtlas(database, this.openedInput().motion, columns, call);
   }
 
   async record(options: StylizeOptions, range: FrameRange | undefined, call?: CallOptions): Promise<RecordedMotion> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     const { motion, session } = this.openedInput();
     const { database } = session;
     return this.engine.openBy((to) => to.call("recordMotion", [motion.id, database.id, options, range], call));
   }
 
   async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     return this.openedInput().session.examples(subject, call);
   }
 
   async style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     const { motion, session } = this.openedInput();
     return motion.stylize(session.database, options, false, call);
   }
@@ -261,12 +261,12 @@ class SingleSessionClient implements StrutClient {
   }
 
   async exportBvh(call?: CallOptions): Promise<string> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     return this.openedInput().session.exportBvh(call);
   }
 
   async openDrive(root: Root, call?: CallOptions): Promise<DriveInfo> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     const { ClientDrive } = await import("./drive/drive_client");
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
@@ -300,7 +300,7 @@ class SingleSessionClient implements StrutClient {
   }
 
   async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<PerformerStream> {
-    if (!this.whole) await this.completed(call);
+    if (!this.whole) await this.ensureFullEngine(call);
     const { LiveStream } = await import("./live/live_stream");
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
@@ -330,20 +330,20 @@ class SingleSessionClient implements StrutClient {
    * and continues with the open database and input.
    * @throws StrutError as for {@link exchangeDatabase}
    */
-  private async completed(call: CallOptions | undefined): Promise<void> {
+  private async ensureFullEngine(call: CallOptions | undefined): Promise<void> {
     await unlessCancelled(
       this.exchanging?.catch(() => {}),
       call?.signal,
     );
     // A database requested earlier may have brought a full engine.
     const complete = async () => {
-      if (!this.whole) await this.openBeside(this.openedDatabase().database.source, undefined);
+      if (!this.whole) await this.openInNewEngine(this.openedDatabase().database.source, undefined);
     };
     await unlessCancelled(this.inTurn(complete), call?.signal);
   }
 
   /** Opens a database in another engine, to which `turn` moves what is open. */
-  private async openBeside(
+  private async openInNewEngine(
     source: DatabaseSource,
     call: CallOptions | undefined,
     turn = (move: () => Promise<void>) => move(),
@@ -351,7 +351,7 @@ class SingleSessionClient implements StrutClient {
     const engine = this.start(source.kind === "demo" ? (source.set ?? "built-in") : undefined);
     try {
       const database = await engine.openDatabase(source, call);
-      await turn(() => this.moveTo(engine, database, call));
+      await turn(() => this.migrateTo(engine, database, call));
       return database.info;
     } catch (thrown) {
       engine.dispose();
@@ -360,7 +360,11 @@ class SingleSessionClient implements StrutClient {
   }
 
   /** Continues playback in another engine, which has a database of its own open. */
-  private async moveTo(engine: EngineClient, database: ClientDatabase, call: CallOptions | undefined): Promise<void> {
+  private async migrateTo(
+    engine: EngineClient,
+    database: ClientDatabase,
+    call: CallOptions | undefined,
+  ): Promise<void> {
     const played = this.opened?.playing?.motion.source;
     let playing: Opened["playing"];
     if (played) {

@@ -45,46 +45,44 @@ export interface Reopenable {
 }
 
 /** Result of reopening everything after a failed worker was replaced. */
-export interface Restart {
+interface Restart {
   /** The fault, a sentence for the user. */
   message: string;
   /** Objects that could not be reopened, and the reasons. */
   lost: { thing: Reopenable; reason: string }[];
 }
 
-/** Calls during which a worker may be silent: they read files in one piece. The others work in time slices. */
-const SILENT: ReadonlySet<Method> = new Set([
-  "openDatabase",
-  "builtInInputs",
-  "openMotion",
-  "readMotion",
-  "motionOn",
-  "createSession",
-  "counterpart",
-  "exportBvh",
-]);
-/** Calls that open something under the id in their first argument. */
-const OPENING: ReadonlySet<Method> = new Set([
-  "openDatabase",
-  "openMotion",
-  "createSession",
-  "createStylizer",
-  "openDrive",
-  "openAtlas",
-]);
-/** Calls whose results show that the engine works with what is open. */
-const STYLING: ReadonlySet<Method> = new Set([
-  "step",
-  "seek",
-  "analyse",
-  "examples",
-  "exportBvh",
-  "stylize",
-  "counterpart",
-  "compareSearch",
-  "push",
-  "drive",
-]);
+/** What the connection must know of a call. */
+interface Traits {
+  /** The worker may be silent: it reads a file in one piece. The others work in time slices. */
+  silent?: true;
+  /** It opens something under the id in its first argument. */
+  opens?: true;
+  /** Its result shows that the engine works with what is open. */
+  proves?: true;
+}
+
+const TRAITS: Partial<Readonly<Record<Method, Traits>>> = {
+  openDatabase: { silent: true, opens: true },
+  openMotion: { silent: true, opens: true },
+  createSession: { silent: true, opens: true },
+  createStylizer: { opens: true },
+  openDrive: { opens: true },
+  openAtlas: { opens: true },
+  builtInInputs: { silent: true },
+  readMotion: { silent: true },
+  motionOn: { silent: true },
+  counterpart: { silent: true, proves: true },
+  exportBvh: { silent: true, proves: true },
+  step: { proves: true },
+  seek: { proves: true },
+  analyse: { proves: true },
+  examples: { proves: true },
+  stylize: { proves: true },
+  compareSearch: { proves: true },
+  push: { proves: true },
+  drive: { proves: true },
+};
 
 interface Pending {
   method: Method;
@@ -124,7 +122,7 @@ export class Connection {
     this.watchdog = new Watchdog({
       stepMs: silenceMs,
       graceMs: pingMs,
-      limitMs: () => ([...this.pending.values()].some(({ method }) => SILENT.has(method)) ? readingMs : silenceMs),
+      limitMs: () => ([...this.pending.values()].some(({ method }) => TRAITS[method]?.silent) ? readingMs : silenceMs),
       isWaiting: () => this.pending.size > 0,
       ping: () => this.worker?.postMessage({ kind: "ping" }),
       onSilent: () => this.replace(fault("The engine failed: its worker does not answer")),
@@ -170,7 +168,7 @@ export class Connection {
     const id = ++this.lastCall;
     let cancel = () => {};
     const answer = new Promise<Result<Method>>((resolve, reject) => {
-      const opens = OPENING.has(method) ? (args[0] as Id) : undefined;
+      const opens = TRAITS[method]?.opens ? (args[0] as Id) : undefined;
       const call: Pending = { method, opens, abandoned: false, resolve, reject, onProgress };
       cancel = () => {
         call.abandoned = true;
@@ -292,7 +290,7 @@ export class Connection {
     }
     this.pending.delete(reply.id);
     if (reply.kind === "result") {
-      this.proven ||= STYLING.has(call.method);
+      this.proven ||= TRAITS[call.method]?.proves ?? false;
       if (call.abandoned && call.opens !== undefined) void this.call("close", [call.opens]).catch(() => {});
       call.resolve(reply.value);
     } else {

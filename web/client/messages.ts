@@ -40,7 +40,7 @@ export interface SessionSetup {
 }
 
 /** The worker's calls. The first argument of a call that opens an object is the object's id. */
-export interface WorkerCalls {
+interface WorkerCalls {
   openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
   /** Names of the motions of a built-in set, the default first. */
   builtInInputs(set: BuiltInSet): string[];

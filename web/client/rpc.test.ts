@@ -11,7 +11,9 @@ interface Calls {
 }
 
 const TABLE = {
-  add: async (a: number, b: number) => a + b,
+  // Refuses what it was not declared with.
+  add: async (...args: number[]) => (args.length === 2 ? args[0]! + args[1]! : Number.NaN),
+  count: async (...args: unknown[]) => args.length,
   samples: async () => ({ at: Float32Array.of(1, 2) }),
   refuse: async () => {
     throw new StrutError({ code: "bad-input", message: "No.", hint: "" });
@@ -27,7 +29,7 @@ function joined({ limitMs }: { limitMs?: number } = {}) {
     return joinedWorker(TABLE);
   };
   const rpc = new RpcClient(spawn, "engine of the lessons", limitMs);
-  const calls = remote<Calls>(rpc, { add: 2, samples: 0, refuse: 0, hang: 0 });
+  const calls = remote<Calls>(rpc);
   return { rpc, calls, spawned: () => spawned };
 }
 
@@ -37,6 +39,17 @@ test("a worker starts with the first call, and answers it", async () => {
   expect(await calls.add(1, 2)).toBe(3);
   expect([...(await calls.samples()).at]).toEqual([1, 2]);
   expect(spawned()).toBe(1);
+});
+
+test("options with a signal are not sent, and everything else is", async () => {
+  const { calls } = joined();
+  expect(await calls.add(1, 2, { signal: new AbortController().signal })).toBe(3);
+  expect(await (calls as unknown as { count(...args: unknown[]): Promise<number> }).count({}, undefined)).toBe(2);
+});
+
+test("a promise may resolve with it", async () => {
+  const { calls } = joined();
+  expect(await (await Promise.resolve(calls)).add(1, 2)).toBe(3);
 });
 
 test("errors arrive as they were thrown", async () => {

@@ -124,16 +124,27 @@ export class RpcClient {
   }
 }
 
-/** An object whose methods are remote calls: the methods of `T`, whose last argument may be options with a `signal`. */
-export function remote<T extends object>(client: RpcClient, arity: { readonly [K in keyof T]: number }): T {
-  const methods = Object.entries<number>(arity as Readonly<Record<string, number>>).map(([name, count]) => {
-    const call = (...args: unknown[]) => {
-      const options = args[count] as { signal?: AbortSignal } | undefined;
-      return client.call(name, args.slice(0, count), options?.signal);
+/**
+ * An object whose methods are remote calls: the methods of `T`, whose last argument may be options with only a `signal`.
+ * @param own its other members, which are not calls
+ */
+export function remote<T extends object, Own extends object = object>(client: RpcClient, own = {} as Own): T & Own {
+  const get = (members: object, name: string | symbol) => {
+    if (name in members) return Reflect.get(members, name);
+    // A promise may resolve with the object: it has no `then`.
+    if (typeof name === "symbol" || name === "then") return undefined;
+    return (...args: unknown[]) => {
+      const options = args.at(-1);
+      return isCallOptions(options) ? client.call(name, args.slice(0, -1), options.signal) : client.call(name, args);
     };
-    return [name, call] as const;
-  });
-  return Object.fromEntries(methods) as T;
+  };
+  return new Proxy(own, { get }) as T & Own;
+}
+
+function isCallOptions(value: unknown): value is { signal: AbortSignal | undefined } {
+  if (typeof value !== "object" || value === null || Object.keys(value).join() !== "signal") return false;
+  const { signal } = value as { signal: unknown };
+  return signal === undefined || signal instanceof AbortSignal;
 }
 
 /** Answers the calls that arrive at a port from a table of functions. */

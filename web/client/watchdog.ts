@@ -1,6 +1,6 @@
 /** Detection of a worker that was terminated from outside, which sends no message. */
 
-export interface WatchdogSettings {
+interface WatchdogSettings {
   /** How often the limit is checked, milliseconds. */
   stepMs: number;
   /** Time in which messages that have arrived, and an answer to the ping, are handled; milliseconds. */

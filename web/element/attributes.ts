@@ -23,11 +23,11 @@ export interface Attribute<T> {
 }
 
 /** Controls that the bar and the stage can show. */
-export const CONTROLS = ["play", "seek", "styles", "ghost", "fullscreen", "link"] as const;
+const CONTROLS = ["play", "seek", "styles", "ghost", "fullscreen", "link"] as const;
 export type Control = (typeof CONTROLS)[number];
 
-export const PLAYER_THEMES = ["auto", "light", "dark"] as const;
-export const LOADING = ["lazy", "eager"] as const;
+const PLAYER_THEMES = ["auto", "light", "dark"] as const;
+const LOADING = ["lazy", "eager"] as const;
 
 function text(initial: string, doc: string): Attribute<string> {
   return { initial, type: "string", isFlag: false, parse: (value) => value, write: (value) => value, doc };

@@ -8,7 +8,7 @@ import { clock, formatNumber, html, setText } from "../ui/dom";
 import type { Control, ValueOf } from "./attributes";
 import { strings } from "./strings";
 
-export interface BarListeners {
+interface BarListeners {
   onPlay: () => void;
   /** Called when a time was selected, as an input frame. */
   onSeek: (frame: number) => void;

@@ -8,6 +8,9 @@ import { loadCharacter } from "./host";
 /** Source of a character: a URL, empty for the mannequin, a file, or a result of `loadCharacter`. */
 export type CastSource = CharacterSource | Character;
 
+/** Time out of sight after which a character is freed, milliseconds. */
+const UNSEEN_MS = 30_000;
+
 export class Cast {
   /** Asked if the author does not allow everyone to perform a character; without it the character is refused. */
   accept: LoadCharacterOptions["accept"];
@@ -16,6 +19,8 @@ export class Cast {
   /** Whether the character was loaded here, and must be freed. */
   #isOwn = false;
   #loading: AbortController | undefined;
+  #unseen: ReturnType<typeof setTimeout> | undefined;
+  #isFreed = false;
 
   /** `onChange` is called when another character performs; the previous one is freed right after. */
   constructor(onChange: (character: Character | undefined) => void) {
@@ -29,6 +34,7 @@ export class Cast {
 
   /** Changes the character; the current one stays until the new one is loaded, and if loading fails. @throws StrutError */
   async take(source: CastSource, call: CallOptions = {}): Promise<void> {
+    this.#isFreed = false;
     this.#loading?.abort();
     const loading = new AbortController();
     this.#loading = loading;
@@ -45,8 +51,24 @@ export class Cast {
     }
   }
 
+  /** Whether the character was freed because it was out of sight: it must be taken again. */
+  get isFreed(): boolean {
+    return this.#isFreed;
+  }
+
+  /** Frees a character that stays out of sight. */
+  set isVisible(isVisible: boolean) {
+    clearTimeout(this.#unseen);
+    if (isVisible || !this.#character) return;
+    this.#unseen = setTimeout(() => {
+      this.#isFreed = true;
+      this.dispose();
+    }, UNSEEN_MS);
+  }
+
   /** Frees the loaded character; the mannequin performs. */
   dispose(): void {
+    clearTimeout(this.#unseen);
     this.#loading?.abort();
     this.#set(undefined, false);
   }

@@ -11,17 +11,15 @@ import { initialOf, writeHash } from "../link/hash";
 import { linkedFile } from "../link/linked_file";
 import { GHOST_MODES, PLAY_FIELDS } from "../link/play";
 import type { Database, Motion, Source } from "../package/types";
-import { formatNumber, html } from "../ui/dom";
+import { html } from "../ui/dom";
 import { prefersReducedMotion } from "../ui/media";
-import { COMPACT, Polygon } from "../ui/polygon/polygon";
-import { allOf, isBeyondData, type Selection, vertexOrder } from "../ui/polygon/selection";
+import { allOf, type Selection, vertexOrder } from "../ui/polygon/selection";
 import { graphics } from "../viewer";
 import { Announcer } from "./announcer";
 import {
   ATTRIBUTE_NAMES,
   type AttributeName,
   type PropertyName,
-  propertyOf,
   readAttribute,
   type ValueOf,
   writeProperty,
@@ -37,21 +35,19 @@ import { schedule, sharedEngine, site } from "./host";
 import { Message } from "./message";
 import { closeFigure, type Opened, openFigure } from "./opened";
 import { Poster } from "./poster";
-import { addressesOf, completed, settingsOf, triangleOf } from "./settings";
+import { defineProperties, takeEarlyProperties } from "./properties";
+import { addressesOf, completed, settingsOf } from "./settings";
 import { sheets } from "./sheets";
 import { isShortcut } from "./shortcut";
 import { strings } from "./strings";
+import { StylesPanel } from "./styles_panel";
 
 /** Distance from the visible area at which it loads, pixels. */
 const NEAR_PX = 200;
 /** Minimum time between two updates of the clock during playback, milliseconds, since each one causes a repaint. */
 const CLOCK_MS = 60;
-/** Time out of sight after which a character is freed, milliseconds. */
-const UNSEEN_MS = 30_000;
 /** The error of a player that is removed from its page while it loads. */
 const TAKEN_AWAY = { code: "cancelled", message: "The player was removed from the page.", hint: "" } as const;
-/** Smaller weights are not announced. */
-const SAID = 0.005;
 
 /** Properties that only reflect an attribute. */
 type Plain = Exclude<AttributeName, "src" | "db" | "character" | "styles">;
@@ -72,21 +68,19 @@ export class StrutPlayer extends ElementBase {
   readonly #credit = new Credit();
   readonly #cast = new Cast((character) => this.#onCast(character));
   readonly #announcer = new Announcer();
-  readonly #styles = html("div", { class: "styles", part: "styles", hidden: true });
-  readonly #polygon: Polygon;
+  readonly #styles = new StylesPanel((styles) => this.#choose(styles));
   readonly #bar: Bar;
   readonly #observers: IntersectionObserver[] = [];
   #connected = false;
   #opening: AbortController | undefined;
   #opened: Opened | undefined;
   #ready = new Deferred();
-  #selection: Selection = [];
-  #beforeGesture: Selection = [];
-  /** Styles at the corners of the polygon. */
-  #vertices: readonly string[] = [];
-  #source: Source | Motion | undefined;
-  #base: Source | Database | undefined;
-  #star: CastSource | undefined;
+  /** What the page has given as objects; URLs are in the attributes. */
+  readonly #given: {
+    src?: Source | Motion | undefined;
+    db?: Source | Database | undefined;
+    character?: CastSource | undefined;
+  } = {};
   #visible = false;
   #failed = false;
   /** Whether the open figure has been drawn. */
@@ -95,9 +89,6 @@ export class StrutPlayer extends ElementBase {
   #plays = false;
   /** Whether an attribute is being written by the element itself. */
   #reflecting = false;
-  /** Whether the character was freed because the player was not visible. */
-  #isCastFreed = false;
-  #unseen: ReturnType<typeof setTimeout> | undefined;
   #clockAt = 0;
   /** Start position after loading, seconds: the previous position, or one that was sought. */
   #startSecs: number | undefined;
@@ -106,17 +97,6 @@ export class StrutPlayer extends ElementBase {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.adoptedStyleSheets = sheets();
-    this.#polygon = new Polygon(
-      {
-        onChange: (selection) => this.#choose(selection),
-        onSettle: () => {
-          this.#beforeGesture = this.#selection;
-        },
-        onCancel: () => this.#choose(this.#beforeGesture),
-      },
-      COMPACT,
-    );
-    this.#styles.append(this.#polygon.element);
     this.#bar = new Bar(
       {
         onPlay: () => this.#toggle(),
@@ -129,7 +109,14 @@ export class StrutPlayer extends ElementBase {
     const stage = html("div", { class: "stage", part: "stage" });
     stage.append(this.#picture, this.#credit.element, this.#poster.element, this.#message.element);
     const instructions = html("p", { class: "visually-hidden", id: "instructions" }, strings.instructions);
-    this.#player.append(stage, this.#styles, this.#bar.element, this.#probe, instructions, this.#announcer.element);
+    this.#player.append(
+      stage,
+      this.#styles.element,
+      this.#bar.element,
+      this.#probe,
+      instructions,
+      this.#announcer.element,
+    );
     root.append(this.#player);
     this.addEventListener("keydown", (event) => this.#onKey(event));
     this.addEventListener("focusin", () => this.#focus(true));
@@ -172,32 +159,31 @@ export class StrutPlayer extends ElementBase {
 
   /** The motion: a URL, or an argument or a result of `openMotion`. */
   get src(): Source | Motion {
-    return this.#source ?? addressesOf(this).src;
+    return this.#given.src ?? addressesOf(this).src;
   }
 
   set src(value: Source | Motion) {
-    this.#source = typeof value === "string" ? undefined : value;
-    this.#takeSource("src", value);
+    this.#give("src", value);
+    this.#reopen();
   }
 
   /** The database: a URL, or an argument or a result of `openDatabase`. */
   get db(): Source | Database {
-    return this.#base ?? addressesOf(this).db;
+    return this.#given.db ?? addressesOf(this).db;
   }
 
   set db(value: Source | Database) {
-    this.#base = typeof value === "string" ? undefined : value;
-    this.#takeSource("db", value);
+    this.#give("db", value);
+    this.#reopen();
   }
 
   /** The character: a URL, empty for the mannequin, a file, or a result of `loadCharacter`. */
   get character(): CastSource {
-    return this.#star ?? readAttribute(this, "character");
+    return this.#given.character ?? readAttribute(this, "character");
   }
 
   set character(value: CastSource) {
-    this.#star = typeof value === "string" ? undefined : value;
-    this.#writeSource("character", value);
+    this.#give("character", value);
     this.#perform();
   }
 
@@ -212,7 +198,7 @@ export class StrutPlayer extends ElementBase {
 
   /** The styles and their weights. */
   get styles(): StyleWeights {
-    return weightsOf(this.#opened ? this.#selection : settingsOf(this).styles);
+    return weightsOf(this.#opened ? this.#styles.selection : settingsOf(this).styles);
   }
 
   set styles(value: string | StyleWeights) {
@@ -278,7 +264,7 @@ export class StrutPlayer extends ElementBase {
   connectedCallback(): void {
     if (this.#connected) return;
     this.#connected = true;
-    this.#takeEarlyProperties();
+    takeEarlyProperties(this, ["accept", "currentTime"]);
     this.#plays ||= this.autoplay && !prefersReducedMotion();
     this.#showAttributes();
     this.#observe(NEAR_PX, (isNear) => {
@@ -287,7 +273,8 @@ export class StrutPlayer extends ElementBase {
     this.#observe(0, (isVisible) => {
       this.#visible = isVisible;
       this.#applyPlaying();
-      this.#freeUnseen();
+      if (isVisible && this.#cast.isFreed) this.#perform();
+      this.#cast.isVisible = isVisible;
     });
     if (this.loading === "eager") void this.#open();
   }
@@ -311,14 +298,11 @@ export class StrutPlayer extends ElementBase {
   attributeChangedCallback(name: AttributeName, before: string | null, now: string | null): void {
     if (before === now || this.#reflecting || !this.#connected) return;
     this.#showAttributes();
-    if (name === "src" || name === "db") {
+    if (name === "src" || name === "db" || name === "character") {
       // A URL replaces an object.
-      if (name === "src") this.#source = undefined;
-      else this.#base = undefined;
-      this.#reopen();
-    } else if (name === "character") {
-      this.#star = undefined;
-      this.#perform();
+      delete this.#given[name];
+      if (name === "character") this.#perform();
+      else this.#reopen();
     } else if (name === "theme") this.#recolour();
     else this.#applySettings();
     if (name === "frame") this.#opened?.figure.seek(this.frame);
@@ -326,19 +310,16 @@ export class StrutPlayer extends ElementBase {
 
   // --- opening and closing ---
 
-  /** Opens another motion or database, if one is open or requested already. */
-  #takeSource(name: "src" | "db", value: unknown): void {
-    this.#writeSource(name, value);
-    this.#reopen();
-  }
-
-  /** The attribute contains a source only if that is a URL. */
-  #writeSource(name: "src" | "db" | "character", value: unknown): void {
+  /** Keeps a source; its attribute contains it only if it is a URL. */
+  #give<K extends "src" | "db" | "character">(name: K, value: StrutPlayer[K]): void {
+    const isUrl = typeof value === "string";
+    Object.assign(this.#given, { [name]: isUrl ? undefined : value });
     this.#reflecting = true;
-    writeProperty(this, name, typeof value === "string" ? value : null);
+    writeProperty(this, name, isUrl ? value : null);
     this.#reflecting = false;
   }
 
+  /** Opens another motion or database, if one is open or requested already. */
   #reopen(): void {
     if (this.#opened || this.#opening || this.#failed) void this.#open();
   }
@@ -371,7 +352,7 @@ export class StrutPlayer extends ElementBase {
 
   async #openFigure(signal: AbortSignal): Promise<Opened> {
     const settings = settingsOf(this);
-    const file = this.#source === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
+    const file = this.#given.src === undefined && !this.hasAttribute("src") ? await linkedFile(this.state) : undefined;
     const motion = file ? new File([file.bytes], `${file.name}.bvh`) : this.src;
     const listeners: FigureListeners = {
       onFrame: (frame) => this.#onFrame(frame),
@@ -393,7 +374,7 @@ export class StrutPlayer extends ElementBase {
 
   #takeOpened({ figure, database, fault }: Opened): void {
     const settings = settingsOf(this);
-    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#styles.selection = completed(settings.styles, database.value.info.neutral);
     this.#bar.setDuration(figure.frames, figure.rateHz);
     if (this.#startSecs !== undefined) figure.seek(this.#startSecs * figure.rateHz);
     this.#startSecs = undefined;
@@ -410,7 +391,6 @@ export class StrutPlayer extends ElementBase {
   /** Makes the requested character perform, once a figure is open. */
   #perform(): void {
     if (!this.#opened) return;
-    this.#isCastFreed = false;
     this.#message.hide();
     this.#cast.take(this.character).catch((thrown: unknown) => this.#complain(thrown));
   }
@@ -418,17 +398,6 @@ export class StrutPlayer extends ElementBase {
   #onCast(character: Character | undefined): void {
     this.#credit.show(character?.licence);
     this.#opened?.figure.perform(character).catch((thrown: unknown) => this.#complain(thrown));
-  }
-
-  /** Frees the character of a player that has not been visible for a while; it is loaded again when the player is. */
-  #freeUnseen(): void {
-    clearTimeout(this.#unseen);
-    if (this.#visible && this.#isCastFreed) this.#perform();
-    if (this.#visible || !this.#cast.character) return;
-    this.#unseen = setTimeout(() => {
-      this.#isCastFreed = true;
-      this.#cast.dispose();
-    }, UNSEEN_MS);
   }
 
   #onDrawn(): void {
@@ -465,20 +434,7 @@ export class StrutPlayer extends ElementBase {
     const opened = this.#opened;
     this.#opened = undefined;
     if (opened) closeFigure(opened);
-    if (!abort) return;
-    clearTimeout(this.#unseen);
-    this.#cast.dispose();
-  }
-
-  /** Applies properties that were set before the element was defined. */
-  #takeEarlyProperties(): void {
-    for (const name of [...ATTRIBUTE_NAMES.map(propertyOf), "accept", "currentTime"].filter((known) =>
-      Object.hasOwn(this, known),
-    )) {
-      const value: unknown = Reflect.get(this, name);
-      Reflect.deleteProperty(this, name);
-      Reflect.set(this, name, value);
-    }
+    if (abort) this.#cast.dispose();
   }
 
   #observe(margin: number, act: (isInside: boolean) => void): void {
@@ -508,7 +464,7 @@ export class StrutPlayer extends ElementBase {
     this.#bar.ghost = settingsOf(this).ghost;
     this.#poster.picture = this.poster;
     this.#player.classList.toggle("bare", this.#bar.element.hidden !== false);
-    this.#styles.hidden = !controls.includes("styles") || !this.#opened;
+    this.#styles.element.hidden = !controls.includes("styles") || !this.#opened;
     this.#describe();
   }
 
@@ -524,7 +480,7 @@ export class StrutPlayer extends ElementBase {
       return;
     }
     this.#message.hide();
-    this.#selection = completed(settings.styles, database.value.info.neutral);
+    this.#styles.selection = completed(settings.styles, database.value.info.neutral);
     this.#showStyles(true);
   }
 
@@ -542,12 +498,9 @@ export class StrutPlayer extends ElementBase {
   }
 
   #showStyles(glide: boolean): void {
-    const { info } = this.#opened!.database.value;
-    const { vertices, selection } = triangleOf(this.#selection, info, this.#vertices);
-    this.#vertices = vertices;
-    this.#polygon.show({ vertices, selection, whole: false, beyond: isBeyondData(selection, 1) }, glide);
-    const isOver = !this.#styles.hidden && getComputedStyle(this.#styles).position === "absolute";
-    this.#opened!.figure.viewer.covered = isOver ? this.#styles.offsetWidth / 2 : 0;
+    const { database, figure } = this.#opened!;
+    this.#styles.show(database.value.info, glide);
+    figure.viewer.covered = this.#styles.covered;
     this.#bar.href = this.#address();
     this.#describe();
   }
@@ -556,18 +509,14 @@ export class StrutPlayer extends ElementBase {
   #address(): string {
     if (!site()) return "";
     const { linked } = settingsOf(this);
-    const state = { ...initialOf(PLAY_FIELDS), ...linked, styles: this.#selection };
+    const state = { ...initialOf(PLAY_FIELDS), ...linked, styles: this.#styles.selection };
     return `${site()}#${writeHash(PLAY_FIELDS, state)}`;
   }
 
   #describe(): void {
     const { viewer } = this.#opened?.figure ?? {};
     if (!viewer) return;
-    const said = [...this.#selection]
-      .filter(({ weight }) => Math.abs(weight) > SAID)
-      .sort((a, b) => b.weight - a.weight)
-      .map(({ name, weight }) => [name, formatNumber(weight, 2)] as const);
-    viewer.description = this.alt || strings.description(strings.mix(said));
+    viewer.description = this.alt || strings.description(strings.mix(this.#styles.said));
     viewer.describedBy = "instructions";
   }
 
@@ -639,7 +588,7 @@ export class StrutPlayer extends ElementBase {
     };
     const style = vertexOrder(styles, neutral)[Number(event.key) - 1];
     const act = style
-      ? () => this.#choose(allOf(this.#selection, style))
+      ? () => this.#choose(allOf(this.#styles.selection, style))
       : (keys[event.key] ?? keys[event.key.toLowerCase()]);
     if (!act) return;
     event.preventDefault();
@@ -647,17 +596,4 @@ export class StrutPlayer extends ElementBase {
   }
 }
 
-for (const name of ATTRIBUTE_NAMES) {
-  const property = propertyOf(name);
-  if (Object.hasOwn(StrutPlayer.prototype, property)) continue;
-  Object.defineProperty(StrutPlayer.prototype, property, {
-    configurable: true,
-    enumerable: true,
-    get(this: StrutPlayer) {
-      return readAttribute(this, name);
-    },
-    set(this: StrutPlayer, value: unknown) {
-      writeProperty(this, name, value);
-    },
-  });
-}
+defineProperties(StrutPlayer.prototype);

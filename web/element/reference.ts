@@ -1,7 +1,7 @@
 /** The API of `<strut-player>` other than attributes: for `custom-elements.json`, the types for JSX, and the documentation. */
 
 /** Something with a name and a sentence about it. */
-export interface Described {
+interface Described {
   name: string;
   doc: string;
 }

@@ -8,7 +8,7 @@ import tokens from "../ui/tokens.css?inline";
 import player from "./player.css?inline";
 
 /** Tokens that a page may set, as `--strut-…`. */
-export const OWN_COLOURS = ["signal", "input", "weight", "ink", "panel"] as const;
+const OWN_COLOURS = ["signal", "input", "weight", "ink", "panel"] as const;
 
 /** The tokens, overridden by the page's own; forced colours of the user take precedence. */
 function overridable(text: string): string {

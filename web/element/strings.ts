@@ -2,7 +2,7 @@
 import { element } from "./strings.en";
 
 /** The table of a language. */
-export type ElementStrings = typeof element;
+type ElementStrings = typeof element;
 
 /** The current language. */
 export const strings: ElementStrings = element;

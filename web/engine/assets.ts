@@ -27,7 +27,7 @@ export type AssetName =
 export type Asset = URL | Uint8Array<ArrayBuffer>;
 
 /** Files that are not next to the engine's code. */
-export type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
+type Assets = Readonly<Partial<Record<AssetName, Asset>>>;
 
 let placed: Assets = {};
 

@@ -5,7 +5,7 @@ import { StrutError } from "./errors";
  * Fetches a file through another thread, for files that this thread may not fetch.
  * @throws if that thread may not fetch it either
  */
-export type FetchElsewhere = (url: URL) => Promise<Response>;
+type FetchElsewhere = (url: URL) => Promise<Response>;
 
 let fetchElsewhere: FetchElsewhere | undefined;
 

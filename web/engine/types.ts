@@ -154,7 +154,7 @@ export type Method = (typeof METHODS)[number];
 
 /** Baseline methods with training (`rust/strut-evaluation/src/baselines/`). Only the Compare view's package has them. */
 export const TRAINED_METHODS = ["gar", "lti", "gp"] as const;
-export type TrainedMethod = (typeof TRAINED_METHODS)[number];
+type TrainedMethod = (typeof TRAINED_METHODS)[number];
 
 /** Weight of each style by name; the remainder to 1 belongs to the neutral style. */
 export type StyleWeights = Readonly<Record<string, number>>;

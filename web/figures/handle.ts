@@ -17,7 +17,7 @@ export interface HandleListeners {
 }
 
 /** Position of a handle, and its text. */
-export interface HandlePlace {
+interface HandlePlace {
   x: number;
   /** Lower end of the line. */
   bottom: number;

@@ -64,7 +64,7 @@ export interface FigureKind<State> {
 }
 
 /** The element's interface for a figure whose state is text. */
-export type TextParts = Omit<FigureParts<string>, "change" | "fields"> & {
+type TextParts = Omit<FigureParts<string>, "change" | "fields"> & {
   change(state: string, settled: boolean): void;
 };
 

@@ -29,7 +29,7 @@ const STEP = (5 * Math.PI) / 180;
 /** Radius of a mark, and of its touch target, pixels. */
 const RADIUS = { mark: 6, target: 22 };
 
-export interface LimbListeners {
+interface LimbListeners {
   /** Current rotation of a joint: an axis times an angle about the axes of its parent, radians. */
   turnOf: (joint: Role) => Vector;
   onInput: (joint: Role, turn: Vector) => void;
@@ -38,7 +38,7 @@ export interface LimbListeners {
 }
 
 /** A rotation followed by another about an axis of the world. @param parent the parent's rotation in the world */
-export function turnedFurther(turn: Vector, parent: Quaternion, axis: Vector, angle: number): Vector {
+function turnedFurther(turn: Vector, parent: Quaternion, axis: Vector, angle: number): Vector {
   const [x, y, z] = turned(inverse(parent), axis);
   return log(multiply(exp([angle * x, angle * y, angle * z]), exp(turn)));
 }

@@ -4,7 +4,7 @@
  */
 import { Segment, Toggle } from "../ui/controls/buttons";
 import type { DialRange } from "../ui/controls/dial";
-import { Knob } from "../ui/controls/knob";
+import { Knob, type KnobText } from "../ui/controls/knob";
 import type { Range } from "../ui/controls/range";
 import { Slider } from "../ui/controls/slider";
 import { html, setText } from "../ui/dom";
@@ -12,7 +12,6 @@ import { LatestOnly } from "../ui/latest_only";
 import { FRAMES, RATE_HZ } from "./built_in";
 import { Choice, GuessField } from "./controls";
 import type { FigureInstance, FigureParts, Table } from "./kind";
-import type { KnobWords } from "./words/knob";
 import { formatNumber, type Words } from "./words/words";
 
 /** The default frame if a link has none. */
@@ -183,7 +182,7 @@ export abstract class LiveFigure<State extends object, Shown> implements FigureI
   /** Knobs for members of the state. @param terms the terms that highlight them */
   protected knobs<Name extends NamesOf<State, number>>(
     names: readonly Name[],
-    texts: Readonly<Record<Name, KnobWords>>,
+    texts: Readonly<Record<Name, KnobText>>,
     ranges: Readonly<Record<Name, DialRange>>,
     terms: Partial<Readonly<Record<Name, string>>> = {},
   ): HTMLElement[] {

@@ -10,7 +10,7 @@ export type Place = readonly [x: number, y: number];
 /** Radius of a mark, and of its touch target, units. */
 const RADIUS = { mark: 6, target: 22 };
 
-export interface PlaneListeners {
+interface PlaneListeners {
   /** The axes in which the handles were placed; `undefined` before. */
   axes: () => Axes | undefined;
   onInput: (which: number, place: Place) => void;

@@ -2,8 +2,8 @@
 import { createLearnClient } from "../client/learn/learn_client";
 import type { LearnEngine } from "../client/learn/protocol";
 import { Lingering } from "../ui/lingering";
+import { memoized } from "./memoized";
 import { pairOf } from "./pairing";
-import { remembered } from "./remembered";
 
 /** Time for which the engine is kept without figures, milliseconds. */
 const LINGER_MS = 5000;
@@ -20,4 +20,4 @@ export function startEngine(begin: (engine: LearnEngine) => Promise<unknown>): v
 }
 
 /** {@link pairOf}, computed once. */
-export const sharedPair = remembered(pairOf);
+export const sharedPair = memoized(pairOf);

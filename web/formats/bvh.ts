@@ -6,7 +6,7 @@
 import { JOINT, JOINTS, PARENTS, POSE_FLOATS, ROLES, type Role } from "../humanoid";
 
 /** Poses at a constant frame rate. */
-export interface EvenAnimation {
+interface EvenAnimation {
   /** Bone offsets in the T-pose, 21 × xyz, metres; the hips' entry is not used. */
   readonly proportions: ArrayLike<number>;
   /** `POSE_FLOATS` numbers per frame. */

@@ -11,7 +11,7 @@ export const BEATS = ["idea", "bet", "look", "why", "exercises", "sources"] as c
 export type Beat = (typeof BEATS)[number];
 
 /** A figure of a lesson. */
-export interface LessonFigure {
+interface LessonFigure {
   name: string;
   kind: KindName;
   /** The beats in which it is shown; before the reveal a figure must not reveal the answer to the bet. */
@@ -39,14 +39,14 @@ export interface Exercise<State> {
 }
 
 /** A bet that is placed before its answer is shown. */
-export interface Bet {
+interface Bet {
   options: readonly string[];
   /** The answer, and the numbers from which it is derived. */
   reveal(engine: LearnEngine): Promise<{ answer: string; measure: Measure }>;
 }
 
 /** A lesson with the state of its figures. */
-export interface LessonOf<State> {
+interface LessonOf<State> {
   id: string;
   fields: Fields<State>;
   figures: readonly LessonFigure[];
@@ -70,7 +70,7 @@ export interface Lesson extends Omit<LessonOf<never>, "fields" | "exercises"> {
 }
 
 /** An exercise whose states are the texts of links. */
-export interface TextExercise extends Omit<Exercise<never>, "start" | "solve"> {
+interface TextExercise extends Omit<Exercise<never>, "start" | "solve"> {
   start(state: string): string;
   solve(engine: LearnEngine): Promise<string>;
 }

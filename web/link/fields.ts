@@ -1,5 +1,5 @@
 /** Kinds of state fields: how a value is encoded in the URL and decoded from it. */
-import type { Range } from "../ui/controls/range";
+import { type Range, rounded } from "../ui/controls/range";
 import type { Selection } from "../ui/polygon/selection";
 
 /** One field of the state. */
@@ -18,18 +18,15 @@ export interface Field<T> {
 export type Fields<State> = { readonly [K in keyof State]: Field<State[K]> };
 
 /** A number, clamped to its range, and rounded to its number of decimals. */
-export function number(key: string, initial: number, { min, max, digits }: Range, undoable: boolean): Field<number> {
+export function number(key: string, initial: number, range: Range, undoable: boolean): Field<number> {
   return {
     key,
     initial,
     undoable,
-    encode: (value) => String(Number(value.toFixed(digits))),
+    encode: (value) => String(Number(value.toFixed(range.digits))),
     decode: (text) => {
       const value = Number(text);
-      // The addition converts −0 to 0.
-      return text.trim() !== "" && Number.isFinite(value)
-        ? Number(Math.min(max, Math.max(min, value)).toFixed(digits)) + 0
-        : undefined;
+      return text.trim() !== "" && Number.isFinite(value) ? rounded(value, range) : undefined;
     },
   };
 }

@@ -6,7 +6,7 @@ const FILE_KEY = "file";
 const MAX_CHARACTERS = 24_000;
 
 /** A file in a link. */
-export interface LinkedFile {
+interface LinkedFile {
   name: string;
   bytes: ArrayBuffer;
 }

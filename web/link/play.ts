@@ -86,7 +86,7 @@ export interface PlayState {
 export const ATLAS_PARTS = ["whole", "legs", "arms", "torso", "head"] as const;
 export type AtlasPart = (typeof ATLAS_PARTS)[number];
 /** Indices of windows: the first, and the one after the last. */
-export interface AtlasWindows {
+interface AtlasWindows {
   first: number;
   last: number;
 }
@@ -95,7 +95,7 @@ export type CameraPreset = (typeof CAMERA_PRESETS)[number];
 export const GHOST_MODES = ["beside", "overlay", "off"] as const;
 export type GhostMode = (typeof GHOST_MODES)[number];
 export const TRACE_MODES = ["off", "lines", "onion"] as const;
-export type TraceMode = (typeof TRACE_MODES)[number];
+type TraceMode = (typeof TRACE_MODES)[number];
 export const SIDES = ["a", "b"] as const;
 export type Side = (typeof SIDES)[number];
 export const TABS = ["style", "input", "model", "curves"] as const;

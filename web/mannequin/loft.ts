@@ -41,7 +41,7 @@ export interface LoftOptions {
 }
 
 /** Resolution and roundness that suit a limb seen from a few metres. */
-export const LOFT_DEFAULTS: LoftOptions = {
+const LOFT_DEFAULTS: LoftOptions = {
   startCap: 0.02,
   endCap: 0.02,
   exponent: 2.15,

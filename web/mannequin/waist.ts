@@ -37,7 +37,7 @@ export function waistParameter(ring: number): number {
 }
 
 /** The tube at rest, ring after ring, upright along y from 0. */
-export function waistSurface(detail: number): Surface {
+function waistSurface(detail: number): Surface {
   const segments = atDetail(SEGMENTS, detail);
   const surface: Surface = { positions: [], indices: [] };
   for (let i = 0; i < WAIST_RINGS; i++) {

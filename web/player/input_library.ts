@@ -10,7 +10,7 @@ export const LIVE = "live:";
 export const isLive = (name: string): boolean => name.startsWith(LIVE);
 
 /** A clip of a database: its index and name. */
-export interface LibraryClip {
+interface LibraryClip {
   clip: number;
   name: string;
 }

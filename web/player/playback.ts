@@ -34,7 +34,7 @@ export interface Opening {
   continueFrom(shown: ShownFrame): Promise<unknown>;
 }
 
-export interface PlaybackListeners {
+interface PlaybackListeners {
   /** A new frame arrived from the engine; `sought` if it does not follow the previous one. */
   onFrame: (frame: LiveFrame, sought: boolean) => void;
   /** Called before every repaint of the browser. */

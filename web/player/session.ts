@@ -46,7 +46,7 @@ import type { Weights } from "./smoothing";
 const SETTLE_MS = 150;
 
 /** Events of a session. */
-export interface SessionListeners {
+interface SessionListeners {
   onDatabase: (database: DatabaseInfo) => void;
   onInput: (input: InputInfo) => void;
   /** Driving started, in place of the open input; `undefined`: the input, or another one, is played again. */

@@ -5,7 +5,7 @@
 import { ui } from "./strings.en";
 
 /** The table of a language. */
-export type UiStrings = typeof ui;
+type UiStrings = typeof ui;
 
 /** The current language. */
 export const strings: UiStrings = ui;

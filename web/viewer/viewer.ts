@@ -1,35 +1,19 @@
 /** The 3-D view: a styled character, its input as a ghost, and the ground they walk on. */
 
-import { MathUtils, type Object3D, Quaternion, Vector3 } from "three";
-import {
-  DEFAULT_PROPORTIONS,
-  headingOf,
-  hipsTurn,
-  isPose,
-  JOINT,
-  POSE_FLOATS,
-  type Role,
-  restPose,
-  type WorldPose,
-} from "../humanoid";
+import { MathUtils, type Object3D, Vector3 } from "three";
+import { DEFAULT_PROPORTIONS, headingOf, isPose, JOINT, type Role, restPose, type WorldPose } from "../humanoid";
+import { aboveHead, headOf, jointNear } from "./bones";
+import { ClipTrail, type MotionTrailMode } from "./clip_trail";
+import { Ghost, type GhostMode } from "./ghost";
 import { GhostBodies, type GhostBody } from "./ghost_bodies";
-import { GhostPlacement } from "./ghost_placement";
 import { Mannequin } from "./mannequin/mannequin";
-import { BodyLook, GhostLook } from "./mannequin/materials";
-import { OnionSkin } from "./onion_skin";
+import { BodyLook } from "./mannequin/materials";
 import { Actor, type Performer } from "./performer";
-import { MotionTrail } from "./stage/motion_trail";
 import type { CameraView, Zooming } from "./stage/orbit_camera";
-import { Redraw } from "./stage/redraw";
+import { Redraw, setPose } from "./stage/redraw";
 import type { Screen } from "./stage/screen";
 import { Stage } from "./stage/stage";
 import { THEMES, type Theme, type ThemeColours, type ThemeName } from "./themes";
-
-/** Position of the input's ghost: at the character's right, at the character's position and behind it, or none. */
-export type GhostMode = "beside" | "overlay" | "off";
-
-/** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
-export type MotionTrailMode = "off" | "lines" | "onion";
 
 /** An additional object on the stage; its creator owns it. */
 export interface Prop {
@@ -62,27 +46,6 @@ export const VIEWER_DEFAULTS: Required<Omit<ViewerOptions, "quality" | "screen">
   description: "A mannequin performing the styled motion, beside a translucent one performing the input.",
 };
 
-/** Duration of the ghost's fade-in after it was placed again, seconds. */
-const FADE_IN = 0.25;
-/** Middle of the head above its joint, and its radius, metres. */
-const HEAD = { rise: 0.088, radius: 0.122 };
-/** Bones that can be clicked: the joint that rotates each one, and its ends. */
-const BONES: readonly [Role, Role, Role][] = [
-  ["hips", "hips", "hips"],
-  ["spine", "spine", "chest"],
-  ["chest", "chest", "neck"],
-  ["head", "neck", "head"],
-  ...(["left", "right"] as const).flatMap((side): [Role, Role, Role][] => [
-    [`${side}_upper_arm`, `${side}_upper_arm`, `${side}_lower_arm`],
-    [`${side}_lower_arm`, `${side}_lower_arm`, `${side}_hand`],
-    [`${side}_hand`, `${side}_hand`, `${side}_hand`],
-    [`${side}_upper_leg`, `${side}_upper_leg`, `${side}_lower_leg`],
-    [`${side}_lower_leg`, `${side}_lower_leg`, `${side}_foot`],
-    [`${side}_foot`, `${side}_foot`, `${side}_toes`],
-  ]),
-];
-/** A click within this distance of a bone hits it, however small the character is. */
-const MIN_REACH_PX = 10;
 /** If a new motion's heading differs by less than this, the view does not turn, radians. */
 const LEAST_TURN = MathUtils.degToRad(15);
 /** Space to the left and right of the subject that the camera follows, metres. */
@@ -92,12 +55,11 @@ const HALF_WIDTH = { alone: 0.75, withGhost: 1.15 };
 export class Viewer {
   readonly #stage: Stage;
   readonly #body: Mannequin<BodyLook>;
-  readonly #ghost: Mannequin<GhostLook>;
+  readonly #ghost: Ghost;
+  readonly #trail: ClipTrail;
   #theme: ThemeName;
   #colours: Partial<ThemeColours> = {};
-  #ghostMode: GhostMode;
   #labels: { styled: string; input: string };
-  #hasInput = false;
   #planted: [boolean, boolean] = [false, false];
   /** The performer that replaces the mannequin. */
   #actor: Actor | undefined;
@@ -106,25 +68,15 @@ export class Viewer {
   /** The bones on which poses are defined. */
   #proportions: ArrayLike<number> = DEFAULT_PROPORTIONS;
   readonly #styled = restPose();
-  /** The clip as given, and on the body that performs it. */
-  #given: Float32Array | null = null;
+  /** The clip as given, for the mannequin. */
   #clip: Float32Array | null = null;
-  #pathFrame = 0;
   #lastTime: number | undefined;
   readonly #redraw = new Redraw();
-  readonly #placement = new GhostPlacement();
   /** The motion's heading at which the camera was aimed, radians. */
   #aimedAt = 0;
-  readonly #input = restPose();
   readonly #performedInput = restPose();
-  readonly #trail = new MotionTrail();
-  #onion: OnionSkin | undefined;
   #others: GhostBodies | undefined;
-  #motionTrail: MotionTrailMode = "off";
-  #ghostFade = 1;
   #prop: Prop | undefined;
-  /** Whether the ghost is at the right of the picture instead of at the character's right. */
-  ghostByCamera = false;
   /** Whether the camera follows the character. */
   follow: boolean;
   /** Called after a picture was drawn. */
@@ -133,19 +85,19 @@ export class Viewer {
   constructor(container: HTMLElement, options: ViewerOptions = {}) {
     const o = { ...VIEWER_DEFAULTS, ...options };
     this.#theme = o.theme;
-    this.#ghostMode = o.ghost;
     this.#labels = o.labels;
     this.follow = o.follow;
     this.#stage = new Stage(container, { level: options.quality, screen: options.screen });
     const { detail, shading } = this.#stage.quality;
     this.#body = new Mannequin((uniforms) => new BodyLook(uniforms, shading), detail);
-    this.#ghost = new Mannequin((uniforms) => new GhostLook(uniforms), detail);
-    this.#stage.scene.add(this.#body.object, this.#ghost.object, this.#trail.object);
+    this.#ghost = new Ghost(o.ghost, detail);
+    this.#stage.scene.add(this.#body.object, this.#ghost.body.object);
+    this.#trail = new ClipTrail(this.#stage);
     this.#stage.onQuality = ({ taps, detail, shading }) => {
       this.#body.look.setQuality(shading, taps);
       this.#body.setDetail(detail);
-      this.#ghost.setDetail(detail);
-      this.#onion?.setDetail(detail);
+      this.#ghost.body.setDetail(detail);
+      this.#trail.setDetail(detail);
       this.#others?.setDetail(detail);
     };
     this.#stage.onInvalid = () => this.invalidate();
@@ -179,32 +131,30 @@ export class Viewer {
 
   /** Position of the ghost. */
   get ghost(): GhostMode {
-    return this.#ghostMode;
+    return this.#ghost.mode;
   }
 
   set ghost(mode: GhostMode) {
-    if (mode === this.#ghostMode) return;
-    this.#ghostMode = mode;
+    if (mode === this.#ghost.mode) return;
+    this.#ghost.mode = mode;
     this.#applyGhost();
+  }
+
+  /** Whether the ghost is at the right of the picture instead of at the character's right. */
+  set ghostByCamera(byCamera: boolean) {
+    this.#ghost.byCamera = byCamera;
   }
 
   /** What is drawn of the moments before and after; it needs the clip of {@link setPath}. */
   get motionTrail(): MotionTrailMode {
-    return this.#motionTrail;
+    return this.#trail.mode;
   }
 
   set motionTrail(mode: MotionTrailMode) {
-    if (mode === this.#motionTrail) return;
-    this.#motionTrail = mode;
+    if (mode === this.#trail.mode) return;
     this.#redraw.request();
-    this.#trail.object.visible = mode !== "off";
+    this.#trail.setMode(mode, { theme: this.#themeNow, bones: this.#bones, detail: this.#stage.quality.detail });
     if (this.#actor) this.#applyPath();
-    this.#onion?.dispose();
-    this.#onion = undefined;
-    if (mode !== "onion") return;
-    this.#onion = new OnionSkin(this.#themeNow, this.#bones, this.#stage.quality.detail);
-    this.#stage.scene.add(this.#onion.object);
-    void this.#stage.compile();
   }
 
   /** The joints of the styled character whose parts are tinted. */
@@ -286,21 +236,13 @@ export class Viewer {
   /** Sets the styled pose, `POSE_FLOATS` numbers; a pose with a number that is not finite is ignored. */
   setStyled(pose: ArrayLike<number>): void {
     if (!isPose(pose)) return;
-    if (differ(pose, this.#styled)) this.#redraw.request();
-    this.#styled.set(pose);
+    setPose(this.#styled, pose, this.#redraw);
     this.#pose();
   }
 
   /** Sets the input's pose, or `null` if there is none. */
   setInput(pose: ArrayLike<number> | null): void {
-    const has = pose !== null && isPose(pose);
-    if (has) {
-      if (differ(pose, this.#input)) this.#redraw.request();
-      this.#input.set(pose);
-    }
-    if (has === this.#hasInput) return;
-    this.#hasInput = has;
-    this.#applyGhost();
+    if (this.#ghost.setInput(pose && isPose(pose) ? pose : null, this.#redraw)) this.#applyGhost();
   }
 
   /** Sets translucent bodies at the positions of their poses; labels and camera ignore them. */
@@ -335,13 +277,13 @@ export class Viewer {
 
   /** Sets the styled poses of the whole clip, whose path ahead of {@link pathFrame} is drawn; `null` draws none. */
   setPath(poses: Float32Array | null): void {
-    this.#given = poses;
+    this.#clip = poses;
     this.#applyPath();
   }
 
   /** Fractional frame of the path's clip that is displayed. */
   set pathFrame(frame: number) {
-    this.#pathFrame = frame;
+    this.#trail.frame = frame;
   }
 
   /** Clears trail and footprints and places the camera and the ghost again: after a seek or when a clip loops. */
@@ -350,7 +292,7 @@ export class Viewer {
     this.#stage.footprints.clear();
     this.#stage.path.clear();
     if (this.follow) this.#stage.view.settle();
-    this.#placement.reset();
+    this.#ghost.reset();
     this.#actor?.performer.settle();
   }
 
@@ -408,18 +350,7 @@ export class Viewer {
 
   /** The joint of the styled character whose bone is at a point of the picture, CSS pixels; `undefined` if there is none. */
   jointAt(x: number, y: number): Role | undefined {
-    let nearest: { role: Role; distance: number } | undefined;
-    for (const [bone, from, to] of BONES) {
-      const [a, b] = [this.jointScreenPosition(from), this.jointScreenPosition(to)];
-      const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
-      const along = MathUtils.clamp(((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / length ** 2, 0, 1);
-      const distance = Math.hypot(x - a.x - along * (b.x - a.x), y - a.y - along * (b.y - a.y));
-      if (!nearest || distance < nearest.distance) nearest = { role: bone, distance };
-    }
-    // The trunk is half as wide as it is long.
-    const [neck, hips] = [this.jointScreenPosition("neck"), this.jointScreenPosition("hips")];
-    const reach = Math.max(MIN_REACH_PX, Math.hypot(neck.x - hips.x, neck.y - hips.y) / 4);
-    return nearest && nearest.distance <= reach ? nearest.role : undefined;
+    return jointNear(x, y, (role) => this.jointScreenPosition(role));
   }
 
   /**
@@ -434,7 +365,7 @@ export class Viewer {
     this.#arrange(dt);
     const stage = this.#stage;
     const centre = followed.copy(hips);
-    if (this.#ghost.object.visible && this.#ghostMode === "beside") centre.lerp(ghostHips, 0.5);
+    if (this.#ghost.isBeside) centre.lerp(this.#ghost.hips, 0.5);
     const moved = stage.view.update(dt, centre, this.follow);
     if (moved) this.#redraw.request();
     const still = this.#redraw.settled(timeSecs);
@@ -444,10 +375,11 @@ export class Viewer {
     stage.end();
     const { width, height } = stage.size;
     const { camera } = stage.view;
-    const { rise, radius } = this.#actor?.head ?? headOf(this.#body);
-    stage.labels.place("styled", above(this.#world, rise), radius, camera, width, height);
-    const ghost = headOf(this.#ghost);
-    stage.labels.place("input", above(this.#ghost.world, ghost.rise), ghost.radius, camera, width, height);
+    const { rise, radius } = this.#actor?.head ?? headOf(this.#body.fit);
+    stage.labels.place("styled", aboveHead(this.#world, rise), radius, camera, width, height);
+    const { fit, world } = this.#ghost.body;
+    const head = headOf(fit);
+    stage.labels.place("input", aboveHead(world, head.rise), head.radius, camera, width, height);
     this.onDraw?.();
     return true;
   }
@@ -473,9 +405,8 @@ export class Viewer {
     this.#wanted = null;
     this.#dismiss();
     this.#body.dispose();
-    this.#ghost.dispose();
+    this.#ghost.body.dispose();
     this.#trail.dispose();
-    this.#onion?.dispose();
     this.#others?.dispose();
     this.#stage.dispose();
   }
@@ -489,7 +420,7 @@ export class Viewer {
     }
     this.#body.object.visible = !actor;
     this.#stage.view.scale = actor?.scale ?? 1;
-    this.#placement.scale = actor?.scale ?? 1;
+    this.#ghost.scale = actor?.scale ?? 1;
     this.#applyBody();
     this.resetTrail();
   }
@@ -523,8 +454,8 @@ export class Viewer {
   /** Fits everything to the body that performs. */
   #applyBody(): void {
     this.#redraw.request();
-    for (const mannequin of [this.#body, this.#ghost]) mannequin.setProportions(this.#bones);
-    this.#onion?.setProportions(this.#bones);
+    for (const mannequin of [this.#body, this.#ghost.body]) mannequin.setProportions(this.#bones);
+    this.#trail.setProportions(this.#bones);
     this.#others?.setProportions(this.#bones);
     this.#pose();
     this.#applyPath();
@@ -533,16 +464,13 @@ export class Viewer {
   /** Computes the clip's path and trail for the body that performs it. */
   #applyPath(): void {
     this.#redraw.request();
-    const given = this.#given;
-    this.#clip = given;
-    if (given && this.#actor) {
+    let clip = this.#clip;
+    if (clip && this.#actor) {
       // Hands and feet are only needed for the trail.
-      const isTraced = this.#motionTrail !== "off";
-      this.#clip = isTraced ? this.#actor.performed(given) : this.#actor.travelling(given);
+      clip = this.#trail.mode === "off" ? this.#actor.travelling(clip) : this.#actor.performed(clip);
       this.#pose();
     }
-    this.#stage.path.setClip(this.#clip);
-    this.#trail.setClip(this.#clip, this.#actor?.proportions ?? this.#body.fit.proportions);
+    this.#trail.setClip(clip, this.#actor?.proportions ?? this.#body.fit.proportions);
   }
 
   /** Updates everything on the ground to the current poses. */
@@ -555,29 +483,24 @@ export class Viewer {
     footprints.update(this.#planted, world);
     footprints.draw(dtSecs, stature);
     path.push(hips.x, hips.z);
-    path.draw(hips.x, hips.z, this.#pathFrame, this.#pathTurn());
-    this.#drawMotionTrail();
+    path.draw(hips.x, hips.z, this.#trail.frame, this.#trail.turnTo(this.#held));
+    this.#trail.draw(this.#held, hips);
     this.#placeGhost(dtSecs);
   }
 
   #applyTheme(): void {
     const theme = this.#themeNow;
     this.#body.look.setTheme(theme);
-    this.#ghost.look.setTheme(theme);
+    this.#ghost.body.look.setTheme(theme);
     this.#stage.setTheme(theme);
     this.#trail.setTheme(theme);
-    this.#onion?.setTheme(theme);
     this.#others?.setTheme(theme);
     this.#prop?.setTheme(theme);
     this.#applyLabels();
   }
 
   #applyGhost(): void {
-    const mode = this.#hasInput ? this.#ghostMode : "off";
-    this.#ghost.object.visible = mode !== "off";
-    this.#ghost.look.behindBodies = mode === "overlay";
-    this.#placement.reset();
-    this.#stage.view.halfWidth = mode === "beside" ? HALF_WIDTH.withGhost : HALF_WIDTH.alone;
+    this.#stage.view.halfWidth = this.#ghost.isBeside ? HALF_WIDTH.withGhost : HALF_WIDTH.alone;
     this.#applyLabels();
   }
 
@@ -588,93 +511,27 @@ export class Viewer {
   #applyLabels(): void {
     this.#redraw.request();
     const theme = this.#themeNow;
-    const beside = this.#hasInput && this.#ghostMode === "beside";
     this.#stage.labels.set("styled", this.#labels.styled, theme.ink);
-    this.#stage.labels.set("input", beside ? this.#labels.input : "", theme.input);
-  }
-
-  /** Rotation from the clip's heading at its frame to the character's. */
-  #pathTurn(): number {
-    const clip = this.#clip;
-    if (!clip) return 0;
-    const frame = MathUtils.clamp(Math.round(this.#pathFrame), 0, clip.length / POSE_FLOATS - 1);
-    return hipsTurn(this.#held) - hipsTurn(clip, frame);
-  }
-
-  /** Draws the moments before and after the character's current frame, from the clip. */
-  #drawMotionTrail(): void {
-    const clip = this.#clip;
-    if (this.#motionTrail === "off" || !clip) return;
-    const turn = this.#pathTurn();
-    const [c, s] = [Math.cos(turn), Math.sin(turn)];
-    const frames = clip.length / POSE_FLOATS;
-    const at = MathUtils.clamp(this.#pathFrame, 0, frames - 1);
-    const [i, t] = [Math.floor(at), at - Math.floor(at)];
-    const root = (axis: 0 | 2) => {
-      const a = clip[i * POSE_FLOATS + axis]!;
-      return a + (clip[Math.min(i + 1, frames - 1) * POSE_FLOATS + axis]! - a) * t;
-    };
-    const [x, z] = [root(0), root(2)];
-    const placement = { turn, x: hips.x - c * x - s * z, z: hips.z - c * z + s * x };
-    this.#trail.draw(this.#pathFrame, placement);
-    this.#onion?.place(clip, this.#pathFrame, placement);
+    this.#stage.labels.set("input", this.#ghost.isBeside ? this.#labels.input : "", theme.input);
   }
 
   /** The input's pose on the body that performs. */
   #inputOnBody(): ArrayLike<number> {
-    if (!this.#actor) return this.#input;
-    this.#actor.perform(this.#input);
+    if (!this.#actor) return this.#ghost.input;
+    this.#actor.perform(this.#ghost.input);
     this.#performedInput.set(this.#actor.performer.pose);
     this.#pose();
     return this.#performedInput;
   }
 
   #placeGhost(dtSecs: number): void {
-    const visible = this.#ghost.object.visible;
-    if (visible) {
-      this.#placement.facing = this.ghostByCamera ? this.#stage.view.azimuth + Math.PI : undefined;
-      const again = this.#placement.place(
-        this.#inputOnBody(),
-        this.#ghost.fit.proportions,
-        this.#world,
-        this.#ghostMode === "beside",
-      );
-      if (again) this.#ghostFade = 0;
-      this.#ghost.setPose(this.#placement.pose);
-      ghostHips.fromArray(this.#ghost.world.positions, 0);
-    }
-    if (this.#ghostFade < 1) {
-      this.#ghostFade = Math.min(1, this.#ghostFade + dtSecs / FADE_IN);
-      this.#ghost.look.fade = this.#ghostFade;
-    }
-    const shaded = visible && this.#ghostMode === "beside";
-    this.#stage.shade.setOccluder("ghost", shaded ? this.#ghost.world : null, this.#ghost.fit.stature);
+    const ghost = this.#ghost;
+    if (ghost.isVisible) ghost.place(this.#inputOnBody(), this.#world, this.#stage.view.azimuth);
+    ghost.fadeIn(dtSecs);
+    this.#stage.shade.setOccluder("ghost", ghost.isBeside ? ghost.body.world : null, ghost.body.fit.stature);
   }
 }
 
 const point = new Vector3();
 const hips = new Vector3();
-const ghostHips = new Vector3();
 const followed = new Vector3();
-const head = new Vector3();
-const rotation = new Quaternion();
-
-/** Whether any number differs. */
-function differ(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
-  for (let i = 0; i < a.length; i++) if (Math.fround(a[i]!) !== b[i]) return true;
-  return false;
-}
-
-/** Middle of a mannequin's head above its joint, and its radius, metres. */
-function headOf({ fit }: Mannequin<BodyLook> | Mannequin<GhostLook>): { rise: number; radius: number } {
-  return { rise: HEAD.rise * fit.stature, radius: HEAD.radius * fit.stature };
-}
-
-/** The middle of a head, `rise` metres above its joint. */
-function above({ positions, rotations }: WorldPose, rise: number): Vector3 {
-  rotation.fromArray(rotations, 4 * JOINT.head);
-  return head
-    .set(0, rise, 0)
-    .applyQuaternion(rotation)
-    .add(point.fromArray(positions, 3 * JOINT.head));
-}

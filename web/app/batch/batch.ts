@@ -32,7 +32,7 @@ export interface Lane {
 }
 
 /** A clip that was left out, and the reason, a sentence. */
-export interface LeftOut {
+interface LeftOut {
   path: string;
   why: string;
 }

@@ -19,7 +19,7 @@ const MOST_BYTES = 2 ** 30;
 type Use = "inputs" | "restyle" | "database";
 
 /** The page's interface for them. */
-export interface MotionsPlace extends BatchPlace {
+interface MotionsPlace extends BatchPlace {
   /** Makes them inputs, and opens the first. */
   asInputs(motions: readonly { name: string; bytes: ArrayBuffer }[]): Promise<void>;
   /** Passes the files to the Data view. */

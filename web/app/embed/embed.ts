@@ -28,7 +28,7 @@ const SHOWN = [
 ] as const satisfies readonly (keyof AppState)[];
 
 /** The embedded state. */
-export interface EmbedSubject {
+interface EmbedSubject {
   state: Readonly<AppState>;
   library: InputLibrary;
   neutral: string;

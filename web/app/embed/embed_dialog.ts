@@ -18,7 +18,7 @@ type SizeName = keyof typeof SIZES;
 /** Kind of code. */
 type Kind = "frame" | "element" | "link";
 
-export interface EmbedRequest {
+interface EmbedRequest {
   embedded: Embedded;
   /** URL of the playground with the same state. */
   link: string;

@@ -26,7 +26,7 @@ export interface SessionFile {
 }
 
 /** A file with its tab, and the time when it was stored. */
-export interface KeptFile extends SessionFile {
+interface KeptFile extends SessionFile {
   key: string;
   session: string;
   at: number;

@@ -12,7 +12,7 @@ import { spoken } from "../ui/words";
 import type { ClipStyle, StyleBase } from "../views/data/style_of_clip";
 
 /** Reads a database stored on this device by its name; `undefined` if there is none. */
-export type ReadSaved = (name: string) => Promise<Blob | undefined>;
+type ReadSaved = (name: string) => Promise<Blob | undefined>;
 
 const BUILT_IN: DatabaseSource = { kind: "demo" };
 /** The part of the built-in database that is shown while the rest loads. */

@@ -11,7 +11,7 @@ const MAX_BYTES = 512 * 1024 * 1024;
 /** The limit for databases, whose memory use the engine knows. */
 const MAX_DATABASE_BYTES = 4096 * 1024 * 1024;
 
-export interface FileListeners {
+interface FileListeners {
   /** Which files are passed to the current view, through {@link FileListeners.onClips}. */
   takes: () => "motions" | "all" | undefined;
   onMotion: (file: File) => void;

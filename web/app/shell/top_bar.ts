@@ -10,7 +10,7 @@ import { ExportMenu } from "./export_menu";
 import { type ProjectListeners, ProjectMenu } from "./project_menu";
 import { VIEWS } from "./view_table";
 
-export interface TopBarListeners extends ProjectListeners {
+interface TopBarListeners extends ProjectListeners {
   onView: (view: ViewName) => void;
   /** Called when the tab of a view is hovered or focused. */
   onReach: (view: ViewName) => void;

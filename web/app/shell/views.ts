@@ -11,7 +11,7 @@ const DISPOSE_MS = 60_000;
 /** The views, and how each is loaded. */
 type ViewTable = readonly Pick<ViewEntry, "name" | "load">[];
 
-export interface ViewsListeners {
+interface ViewsListeners {
   /** Makes the host of a view that lives until `signal` aborts. */
   host: (signal: AbortSignal) => ViewHost;
   /** Called when another view is shown; `first` if there was none before. */

@@ -25,7 +25,7 @@ export class Refused {
 }
 
 /** The invalid part of the link: the kind of agents, their number, the number of vertices, a vertex, or the route. */
-export type RefusedWhy = "kind" | "count" | "vertices" | "vertex" | "route";
+type RefusedWhy = "kind" | "count" | "vertices" | "vertex" | "route";
 
 export interface CrowdState {
   crowdKind: CrowdKind | Refused;

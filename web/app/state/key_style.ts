@@ -39,13 +39,13 @@ export interface KeyStyleState {
   keyPane: KeyPane;
 }
 
-export const KEY_LEARNING = ["som", "em"] as const;
+const KEY_LEARNING = ["som", "em"] as const;
 export type KeyLearning = (typeof KEY_LEARNING)[number];
-export const KEY_CURVES = ["spline", "monotone"] as const;
+const KEY_CURVES = ["spline", "monotone"] as const;
 export type KeyCurve = (typeof KEY_CURVES)[number];
-export const KEY_METHODS = ["style", "hybrid", "frame", "all"] as const;
+const KEY_METHODS = ["style", "hybrid", "frame", "all"] as const;
 export type KeyMethod = (typeof KEY_METHODS)[number];
-export const KEY_PANES = ["keys", "recordings"] as const;
+const KEY_PANES = ["keys", "recordings"] as const;
 export type KeyPane = (typeof KEY_PANES)[number];
 
 export const KEY_STYLE_RANGES = {

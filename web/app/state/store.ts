@@ -7,7 +7,7 @@ type Name = keyof AppState;
 /** The fields that undo restores. */
 type Snapshot = Pick<AppState, (typeof UNDOABLE)[number]>;
 /** Called after every change with the names of the fields that changed. */
-export type Listener = (state: Readonly<AppState>, changed: ReadonlySet<Name>) => void;
+type Listener = (state: Readonly<AppState>, changed: ReadonlySet<Name>) => void;
 
 /** Whether two values of a field are equal. */
 const same = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);

@@ -3,6 +3,7 @@
  * Strings}, in modules like those of `en/`, and a selection here.
  */
 
+import type { Translated } from "../../ui/translated";
 import { embed } from "../embed/strings.en";
 import { page } from "../shell/strings.en";
 import { compare } from "../views/compare/strings.en";
@@ -15,15 +16,8 @@ import { walk } from "../views/walk/strings.en";
 
 const en = { embed, page, play, compare, data, walk, keyStyle, crowd, synthesis };
 
-/** A text where English has one, and a function with the same arguments where it has a function. */
-type Said<T> = T extends string
-  ? string
-  : T extends (...parts: infer P) => string
-    ? (...parts: P) => string
-    : { readonly [K in keyof T]: Said<T[K]> };
-
 /** The table of a language. */
-export type Strings = Said<typeof en>;
+type Strings = Translated<typeof en>;
 
 /** The current language. */
 export const strings: Strings = en;

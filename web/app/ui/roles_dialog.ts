@@ -13,7 +13,7 @@ const words = strings.page.roles;
 const NO_JOINT = -1;
 
 /** A skeleton whose roles the user sets. */
-export interface RoleQuestion {
+interface RoleQuestion {
   /** Names of its joints. */
   joints: readonly string[];
   /** Current joint of each role; −1 for none. */

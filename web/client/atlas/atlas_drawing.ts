@@ -53,7 +53,7 @@ export class Losses {
 const VISIT = new Losses();
 
 /** Dependencies that tests replace. */
-export interface DrawingSurroundings {
+interface DrawingSurroundings {
   openGraphics?: typeof Graphics.open;
   losses?: Losses;
 }

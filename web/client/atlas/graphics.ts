@@ -3,8 +3,6 @@ import type { PackedWindows } from "../../engine/atlas";
 import { type ClientPort, RpcClient, remote } from "../rpc";
 import type { GraphicsCalls } from "./graphics_protocol";
 
-/** Number of arguments of each call. */
-const ARITY = { open: 1, setLines: 2, draw: 1 } as const satisfies Record<keyof GraphicsCalls, number>;
 /**
  * Columns of the first slice, and the minimum and maximum number of columns of a slice. Each slice is one submission; the
  * browser draws between them.
@@ -45,7 +43,7 @@ export class Graphics {
 
   private constructor(spawn: () => ClientPort) {
     this.rpc = new RpcClient(spawn, "graphics processor");
-    this.calls = remote<GraphicsCalls>(this.rpc, ARITY);
+    this.calls = remote<GraphicsCalls>(this.rpc);
   }
 
   /** @throws StrutError `gpu-lost` if it cannot be used */

@@ -12,11 +12,8 @@ import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
 export type { CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
-/** Number of arguments of each call. */
-const ARITY = { open: 2, tick: 1, setCount: 1, setField: 1, setRoute: 1, setBones: 1, exportBvh: 2 } as const;
-
 /** Settings of a crowd that depend on its agents. */
-export interface CrowdChoices {
+interface CrowdChoices {
   /** Computes the styles by place from the available styles; overrides the start's field. */
   fieldOf?: (styles: readonly string[]) => readonly FieldVertex[];
   /** Computes the bones on which the joints are placed from the crowd's own, 21 × xyz in metres; by default the crowd's own. */
@@ -24,7 +21,7 @@ export interface CrowdChoices {
 }
 
 /** Dependencies that tests replace. */
-export interface CrowdSurroundings {
+interface CrowdSurroundings {
   spawn?: () => ClientPort;
   clock?: Clock;
 }
@@ -92,7 +89,7 @@ export class Crowd implements CrowdFacts {
     private readonly clock: Clock,
   ) {
     ({ styles: this.styles, proportions: this.proportions, rateHz: this.rateHz } = facts);
-    this.calls = remote<CrowdCalls>(rpc, ARITY);
+    this.calls = remote<CrowdCalls>(rpc);
     this.due = clock.now();
     this.ask();
   }

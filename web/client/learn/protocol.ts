@@ -91,7 +91,7 @@ export interface WindowsOrder {
 }
 
 /** A frame as styled by the engine. */
-export interface StyledLook {
+interface StyledLook {
   /** The styled pose. */
   pose: Float32Array;
   /** Its duration, seconds. */
@@ -112,7 +112,7 @@ export interface Profile {
 }
 
 /** A clip of the database that a lesson may compare. */
-export interface LearnClip {
+interface LearnClip {
   /** Its index in the database. */
   clip: number;
   name: string;
@@ -189,7 +189,7 @@ export interface Keyed {
 }
 
 /** Options of a call. */
-export interface LearnCall {
+interface LearnCall {
   /** Cancels the wait for the answer: the promise rejects with `cancelled`. */
   signal?: AbortSignal;
 }

@@ -24,7 +24,7 @@ export {
 export type { Somn, SomnOptions, SomnState } from "../../engine/key_style/somn";
 
 /** Motions to train a model on: BVH files or archives of them, a `.strutdb` file, or the built-in database. */
-export type TrainingMotions = { files: readonly DroppedFile[] } | { database: Blob | undefined };
+type TrainingMotions = { files: readonly DroppedFile[] } | { database: Blob | undefined };
 
 /** A `.strutkeys` file, or motions and the settings of the training. */
 export type KeyStyleModelSource = { file: Uint8Array } | { motions: TrainingMotions; order: KeyStyleOrder };

@@ -8,7 +8,7 @@ import { carriedMotion } from "./motions";
 import { type Caller, stage } from "./time_slices";
 
 /** Both searches of an input, in portions: the part of `SearchComparison` (`engine/compare/`) that is needed. */
-export interface SearchJob {
+interface SearchJob {
   take(frames: number): number;
   searchExactly(): void;
   searchTrees(): void;

@@ -69,7 +69,7 @@ const HANDLERS: Omit<Handlers, keyof Comparing | keyof OfThePage | DrivingMethod
 };
 
 /** Additional handlers of a server. */
-export interface ServerSetup extends Partial<Comparing> {
+interface ServerSetup extends Partial<Comparing> {
   counterparts?: Counterparts;
   driving?: DrivingCalls;
   page?: OfThePage;

@@ -12,7 +12,7 @@ import { SharedWork } from "./shared_work";
 import type { Caller } from "./time_slices";
 
 /** A motion playing in a database. Sessions share no state that changes during playback. */
-export class OpenSession implements OpenThing {
+class OpenSession implements OpenThing {
   static readonly noun = "session";
   readonly uses: readonly Key[];
   /** The last clip that was styled as a whole, and its options. */

@@ -8,7 +8,7 @@ import { LiveStylizer } from "./live_stylizer";
 import type { OpenThing } from "./registry";
 import type { Caller } from "./time_slices";
 
-export class OpenStylizer implements OpenThing {
+class OpenStylizer implements OpenThing {
   static readonly noun = "stylizer";
   readonly uses: readonly number[];
 

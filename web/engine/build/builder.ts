@@ -62,7 +62,7 @@ export interface TwoManners {
 }
 
 /** A stage of {@link Build.step} and {@link Build.finish}. */
-export type BuildStage = "preparing" | "registering" | "indexing";
+type BuildStage = "preparing" | "registering" | "indexing";
 
 /** Receives the progress of a stage. */
 export type OnBuildProgress = (stage: BuildStage, done: number, total: number) => void;
@@ -84,7 +84,7 @@ export interface BuiltDatabase {
 }
 
 /** Frames per second of databases. */
-export const DATABASE_HZ = 60;
+const DATABASE_HZ = 60;
 
 /** Builds databases. */
 export class DatabaseBuilder {

@@ -40,10 +40,10 @@ export interface TrainedKeyStyle {
 }
 
 /** Receives the number of passes done and their total. */
-export type OnTrainProgress = (done: number, total: number) => void;
+type OnTrainProgress = (done: number, total: number) => void;
 
 /** BVH files to train on instead of a database. */
-export type KeyStyleFiles = readonly { name: string; bytes: Uint8Array }[];
+type KeyStyleFiles = readonly { name: string; bytes: Uint8Array }[];
 
 /** Clips that models are trained on. */
 export class KeyStyleClips {

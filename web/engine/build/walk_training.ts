@@ -4,7 +4,7 @@ import type { RefusedFile } from "./builder";
 import { buildPackage } from "./wasm";
 
 /** A stage of {@link trainWalk}: clips are read, then styles trained. */
-export type TrainStage = "reading" | "training";
+type TrainStage = "reading" | "training";
 
 /** A trained walk model. */
 export interface TrainedWalk {

@@ -45,7 +45,7 @@ const HINT = "Export the model without Draco, or check that draco_decoder.wasm e
 type Call = (...given: number[]) => number;
 
 /** An attribute that is to be decoded. */
-export interface WantedAttribute {
+interface WantedAttribute {
   /** Its number in the stream. */
   readonly id: number;
   /** glTF's number of its component type. */

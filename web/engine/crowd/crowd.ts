@@ -7,7 +7,7 @@ import type { FieldVertex, People, Place, Recorded, Walkers } from "./limits";
 import { type CrowdGlue, crowdPackage } from "./wasm";
 
 /** Initial settings of a crowd. */
-export interface CrowdOptions {
+interface CrowdOptions {
   /** Number of agents, 1 to 1,000. */
   count: number;
   /** Seed of all random choices. */

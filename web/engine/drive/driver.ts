@@ -25,7 +25,7 @@ export interface Steering {
 }
 
 /** Moves, in the engine's order (`rust/strut-core/src/driving/moves.rs`). */
-export const MOVES = ["jump", "punch", "kick"] as const;
+const MOVES = ["jump", "punch", "kick"] as const;
 export type MoveName = (typeof MOVES)[number];
 
 const TAKES = () => assetOf("drive.bin", () => new URL("../motions/drive.bin", import.meta.url));

@@ -35,7 +35,7 @@ export interface BufferStats {
 }
 
 /** Settings of a stream. */
-export interface PoseStreamSetup {
+interface PoseStreamSetup {
   /** The body of the database: 21 × xyz, metres. */
   proportions: Float32Array;
   rateHz: number;

@@ -3,7 +3,7 @@ import type { Fit, LearnEngine } from "../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../client/protocol";
 import { createWorldPose, DEGREES, JOINT, POSE_FLOATS, worldFromLocal } from "../../humanoid";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { type BiasState, lookOf, NO_GUESS, raisedInput, SETTINGS } from "./bias_state";
 
 /** The band of a degree of freedom at a frame, degrees. */
@@ -24,7 +24,7 @@ export interface Band {
 }
 
 /** The band of a fit. */
-export function bandOf(fit: Fit, keep: number): Band {
+function bandOf(fit: Fit, keep: number): Band {
   const [x, mean, deviation, bias, y] = [fit.query[2], fit.means.x, fit.deviation, fit.bias, fit.predicted].map(
     (radians) => radians * DEGREES,
   ) as [number, number, number, number, number];
@@ -72,7 +72,7 @@ export function elevation(poses: Float32Array, proportions: ArrayLike<number>): 
 }
 
 /** Mean elevations of the input and of the output. */
-const elevationsOf = remembered(
+const elevationsOf = memoized(
   async (engine, motion: BiasState["motion"], style: string, raise: number, kappa: number, rho: number) => {
     const input = raisedInput({ motion, raise });
     const [given, { poses }] = await Promise.all([

@@ -4,7 +4,7 @@ import { html } from "../../ui/dom";
 import type { Viewer } from "../../viewer";
 import { RATE_HZ } from "../built_in";
 import type { FigureKind, FigureParts } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { SceneFigure } from "../scene_figure";
 import { elevation, measureBias } from "./bias_measure";
 import { BIAS_FIELDS, type BiasState, lookOf, raisedInput } from "./bias_state";
@@ -16,7 +16,7 @@ export const RAISED: FigureKind<BiasState> = {
 };
 
 /** A raised input, computed once. */
-const raisedMotion = remembered((engine, motion: BiasState["motion"], raise: number) =>
+const raisedMotion = memoized((engine, motion: BiasState["motion"], raise: number) =>
   engine.motion(raisedInput({ motion, raise })),
 );
 

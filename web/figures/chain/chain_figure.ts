@@ -1,5 +1,6 @@
 /** The states of a left and a right step with their durations; a step is lengthened by dragging its end. */
 import type { JointPath } from "../../client/learn/protocol";
+import { rounded } from "../../ui/controls/range";
 import { setText, svg } from "../../ui/dom";
 import type { FigureKind, FigureParts } from "../kind";
 import { PlaneHandles } from "../plane_handles";
@@ -95,9 +96,7 @@ class ChainFigure extends PlotFigure<ChainState, Shown> {
   /** The ρ with which a step takes `secs` seconds. */
   #rhoOf(which: number, secs: number): number {
     const { means, variances } = this.shown!;
-    const { min, max, digits } = CHAIN_RANGES[SIDES[which]!];
-    const rho = (secs * WALK_HZ - means[which]!) / variances[which]!;
-    return Number(Math.min(max, Math.max(min, rho)).toFixed(digits));
+    return rounded((secs * WALK_HZ - means[which]!) / variances[which]!, CHAIN_RANGES[SIDES[which]!]);
   }
 
   protected draw({ path }: Shown): void {

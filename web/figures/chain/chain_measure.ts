@@ -3,7 +3,7 @@
 import type { JointPath, LearnEngine } from "../../client/learn/protocol";
 import { DEGREES } from "../../humanoid";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { CHAIN_FIELDS, type ChainState, dofOf, stylesOf } from "./chain_state";
 
 /** Number of states of a step. */
@@ -11,7 +11,7 @@ export const STATES = 5;
 /** Frames per second of the walk model; `chain.test.ts` checks it against the engine. */
 export const WALK_HZ = 30;
 
-const askPath = remembered((engine, state: ChainState): Promise<JointPath> => {
+const askPath = memoized((engine, state: ChainState): Promise<JointPath> => {
   const { pose, velocity, acceleration, left, right } = state;
   return engine.walkPath(stylesOf(state), dofOf(state), {
     variance: [pose, velocity, acceleration],

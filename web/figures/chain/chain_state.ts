@@ -35,7 +35,6 @@ export const CHAIN_RANGES = {
 
 /** The three statistics, in the order of the model. */
 export const PROMISES = ["pose", "velocity", "acceleration"] as const;
-export type Promised = (typeof PROMISES)[number];
 
 /** Encoding of the state in a link. */
 export const CHAIN_FIELDS: Fields<ChainState> = {

@@ -4,8 +4,8 @@ import { type Measured, measure as measured, poseAt } from "../../player/measure
 import type { Viewer } from "../../viewer";
 import { STYLES, type Style } from "../built_in";
 import type { FigureKind, FigureParts } from "../kind";
+import { memoized } from "../memoized";
 import { Playing } from "../playing";
-import { remembered } from "../remembered";
 import { SceneFigure } from "../scene_figure";
 import { measureChain } from "./chain_measure";
 import { CHAIN_FIELDS, CHAIN_RANGES, type ChainState, stylesOf } from "./chain_state";
@@ -21,7 +21,7 @@ export const GAIT: FigureKind<ChainState> = {
   create: (parts) => new GaitFigure(parts),
 };
 
-const walkedOf = remembered(async (engine, style: Style, share: number) => {
+const walkedOf = memoized(async (engine, style: Style, share: number) => {
   const walked = await engine.walk(stylesOf({ style, share }), FRAMES);
   return measured(walked, walked.proportions);
 });

@@ -3,6 +3,7 @@ import { setAttributes, setText, svg } from "../../ui/dom";
 import type { Margin } from "../axes";
 import type { FigureKind, FigureParts } from "../kind";
 import { PlotFigure } from "../plot_figure";
+import { runsOf } from "../runs";
 import sheet from "./feet.css?inline";
 import { measureFeet, PLANT, RELEASE, type Tracks, tracksOf, type Votes, votesOf, within } from "./feet_measure";
 import { FEET_FIELDS, type FeetState, STRETCH, stretchOf } from "./feet_state";
@@ -119,7 +120,7 @@ class FeetFigure extends PlotFigure<FeetState, Shown> {
     const x = (frame: number) => axes.x(frame / rateHz);
     const share = (p: number) => axes.y(p * MOST);
     this.#stances.replaceChildren(
-      ...spans(stands, first, last).map(([from, to]) =>
+      ...runsOf(first, Math.min(last, stands.length), (frame) => stands[frame] === 1).map(([from, to]) =>
         svg("rect", { x: x(from), y: share(1), width: x(to) - x(from), height: share(0) - share(1) }),
       ),
     );
@@ -153,16 +154,4 @@ class FeetFigure extends PlotFigure<FeetState, Shown> {
 /** The vote nearest to a frame. */
 function nearest({ frames }: Votes, at: number): number {
   return frames.reduce((found, frame, i) => (Math.abs(frame - at) < Math.abs(frames[found]! - at) ? i : found), 0);
-}
-
-/** First and last frames of the stances in a range. */
-function spans(stands: Uint8Array, first: number, last: number): [from: number, to: number][] {
-  const found: [number, number][] = [];
-  for (let frame = first; frame < Math.min(last, stands.length); frame++) {
-    if (stands[frame] !== 1) continue;
-    const before = found.at(-1);
-    if (before?.[1] === frame - 1) before[1] = frame;
-    else found.push([frame, frame]);
-  }
-  return found;
 }

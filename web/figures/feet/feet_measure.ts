@@ -3,7 +3,7 @@ import type { LearnEngine } from "../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../client/protocol";
 import { JOINT } from "../../humanoid";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { type FeetState, inputOf, lookOf, STRETCH, stretchOf } from "./feet_state";
 import { pivotTravel, SIDES, type Side, type Sole, solesOf } from "./soles";
 
@@ -29,7 +29,7 @@ const CM = 100;
 export const PLANT = 0.6;
 export const RELEASE = 0.4;
 
-const tracked = remembered(async (engine, motion: FeetState["motion"], style: string, side: Side): Promise<Tracks> => {
+const tracked = memoized(async (engine, motion: FeetState["motion"], style: string, side: Side): Promise<Tracks> => {
   const input = inputOf({ motion });
   const run = (footplant: boolean) => engine.stylize(input, { ...DEFAULT_OPTIONS, styles: { [style]: 1 }, footplant });
   const [{ proportions, rateHz }, held, free] = await Promise.all([engine.motion(input), run(true), run(false)]);
@@ -63,7 +63,7 @@ export interface Votes {
   likelihoods: readonly number[];
 }
 
-const voted = remembered(
+const voted = memoized(
   async (engine, motion: FeetState["motion"], style: FeetState["style"], side: Side, first: number, last: number) => {
     const frames = Array.from({ length: Math.floor((last - first) / VOTE_STEP) + 1 }, (_, i) => first + i * VOTE_STEP);
     const foot = SIDES.indexOf(side);
@@ -99,13 +99,11 @@ export function fastestSlide({ free, stands }: Tracks, first: number): number {
 }
 
 /** Lengths of thigh and shin, metres. */
-export const legOf = remembered(
-  async (engine, motion: FeetState["motion"]): Promise<readonly [a: number, b: number]> => {
-    const { proportions } = await engine.motion(inputOf({ motion }));
-    const length = (joint: number) => Math.hypot(...[0, 1, 2].map((axis) => proportions[3 * joint + axis]!));
-    return [length(JOINT.left_lower_leg), length(JOINT.left_foot)];
-  },
-);
+export const legOf = memoized(async (engine, motion: FeetState["motion"]): Promise<readonly [a: number, b: number]> => {
+  const { proportions } = await engine.motion(inputOf({ motion }));
+  const length = (joint: number) => Math.hypot(...[0, 1, 2].map((axis) => proportions[3 * joint + axis]!));
+  return [length(JOINT.left_lower_leg), length(JOINT.left_foot)];
+});
 
 /** A leg that reaches a position of its ankle. */
 export interface Leg {

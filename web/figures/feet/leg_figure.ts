@@ -1,4 +1,5 @@
 /** A leg of two bones from the side: the ankle is dragged, and the knee follows. */
+import { rounded } from "../../ui/controls/range";
 import { setAttributes, setText, svg } from "../../ui/dom";
 import type { FigureKind, FigureParts } from "../kind";
 import { PlaneHandles } from "../plane_handles";
@@ -42,8 +43,6 @@ class LegFigure extends PlotFigure<FeetState, Shown> {
   constructor(parts: FigureParts<FeetState>) {
     const { feet } = parts.words;
     super(parts, feet.leg);
-    const clamp = (value: number, { min, max, digits }: { min: number; max: number; digits: number }) =>
-      Number(Math.min(max, Math.max(min, value)).toFixed(digits));
     const { picture, element } = this.frame;
     this.#handles = new PlaneHandles(
       picture,
@@ -51,7 +50,7 @@ class LegFigure extends PlotFigure<FeetState, Shown> {
       (fine) => (fine ? STEP.fine : STEP.coarse),
       {
         axes: () => this.axes,
-        onInput: (_, [x, y]) => this.change({ x: clamp(x, REACH.x), y: clamp(y, REACH.y) }, false),
+        onInput: (_, [x, y]) => this.change({ x: rounded(x, REACH.x), y: rounded(y, REACH.y) }, false),
         onSettle: () => this.settle(),
       },
       parts.signal,

@@ -6,8 +6,8 @@ import { type Measured, measure } from "../../player/measured";
 import type { Style } from "../built_in";
 import type { Measure } from "../kind";
 import { AXES } from "../line/line_state";
+import { memoized } from "../memoized";
 import { meanOf } from "../pairing";
-import { remembered } from "../remembered";
 import { inputOf, type JudgeState, METHODS, type Method, type Take } from "./judge_state";
 import { type Achieved, BUILT_IN_OTHER_TAKE, RECORDED, type Standing, steadiest } from "./recorded";
 
@@ -34,7 +34,7 @@ interface Held {
   truth: Measured;
 }
 
-const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held> => {
+const heldOf = memoized(async (engine, take: Take, style: Style): Promise<Held> => {
   const [motion, performed] = await Promise.all([engine.motion({ name: take }), engine.counterpart(take, style)]);
   if (!performed) throw new Error(`“${take}” has no recording in the style “${style}”.`);
   const { rateHz, proportions } = motion;
@@ -42,7 +42,7 @@ const heldOf = remembered(async (engine, take: Take, style: Style): Promise<Held
 });
 
 /** The result of a method on a take that is held out, or left in; computed once. */
-export const trialOf = remembered(
+export const trialOf = memoized(
   async (engine, take: Take, style: Style, leftIn: boolean, method: Method): Promise<Trial> => {
     // Without foot planting, as in the evaluation.
     const options = { ...DEFAULT_OPTIONS, styles: { [style]: 1 }, method, footplant: false };
@@ -82,7 +82,7 @@ export async function standingOn(
 }
 
 /** Mean distance in each frame of joints relative to the hips, heading removed, mm. */
-export function poseErrors(a: Measured, b: Measured): Float64Array {
+function poseErrors(a: Measured, b: Measured): Float64Array {
   return Float64Array.from({ length: Math.min(a.frames, b.frames) }, (_, frame) => {
     const hips = 3 * JOINTS * frame;
     const rise = a.local[hips + 1]! - b.local[hips + 1]!;
@@ -96,7 +96,7 @@ export function poseErrors(a: Measured, b: Measured): Float64Array {
 }
 
 /** Mean magnitude of the second difference of the joints, metres per squared frame. */
-export function accelerationOf({ local, frames }: Measured): number {
+function accelerationOf({ local, frames }: Measured): number {
   const size = 3 * JOINTS;
   let sum = 0;
   for (let at = size; at < size * (frames - 1); at += 3) {
@@ -107,7 +107,7 @@ export function accelerationOf({ local, frames }: Measured): number {
 }
 
 /** Correlation of the fast content of two motions, after subtracting a moving average of `window` frames. */
-export function contentOf(a: Measured, b: Measured, window: number): number {
+function contentOf(a: Measured, b: Measured, window: number): number {
   const frames = Math.min(a.frames, b.frames);
   let [ab, aa, bb] = [0, 0, 0];
   for (let number = 3; number < 3 * JOINTS; number++) {

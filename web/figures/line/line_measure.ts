@@ -10,7 +10,7 @@ import { type LineState, lookOf, settingsOf } from "./line_state";
 export const LAMBDAS: readonly number[] = Array.from({ length: 25 }, (_, i) => 10 ** (-4 + (5 * i) / 24));
 
 /** "About the mean" means within this distance, degrees. */
-export const ABOUT_MEAN = 0.1;
+const ABOUT_MEAN = 0.1;
 /** The smallest λ is found up to this factor. */
 const LEAST_STEP = 1.02;
 

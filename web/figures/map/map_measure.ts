@@ -1,18 +1,18 @@
 /** Measures for the exercises about key-styling. */
 import type { LearnEngine } from "../../client/learn/protocol";
 import type { Measure } from "../kind";
+import { memoized } from "../memoized";
 import { meanOf } from "../pairing";
-import { remembered } from "../remembered";
 import { type MapState, sharingOf } from "./map_state";
 
 /** The training data; requested once. */
-export const samplesOf = remembered((engine) => engine.styleSamples());
+export const samplesOf = memoized((engine) => engine.styleSamples());
 /** The error after every pass, degrees; requested once. */
-export const errorsOf = remembered((engine) => engine.somnErrors());
+export const errorsOf = memoized((engine) => engine.somnErrors());
 /** How smoothly the model can be dragged. */
-export const draggedOf = remembered((engine, temperature: number) => engine.dragged(sharingOf({ temperature })));
+export const draggedOf = memoized((engine, temperature: number) => engine.dragged(sharingOf({ temperature })));
 /** The cycle from its keys. */
-export const keyedOf = remembered((engine, keys: readonly number[]) => engine.keyed(keys));
+export const keyedOf = memoized((engine, keys: readonly number[]) => engine.keyed(keys));
 
 /** Number of passes finished by some updates: 0 before the end of the first. */
 export function passOf(updates: number, frames: number): number {

@@ -2,7 +2,7 @@
 import type { LearnEngine } from "../../client/learn/protocol";
 import { DEFAULT_OPTIONS } from "../../client/protocol";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { lookOf, MIX_FIELDS, MIX_STYLE, type MixState } from "./mix_state";
 
 /** A class at a frame. */
@@ -56,7 +56,7 @@ export function weightAlone(squares: readonly number[], delta: number): number {
 }
 
 /** The engine's recognition of an input over time, with a given width; computed once. */
-export const readingOf = remembered(async (engine, motion: string, delta: number): Promise<Reading> => {
+export const readingOf = memoized(async (engine, motion: string, delta: number): Promise<Reading> => {
   const options = { ...DEFAULT_OPTIONS, styles: { [MIX_STYLE]: 1 }, delta };
   const [{ classes, actions, rateHz }, { classWeights }] = await Promise.all([
     engine.database(),

@@ -3,6 +3,7 @@ import { html, setAttributes, setText, svg } from "../../ui/dom";
 import type { Axes } from "../axes";
 import type { FigureKind, FigureParts } from "../kind";
 import { PlotFigure } from "../plot_figure";
+import { runsOf } from "../runs";
 import sheet from "./mix.css?inline";
 import { measureMix, type Reading, readingOf } from "./mix_measure";
 import { DELTA, MIX_FIELDS, type MixState } from "./mix_state";
@@ -123,7 +124,7 @@ class ReadingFigure extends PlotFigure<MixState, Shown> {
       areas.push(
         svg("path", { class: "area", "data-action": action, d: `M${upper.join("L")}L${lower.reverse().join("L")}Z` }),
       );
-      for (const [from, to] of stretches(weights[i]!)) {
+      for (const [from, to] of runsOf(0, frames, (frame) => weights[i]![frame]! >= NAMED)) {
         const middle = Math.round((from + to) / 2);
         const name = this.#nameOf(action);
         const y = axes.y(below[middle]! - weights[i]![middle]! / 2) + 4;
@@ -136,19 +137,4 @@ class ReadingFigure extends PlotFigure<MixState, Shown> {
     this.#names.replaceChildren(...names);
     setAttributes(this.#areas, { "aria-hidden": "true" });
   }
-}
-
-/** Ranges with large weights: first and last frames. */
-function stretches(weights: Float32Array): [from: number, to: number][] {
-  const found: [number, number][] = [];
-  let from = -1;
-  for (let frame = 0; frame <= weights.length; frame++) {
-    const large = frame < weights.length && weights[frame]! >= NAMED;
-    if (large && from < 0) from = frame;
-    if (!large && from >= 0) {
-      found.push([from, frame - 1]);
-      from = -1;
-    }
-  }
-  return found;
 }

@@ -11,7 +11,7 @@ const TARGET = 22;
 /** Distance over which the projection of the ground is differentiated, metres. */
 const NEAR = 0.01;
 
-export interface GroundListeners {
+interface GroundListeners {
   /** Position of the mark in the world, and displacement of the body, metres. */
   place: () => { at: readonly [x: number, z: number]; by: readonly [x: number, z: number] } | undefined;
   onInput: (x: number, z: number) => void;

@@ -1,7 +1,7 @@
 /** Measures for the exercises about the distance of two windows. */
 import type { LearnEngine, Profile } from "../../client/learn/protocol";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { changeOf, lengthOf, lookOf, NEAR_FIELDS, type NearState, NO_GUESS, WINDOWS } from "./near_state";
 
 /** A query, and the windows of a class from the nearest to the farthest. */
@@ -11,7 +11,7 @@ export interface Found extends Profile {
 }
 
 /** Profiles of queries, computed once. */
-const profileOf = remembered(async (engine, query: NearState): Promise<Found> => {
+const profileOf = memoized(async (engine, query: NearState): Promise<Found> => {
   const profile = await engine.profile(lookOf(query), { length: lengthOf(query), query: changeOf(query) });
   const { distances } = profile;
   const order = Uint32Array.from(distances.keys())

@@ -8,7 +8,7 @@ import { type TurnedJoint, turnedJoints, turnsOf } from "../turned_joints";
 
 /** s: frames of a window. */
 export const WINDOWS = ["1", "5", "9", "15"] as const;
-export type WindowName = (typeof WINDOWS)[number];
+type WindowName = (typeof WINDOWS)[number];
 
 /** Which query is compared, and the number of examined neighbours. */
 export interface NearState {

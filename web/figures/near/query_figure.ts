@@ -1,11 +1,12 @@
 /** A query with its nearest examples around it: limbs can be bent, and the body can be rotated and moved, by hand. */
 import { DEGREES, JOINT, ROLES, type Role } from "../../humanoid";
 import { button } from "../../ui/controls/buttons";
+import { rounded } from "../../ui/controls/range";
 import { setAttributes, svg } from "../../ui/dom";
 import type { Viewer } from "../../viewer";
 import type { FigureKind, FigureParts } from "../kind";
 import { LimbHandles } from "../limb_handles";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { SceneFigure } from "../scene_figure";
 import { turnOf, withTurn } from "../turned_joints";
 import { type Aligned, align, positionsOf, WEIGHT, WEIGHTS } from "./alignment";
@@ -29,8 +30,8 @@ export const QUERY: FigureKind<NearState> = {
   create: (parts) => new QueryFigure(parts),
 };
 
-const posesOf = remembered((engine, rows: readonly number[]) => engine.rowPoses(rows));
-const proportionsOf = remembered(async (engine, name: string) => (await engine.motion({ name })).proportions);
+const posesOf = memoized((engine, rows: readonly number[]) => engine.rowPoses(rows));
+const proportionsOf = memoized(async (engine, name: string) => (await engine.motion({ name })).proportions);
 
 /** A query with its aligned nearest examples. */
 interface Shown {
@@ -68,16 +69,12 @@ class QueryFigure extends SceneFigure<NearState, Shown> {
       },
       parts.signal,
     );
-    const clamp = (value: number, name: "x" | "z") => {
-      const { min, max, digits } = NEAR_RANGES[name];
-      return Number(Math.min(max, Math.max(min, value)).toFixed(digits));
-    };
     this.#ground = new GroundHandle(
       this.stage,
       near.move,
       {
         place: () => this.#place(),
-        onInput: (x, z) => this.change({ x: clamp(x, "x"), z: clamp(z, "z") }, false),
+        onInput: (x, z) => this.change({ x: rounded(x, NEAR_RANGES.x), z: rounded(z, NEAR_RANGES.z) }, false),
         onSettle,
       },
       parts.signal,

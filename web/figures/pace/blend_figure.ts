@@ -2,6 +2,7 @@
  * The weights of two styles as the axes of a plane: the neutral style is the origin, and beyond the triangle there is
  * no data.
  */
+import { rounded } from "../../ui/controls/range";
 import { setAttributes, setText, svg } from "../../ui/dom";
 import { hatching } from "../../ui/polygon/drawing";
 import type { FigureKind, FigureParts } from "../kind";
@@ -47,7 +48,8 @@ class BlendFigure extends PlotFigure<PaceState, Shown> {
       (fine) => (fine ? STEP.fine : STEP.coarse),
       {
         axes: () => this.axes,
-        onInput: (_, [old, childlike]) => this.change({ old: weight(old), childlike: weight(childlike) }, false),
+        onInput: (_, [old, childlike]) =>
+          this.change({ old: rounded(old, WEIGHT), childlike: rounded(childlike, WEIGHT) }, false),
         onSettle: () => this.settle(),
       },
       parts.signal,
@@ -119,9 +121,4 @@ class BlendFigure extends PlotFigure<PaceState, Shown> {
       : "";
     setText(this.readout, read);
   }
-}
-
-/** A weight rounded and clamped to its range. */
-function weight(value: number): number {
-  return Number(Math.min(WEIGHT.max, Math.max(WEIGHT.min, value)).toFixed(WEIGHT.digits));
 }

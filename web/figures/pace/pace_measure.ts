@@ -4,8 +4,8 @@ import { DEFAULT_OPTIONS } from "../../client/protocol";
 import { POSE_FLOATS } from "../../humanoid";
 import { STYLES } from "../built_in";
 import type { Measure } from "../kind";
+import { memoized } from "../memoized";
 import { frameAtTime } from "../pairing";
-import { remembered } from "../remembered";
 import { inputOf, neutralOf, type PaceState, stylesOf } from "./pace_state";
 
 /** An input, and its output in a blend. */
@@ -16,7 +16,7 @@ export interface Paced {
   secs: number;
 }
 
-const pacedBy = remembered(
+const pacedBy = memoized(
   async (engine, motion: PaceState["motion"], old: number, childlike: number): Promise<Paced> => {
     const of = inputOf({ motion });
     const [input, styled] = await Promise.all([
@@ -53,7 +53,7 @@ export function frameAtSecond({ styled }: Paced, second: number): number {
 }
 
 /** The recorded style that takes longest for an input, and its length relative to the input's. */
-export const longestOf = remembered(async (engine, motion: PaceState["motion"]) => {
+export const longestOf = memoized(async (engine, motion: PaceState["motion"]) => {
   const performed = await Promise.all(
     STYLES.slice(1).map(async (style) => ({ style, by: await engine.counterpart(motion, style) })),
   );

@@ -16,7 +16,7 @@ import {
   type Vector,
 } from "../../humanoid";
 import type { Measure } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { inputOf, type PoseState } from "./pose_state";
 
 /** Numbers per row of degrees of freedom, of which the last is padding. */
@@ -27,9 +27,8 @@ export const DOFS = 3 * JOINTS + 4;
 const ROUNDING = 1e-4;
 
 /** A motion rotated as in a state; computed once. */
-export const motionOf = remembered(
-  (engine, motion: PoseState["motion"], turned: PoseState["turned"], heading: number) =>
-    engine.motion(inputOf({ motion, turned, heading })),
+export const motionOf = memoized((engine, motion: PoseState["motion"], turned: PoseState["turned"], heading: number) =>
+  engine.motion(inputOf({ motion, turned, heading })),
 );
 
 /** Number of frames of a motion. */

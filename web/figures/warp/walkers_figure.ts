@@ -3,7 +3,7 @@ import { type Measured, measure as measured, type Posed, poseAt } from "../../pl
 import type { Viewer } from "../../viewer";
 import { INPUTS, type Style } from "../built_in";
 import type { FigureKind, FigureParts } from "../kind";
-import { remembered } from "../remembered";
+import { memoized } from "../memoized";
 import { SceneFigure } from "../scene_figure";
 import { type Reading, readAt } from "./reading";
 import { measureWarp } from "./warp_measure";
@@ -25,7 +25,7 @@ export const WALKERS: FigureKind<WarpState> = {
   create: (parts) => new WalkersFigure(parts),
 };
 
-const walkedOf = remembered(async (engine, style: Style): Promise<Walked> => {
+const walkedOf = memoized(async (engine, style: Style): Promise<Walked> => {
   const [warping, { proportions }] = await Promise.all([warpingOf(engine, style), engine.motion({ name: INPUTS[0] })]);
   const posesOf = async ({ row, frames }: Step) => {
     const poses = await engine.rowPoses(Array.from({ length: frames }, (_, i) => row + i));

@@ -5,6 +5,7 @@ import type { Handle } from "../handle";
 import type { FigureKind, FigureParts } from "../kind";
 import { type Place, PlaneHandles } from "../plane_handles";
 import { PlotFigure } from "../plot_figure";
+import { runsOf } from "../runs";
 import { Heat } from "./heat";
 import { readAt, wholeMs } from "./reading";
 import sheet from "./warp.css?inline";
@@ -235,13 +236,6 @@ function ofPaths<T>(make: (path: PathName) => T): Readonly<Record<PathName, T>> 
 }
 
 /** First and last frames of a step's stances on a foot. */
-function stances({ contacts, frames }: Step, foot: number): [from: number, to: number][] {
-  const found: [number, number][] = [];
-  for (let frame = 0; frame < frames; frame++) {
-    if (contacts[2 * frame + foot] !== 1) continue;
-    const last = found.at(-1);
-    if (last?.[1] === frame - 1) last[1] = frame;
-    else found.push([frame, frame]);
-  }
-  return found;
+function stances({ contacts, frames }: Step, foot: number): [first: number, last: number][] {
+  return runsOf(0, frames, (frame) => contacts[2 * frame + foot] === 1);
 }

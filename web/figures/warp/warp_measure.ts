@@ -26,7 +26,7 @@ export function mendedFrames(warping: Warping): number[] {
  * The segment of the own path, between two of its corners, with the largest excess cost over the cheapest path in the
  * same frames.
  */
-export function dearestPart(warping: Warping, anchors: readonly Anchor[]) {
+function dearestPart(warping: Warping, anchors: readonly Anchor[]) {
   const corners = cornersOf(warping, anchors);
   const own = ownPath(warping, anchors);
   const { dtw } = warping.paths;

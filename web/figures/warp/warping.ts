@@ -1,8 +1,8 @@
 /** A neutral step and a style's step, and the paths of corresponding instants. Pure except for {@link warpingOf}. */
 import type { Stretch } from "../../client/learn/protocol";
 import type { Style } from "../built_in";
+import { memoized } from "../memoized";
 import { meanOf } from "../pairing";
-import { remembered } from "../remembered";
 import type { Anchor, PathName, WarpState } from "./warp_state";
 
 /** The clip, and its step: from one left heel strike to the next. */
@@ -37,7 +37,7 @@ export interface Warping {
 }
 
 /** The steps of a style, registered by all methods; computed once. */
-export const warpingOf = remembered(async (engine, style: Style): Promise<Warping> => {
+export const warpingOf = memoized(async (engine, style: Style): Promise<Warping> => {
   const [clips, { rateHz }] = await Promise.all([engine.clips(ACTION), engine.database()]);
   const stepOf = (of: string): [Stretch, Step] => {
     const { cycles, first, contacts } = clips.find(({ name }) => name === `${CLIP}_${of}`)!;

@@ -16,7 +16,7 @@ const SWEEP = 270;
 const START = -135;
 const RADIUS = 18;
 
-export interface KnobListeners extends GestureListeners {
+interface KnobListeners extends GestureListeners {
   onInput: (value: number) => void;
 }
 
@@ -33,12 +33,18 @@ const arc = (share: number): string => {
 };
 
 /** Number formatting: the decimal sign, and the name of a field for a number. */
-export interface KnobLanguage {
+interface KnobLanguage {
   decimal: string;
   number: string;
 }
 
 const ENGLISH: KnobLanguage = { decimal: ".", number: "number" };
+
+export interface KnobText {
+  symbol: string;
+  name: string;
+  description: string;
+}
 
 export class Knob {
   readonly element: HTMLElement;
@@ -53,7 +59,7 @@ export class Knob {
 
   /** `symbol` is displayed, `name` and `description` are announced and shown as a tooltip. */
   constructor(
-    text: { symbol: string; name: string; description: string },
+    text: KnobText,
     range: DialRange,
     initial: number,
     listeners: KnobListeners,

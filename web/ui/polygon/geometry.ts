@@ -57,14 +57,14 @@ export function barycentric(p: Point, a: Point, b: Point, c: Point): [number, nu
 }
 
 /** Parameter of the projection of `p` onto the line a → b: 0 at a, 1 at b. */
-export function alongSegment(p: Point, a: Point, b: Point): number {
+function alongSegment(p: Point, a: Point, b: Point): number {
   const edge = subtract(b, a);
   const length2 = dot(edge, edge);
   return length2 < EPSILON * EPSILON ? 0 : dot(subtract(p, a), edge) / length2;
 }
 
 /** The point of the segment a–b that is nearest to `p`. */
-export function nearestOnSegment(p: Point, a: Point, b: Point): Point {
+function nearestOnSegment(p: Point, a: Point, b: Point): Point {
   return lerp(a, b, clamp01(alongSegment(p, a, b)));
 }
 

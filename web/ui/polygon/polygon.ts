@@ -15,7 +15,7 @@ import { Trail } from "./trail";
 import { WeightFields } from "./weight_fields";
 
 /** Radius, and space for labels above and below the centre, units: pixels at the normal text size. */
-export interface PolygonSize {
+interface PolygonSize {
   radius: number;
   above: number;
   below: number;
@@ -48,13 +48,13 @@ const ARROWS: Readonly<Record<string, Point>> = {
   ArrowDown: { x: 0, y: 1 },
 };
 
-export interface PolygonListeners extends GestureListeners {
+interface PolygonListeners extends GestureListeners {
   /** Called with a new selection; `gesture` names the drag or run of key presses that it belongs to. */
   onChange: (selection: Selection, gesture?: string) => void;
 }
 
 /** Contents of the polygon. */
-export interface PolygonModel {
+interface PolygonModel {
   /** Styles clockwise from the top. */
   vertices: readonly string[];
   selection: Selection;

@@ -17,12 +17,12 @@ import { BODY_LIMITS, BodyLevels, type BodyLimits } from "./levels";
 import { CrowdShadows } from "./shadows";
 
 /** A vertex of the field with its name. */
-export interface NamedMark extends FieldMark {
+interface NamedMark extends FieldMark {
   name: string;
 }
 
 /** A point in the picture, CSS pixels from its top left. */
-export interface ScreenPlace {
+interface ScreenPlace {
   x: number;
   y: number;
 }

@@ -4,7 +4,7 @@ import { Color, type IUniform, Mesh, PlaneGeometry, ShaderMaterial, Vector2, Vec
 import type { Theme } from "../themes";
 
 /** Maximum number of vertices of a field. */
-export const FIELD_VERTICES = 12;
+const FIELD_VERTICES = 12;
 
 /** A displayed vertex of a field. */
 export interface FieldMark {

@@ -9,7 +9,7 @@ const GAP = 0.62;
 const FONT = `600 ${0.72 * LINE.pixels}px Inter, system-ui, sans-serif`;
 
 /** A name and its position. */
-export interface GroundName {
+interface GroundName {
   text: string;
   x: number;
   z: number;

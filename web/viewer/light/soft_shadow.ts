@@ -7,7 +7,7 @@
 import type { Material, WebGLProgramParametersWithUniforms } from "three";
 
 /** Tangent of the light's angular radius as seen from the ground. */
-export const LIGHT_TANGENT = 0.11;
+const LIGHT_TANGENT = 0.11;
 
 /** Depth range and width of the light's frustum, metres: converts depth differences to penumbra widths. */
 export interface ShadowFrustum {

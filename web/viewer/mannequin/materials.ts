@@ -27,7 +27,7 @@ import { SLOT_SHADER, type SlotUniforms, useSlots } from "./slot_skinning";
 const BODY_STENCIL = 1;
 
 /** One drawing of the mannequin's mesh. */
-export interface Layer {
+interface Layer {
   /** One material for the whole body, or one per tone (shell, joints). */
   material: Material | Material[];
   /** three.js render order. */

@@ -11,7 +11,7 @@ const SHARE = 0.34;
 const WORD = 31;
 
 /** Uniforms of one body. */
-export interface TintUniforms {
+interface TintUniforms {
   [name: string]: IUniform;
   /** One bit per slot, in two words. */
   tintedSlots: IUniform<[number, number]>;

@@ -23,7 +23,7 @@ export interface Sole {
 }
 
 /** One print. */
-export interface Footprint extends Sole {
+interface Footprint extends Sole {
   side: 0 | 1;
   /** Whether its foot is still planted on it. */
   planted: boolean;

@@ -30,7 +30,7 @@ const BALLS: readonly Ball[] = [
 ];
 
 /** Number of spheres. */
-export const OCCLUDERS = BALLS.length;
+const OCCLUDERS = BALLS.length;
 
 /** GLSL: the uniforms and `skyLeft(occluders, p)`, the share of the sky that is visible from the ground at p. */
 export const OCCLUSION_SHADER = /* glsl */ `

@@ -6,7 +6,7 @@ import { MathUtils, Matrix4, PerspectiveCamera, Vector3 } from "three";
 export type CameraView = "orbit" | "front" | "side" | "top";
 
 /** Position of the camera relative to its target: radians about +Y from +Z, radians above the ground, metres. */
-export interface OrbitState {
+interface OrbitState {
   azimuth: number;
   elevation: number;
   distance: number;

@@ -31,3 +31,13 @@ export class Redraw {
     this.#pending = false;
   }
 }
+
+/** Copies a pose, and requests a redraw if any of its numbers differs. */
+export function setPose(to: Float32Array, pose: ArrayLike<number>, redraw: Redraw): void {
+  for (let i = 0; i < pose.length; i++)
+    if (Math.fround(pose[i]!) !== to[i]) {
+      redraw.request();
+      break;
+    }
+  to.set(pose);
+}

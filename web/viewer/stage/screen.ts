@@ -57,7 +57,7 @@ export interface Size {
 }
 
 /** Options of a screen. */
-export interface ScreenOptions {
+interface ScreenOptions {
   /** Whether edges are smoothed by multisampling. */
   antialias: boolean;
   /**

@@ -22,7 +22,7 @@ const STILL = "data-still";
 const TIMEOUT_MS = { first: 300, later: 2000 };
 
 /** Options of a stage. */
-export interface StageOptions {
+interface StageOptions {
   /** Initial index into {@link QUALITY_LEVELS}; by default chosen for the renderer. */
   level?: number | undefined;
   /** The screen to draw on, shared with others; by default one of its own. */

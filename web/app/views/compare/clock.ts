@@ -11,7 +11,7 @@ export interface Running {
 }
 
 /** Position of the clock after a step. */
-export interface Advanced {
+interface Advanced {
   /** Fractional input frame. */
   frame: number;
   /** Whether it returned to the first frame, or stopped at the last. */

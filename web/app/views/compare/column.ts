@@ -19,7 +19,7 @@ const ROWS: readonly { field: keyof Figures; unit: string; digits: number; full:
 /** Measurements whose smallest value is the best and is highlighted. */
 const LESS_IS_BETTER: readonly (keyof Figures)[] = ["skate", "cost"];
 
-export interface ColumnListeners {
+interface ColumnListeners {
   onChange: (to: ColumnName) => void;
   onRemove: () => void;
 }

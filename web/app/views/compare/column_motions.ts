@@ -8,13 +8,13 @@ import type { ColumnMotion, MeasuredMotion } from "./figures";
 const SETTLE_MS = 150;
 
 /** The input of all columns, and its bone offsets: 21 × xyz, metres. */
-export interface ComparedInput {
+interface ComparedInput {
   input: InputInfo;
   proportions: ArrayLike<number>;
 }
 
 /** Makes motions. */
-export interface MotionMaker {
+interface MotionMaker {
   /** Makes the requested motion; `undefined` if there is none. */
   make(request: MotionRequest): Promise<ColumnMotion | undefined>;
   /** Cancels the current motion: its promise rejects. */

@@ -60,7 +60,7 @@ export function motionRequest(column: ColumnName, state: AppState, neutral: stri
 }
 
 /** The mixture that the real counterpart performs; `undefined` if the style varies over the body or over time. */
-export function counterpartStyles(state: AppState, neutral: string): StyleWeights | undefined {
+function counterpartStyles(state: AppState, neutral: string): StyleWeights | undefined {
   const { styles, parts, track } = engineOptions(state, neutral);
   return track.length === 0 && Object.keys(parts).length === 0 ? styles : undefined;
 }

@@ -11,7 +11,7 @@ export interface SearchRequest {
 }
 
 /** Measures searches. */
-export interface SearchMeter {
+interface SearchMeter {
   /** The measurements of a request; `undefined` if there are none. */
   measure(request: SearchRequest, call: CallOptions): Promise<SearchFigures | undefined>;
   /** Called when results have arrived, or the progress has changed. */

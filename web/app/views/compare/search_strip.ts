@@ -9,7 +9,7 @@ import { strings } from "../../strings/strings";
 const words = strings.compare.search;
 
 /** Contents of the strip. */
-export interface ShownSearch {
+interface ShownSearch {
   search: SearchName;
   /** Number of neighbours in every class. */
   neighbours: number;

@@ -6,7 +6,7 @@ import { html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
 import { Scrubber, SpeedChoice } from "../../ui/transport";
 
-export interface CompareTransportListeners {
+interface CompareTransportListeners {
   onPlay: () => void;
   onFrame: (by: number) => void;
   onScrub: (frame: number) => void;

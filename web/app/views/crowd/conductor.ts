@@ -8,7 +8,7 @@ import type { FieldVertex, Place } from "../../../client/crowd/limits";
 import { LatestOnly } from "../../../ui/latest_only";
 
 /** Settings of a crowd. */
-export interface Conducted {
+interface Conducted {
   playing: boolean;
   speed: number;
   count: number;

@@ -1,6 +1,7 @@
 /** The styles of places: pure edits of plain data. */
 
 import { type FieldVertex, MAX_VERTICES } from "../../../client/crowd/limits";
+import { rounded } from "../../../ui/controls/range";
 import { firstStyles } from "../../../ui/polygon/selection";
 import { CROWD_RANGES } from "../../state/crowd";
 
@@ -29,7 +30,7 @@ export function withVertex(
   index: number,
   patch: Partial<Omit<FieldVertex, "style">>,
 ): FieldVertex[] {
-  return field.map((vertex, i) => (i === index ? rounded({ ...vertex, ...patch }) : vertex));
+  return field.map((vertex, i) => (i === index ? roundedVertex({ ...vertex, ...patch }) : vertex));
 }
 
 /** The vertices with a new vertex of a style, at a free place within a circle. */
@@ -42,7 +43,7 @@ export function withStyle(field: readonly FieldVertex[], style: string, radius: 
     return { x: out * Math.sin(i * GOLDEN_ANGLE), z: out * Math.cos(i * GOLDEN_ANGLE) };
   });
   const place = places.find(({ x, z }) => far(x, z) >= ROOM) ?? places[field.length]!;
-  return [...field, rounded({ style, ...place, ...NEW })];
+  return [...field, roundedVertex({ style, ...place, ...NEW })];
 }
 
 /** The vertices without one. */
@@ -55,15 +56,13 @@ export function unknownStyle(field: readonly FieldVertex[], styles: readonly str
   return field.find(({ style }) => !styles.includes(style))?.style;
 }
 
-function rounded({ style, x, z, reach, intensity }: FieldVertex): FieldVertex {
+function roundedVertex({ style, x, z, reach, intensity }: FieldVertex): FieldVertex {
   const { place, reach: reaches, intensity: intensities } = CROWD_RANGES;
-  const kept = (value: number, { min, max, digits }: { min: number; max: number; digits: number }) =>
-    Number(Math.min(max, Math.max(min, value)).toFixed(digits)) + 0;
   return {
     style,
-    x: kept(x, place),
-    z: kept(z, place),
-    reach: kept(reach, reaches),
-    intensity: kept(intensity, intensities),
+    x: rounded(x, place),
+    z: rounded(z, place),
+    reach: rounded(reach, reaches),
+    intensity: rounded(intensity, intensities),
   };
 }

@@ -13,7 +13,7 @@ import type { StyleColours } from "./colours";
 
 const words = strings.crowd;
 
-export interface FieldPanelListeners extends GestureListeners {
+interface FieldPanelListeners extends GestureListeners {
   onChoose: (index: number) => void;
   onChange: (index: number, patch: { reach?: number; intensity?: number }) => void;
   onAdd: (style: string) => void;

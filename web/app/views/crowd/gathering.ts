@@ -15,7 +15,7 @@ import type { WalkModels, WalkSource } from "../synthesis/walk_models";
 const words = strings.crowd;
 
 /** The crowd that is being created, or was created. */
-export interface Gathered {
+interface Gathered {
   source: WalkSource;
   seed: number;
   /** {@link Performance.key}; empty for walkers. */
@@ -29,7 +29,7 @@ export interface Performance {
   record(call: CallOptions): Promise<RecordedMotion>;
 }
 
-export interface GatheringListeners {
+interface GatheringListeners {
   /** Initial settings of the crowd. */
   start: () => CrowdStart;
   /** The motion to perform; `undefined` for walkers. */

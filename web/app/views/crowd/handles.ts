@@ -23,7 +23,7 @@ export interface HandleListeners extends GestureListeners {
 }
 
 /** The picture in which the handles lie. */
-export interface HandleGround {
+interface HandleGround {
   /** The point on the ground under a point of the picture; `undefined` above the horizon. */
   groundAt(x: number, y: number): { x: number; z: number } | undefined;
   screenPosition(x: number, y: number, z: number): { x: number; y: number } | undefined;

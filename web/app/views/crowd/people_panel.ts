@@ -9,7 +9,7 @@ import { strings } from "../../strings/strings";
 
 const words = strings.crowd;
 
-export interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle"> {
+interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle"> {
   onKind: (kind: CrowdKind) => void;
   onCount: (count: number) => void;
   onSeed: (seed: number) => void;

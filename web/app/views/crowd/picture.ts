@@ -22,7 +22,7 @@ const WAIST = 1;
 /** A picture for which the GPU was not ready is tried again after this time, milliseconds. */
 const RETRY_MS = 4;
 
-export interface PictureListeners {
+interface PictureListeners {
   /** Called when a walker, or empty ground, was clicked. */
   onWalker: (walker: number | undefined) => void;
   /** Called when the user turned the camera. */

@@ -11,7 +11,7 @@ import { firstField, unknownStyle } from "./field";
 const words = strings.crowd;
 
 /** Settings of a crowd. */
-export interface CrowdSettings {
+interface CrowdSettings {
   kind: CrowdKind;
   people: People;
   field: readonly FieldVertex[];

@@ -7,7 +7,7 @@ import { strings } from "../../strings/strings";
 
 const words = strings.crowd;
 
-export interface CardListeners {
+interface CardListeners {
   onFollow: () => void;
   onExport: () => void;
   onOpen: () => void;
@@ -15,7 +15,7 @@ export interface CardListeners {
 }
 
 /** Contents of the card. */
-export interface CardModel {
+interface CardModel {
   kind: CrowdKind;
   walker: number;
   /** m/s. */

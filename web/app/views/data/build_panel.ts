@@ -11,13 +11,13 @@ const words = strings.data.build;
 /** Maximum number of sentences about missing data. */
 const MAX_CONCERNS = 3;
 
-export interface BuildPanelListeners {
+interface BuildPanelListeners {
   onBuild: (name: string) => void;
   onRoles: (skeleton: number) => void;
 }
 
 /** Contents of the panel. */
-export interface BuildPlan {
+interface BuildPlan {
   usable: number;
   styles: number;
   skeletons: readonly KnownSkeleton[];

@@ -15,7 +15,7 @@ const MAX_SUGGESTED = 200;
 
 const words = strings.data.list;
 
-export interface ClipListListeners {
+interface ClipListListeners {
   onSelect: (row: Row) => void;
   onEdit: (row: Row, field: LabelField, value: string) => void;
 }

@@ -15,7 +15,7 @@ const words = strings.data;
 /** Filter of the table. */
 type Filter = ClassFilter | "left out" | undefined;
 
-export interface ClipsPanelListeners {
+interface ClipsPanelListeners {
   /** Called when files, or a folder, are to be chosen. */
   onAddFiles: () => void;
   onAddFolder: () => void;

@@ -10,7 +10,7 @@ import type { SavedDatabase } from "./saved_databases";
 
 const words = strings.data.saved;
 
-export interface DatabasesPanelListeners {
+interface DatabasesPanelListeners {
   onOpen: (database: SavedDatabase) => void;
   onOpenBuiltIn: () => void;
   onExport: (database: SavedDatabase) => void;

@@ -8,7 +8,7 @@ import { clipsInWords, fileName, type Manners } from "./manners";
 
 const words = strings.data.manners;
 
-export interface MannersPanelListeners {
+interface MannersPanelListeners {
   /** Called when the clips of a style are to be listed. */
   onShow: (found: Manners) => void;
   onDivide: (found: Manners) => void;

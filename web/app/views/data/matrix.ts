@@ -12,7 +12,7 @@ export interface ClassFilter {
   style: string;
 }
 
-export interface MatrixListeners {
+interface MatrixListeners {
   onNeutral: (style: string) => void;
   /** Called with a filter; `undefined` shows all clips. */
   onFilter: (filter: ClassFilter | undefined) => void;

@@ -18,7 +18,7 @@ const SHORTEST = 1;
 const BRIEF = 2;
 
 /** Data known before the user answers. */
-export interface StyleQuestion {
+interface StyleQuestion {
   /** The suggested name and action. */
   suggested: ClipStyle;
   /** Names of other styles. */

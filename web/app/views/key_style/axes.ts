@@ -17,7 +17,7 @@ export const NAMED_AXES = [
   "knee_bend_right",
   "speed",
 ] as const;
-export type NamedAxis = (typeof NAMED_AXES)[number];
+type NamedAxis = (typeof NAMED_AXES)[number];
 
 export function isNamed(axis: Axis): axis is NamedAxis {
   return NAMED_AXES.some((name) => name === axis);

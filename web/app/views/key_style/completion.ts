@@ -5,7 +5,7 @@
 import { type KeyStyleState, LENGTH_RANGE, type TimedValue } from "../../state/key_style";
 
 /** Default values of a model. */
-export interface ModelDefaults {
+interface ModelDefaults {
   /** Values of the style variables of the mean pose. */
   middle: readonly number[];
   firstKeys: () => TimedValue[];

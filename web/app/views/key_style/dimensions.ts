@@ -9,7 +9,7 @@ import type { Axis } from "../../state/key_style";
 export type Point = readonly [x: number, y: number, z: number];
 
 /** A dimension: the measured line, and thinner extension lines from the body. */
-export interface Dimension {
+interface Dimension {
   line: readonly [Point, Point];
   leaders: readonly (readonly [Point, Point])[];
   /** Whether its text is below it. */

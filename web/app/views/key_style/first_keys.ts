@@ -13,7 +13,7 @@ const APART = 10;
 const LONGEST_SECS = 2.4;
 
 /** A cycle: frames of a training motion that end as they begin. */
-export interface Cycle {
+interface Cycle {
   first: number;
   frames: number;
 }

@@ -23,7 +23,7 @@ const POINTS_PER_SEC = 60;
 const MAX_POINTS = 600;
 
 /** Keys, and the interpolation of their motion. */
-export interface KeyedMotion {
+interface KeyedMotion {
   keys: readonly TimedValue[];
   length: number;
   curve: Curve;

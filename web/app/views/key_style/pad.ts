@@ -31,7 +31,7 @@ export interface PadListeners extends GestureListeners {
 }
 
 /** The axes and the data of a model. */
-export interface PadSubject {
+interface PadSubject {
   titles: readonly [x: string, y: string];
   /** Number of decimals of each axis. */
   digits: readonly [x: number, y: number];
@@ -46,7 +46,7 @@ export interface PadSubject {
 }
 
 /** Keys and the curve through them. */
-export interface PadKeys {
+interface PadKeys {
   keys: readonly TimedValue[];
   chosen: number;
   /** Points of the curve at equally spaced times, x and y alternating. */

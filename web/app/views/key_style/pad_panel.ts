@@ -13,7 +13,7 @@ import { SetChooser, type SetModel } from "./set_chooser";
 
 const words = strings.keyStyle;
 
-export interface PadPanelListeners extends Omit<PadListeners, "onMove"> {
+interface PadPanelListeners extends Omit<PadListeners, "onMove"> {
   onSet: (set: string) => void;
   onClips: (clips: string[]) => void;
   onAxes: (axes: Axis[]) => void;

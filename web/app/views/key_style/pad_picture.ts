@@ -6,7 +6,7 @@ import { strings } from "../../strings/strings";
 import { contour, density, type Grid, type Loop } from "./contours";
 
 /** Contents of the drawing, in units of the plot and values of both axes. */
-export interface PadPicture {
+interface PadPicture {
   x: Scale;
   y: Scale;
   titles: readonly [x: string, y: string];

@@ -21,7 +21,7 @@ import { parseSet } from "./sets";
 
 const words = strings.keyStyle;
 
-export interface PicturePanelListeners extends ModelMenuListeners {
+interface PicturePanelListeners extends ModelMenuListeners {
   onMethod: (method: KeyMethod) => void;
   onGhost: () => void;
 }

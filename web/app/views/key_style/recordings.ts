@@ -11,7 +11,7 @@ import { spoken } from "../../ui/words";
 import { Playhead } from "../synthesis/playhead";
 import { type Layout, layOut, lineOf, type RowName, RULER_Y, rowGround, rowScale, rulerOf } from "./timeline_rows";
 
-export interface RecordingsModel {
+interface RecordingsModel {
   rows: readonly RowName[];
   ranges: readonly Extent[];
   clips: readonly Pick<TrainingClip, "name" | "first" | "frames">[];

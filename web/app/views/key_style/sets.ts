@@ -4,7 +4,7 @@ import { trainKeyStyle } from "../../../client/models/key_style";
 import type { CallOptions } from "../../../client/protocol";
 
 /** A set of motions as in the state: an action of the built-in database, `open` with or without one, or `files`. */
-export interface MotionSet {
+interface MotionSet {
   source: "built-in" | "open" | "files";
   action: string;
 }

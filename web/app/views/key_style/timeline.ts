@@ -23,7 +23,7 @@ export interface TimelineListeners extends GestureListeners {
   onSeek: (secs: number) => void;
 }
 
-export interface TimelineModel {
+interface TimelineModel {
   rows: readonly RowName[];
   ranges: readonly Extent[];
   keys: readonly TimedValue[];

@@ -41,7 +41,7 @@ export interface Layout {
 }
 
 /** Vertical position of a row, units. */
-export interface RowPlace {
+interface RowPlace {
   top: number;
   height: number;
 }

@@ -9,7 +9,7 @@ import { prose } from "./prose";
 /** Number of wrong answers after which the solution is offered. */
 const TRIES = 3;
 
-export interface ExerciseListeners {
+interface ExerciseListeners {
   onBegin: () => void;
   onSolution: () => void;
   onLink: () => void;

@@ -13,7 +13,7 @@ export interface FigureListeners {
 }
 
 /** State of the figures. */
-export interface FiguresState {
+interface FiguresState {
   figures: string;
   /** The part of the lesson, and how much of the bet's answer it may reveal. */
   beat: number;

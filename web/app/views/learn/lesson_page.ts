@@ -10,7 +10,7 @@ import { ExerciseCard } from "./exercise_card";
 import type { LessonProgress } from "./progress";
 import { paragraphs, prose } from "./prose";
 
-export interface LessonPageListeners {
+interface LessonPageListeners {
   onBeat: (beat: number) => void;
   onBet: (option: string) => void;
   onWords: (words: string) => void;
@@ -20,7 +20,7 @@ export interface LessonPageListeners {
 }
 
 /** Options of a page, fixed while it is open. */
-export interface LessonPageOptions {
+interface LessonPageOptions {
   /** Whether solutions are offered. */
   answers: boolean;
   /** Titles of the previous and the next lesson; `undefined` if there is none. */
@@ -29,7 +29,7 @@ export interface LessonPageOptions {
 }
 
 /** State of a page other than its text. */
-export interface LessonPageState {
+interface LessonPageState {
   beat: number;
   task: string;
   progress: LessonProgress;

@@ -2,7 +2,7 @@
 import { html } from "../../../ui/dom";
 
 /** A piece of a text: plain, emphasised, the name of a file, or words that highlight the marks of a term. */
-export interface Piece {
+interface Piece {
   kind: "text" | "stress" | "code" | "term";
   text: string;
   term?: string;

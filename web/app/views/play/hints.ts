@@ -5,7 +5,7 @@ import { strings } from "../../strings/strings";
 const NAMES = ["drag", "part", "key"] as const;
 
 /** Name of a hint. */
-export type HintName = (typeof NAMES)[number];
+type HintName = (typeof NAMES)[number];
 
 /** Key in localStorage. */
 const STORAGE_KEY = "strut.hints";

@@ -12,7 +12,7 @@ import { otherNotes } from "./reading/other_notes";
 /** Minimum time between updates of the recognised class, so that it can be read. */
 const READING_MS = 250;
 
-export interface InputListeners {
+interface InputListeners {
   onChoose: (name: string) => void;
   /** Called when a clip of the open database is selected, by its index. */
   onClip: (clip: number) => void;

@@ -7,7 +7,7 @@ import type { Selection } from "../../../ui/polygon/selection";
 import type { ViewHost } from "../../view";
 
 /** Texts about the recording. */
-export interface KeptWords {
+interface KeptWords {
   /** The name of the first, the second … */
   name(number: number): string;
   /** Shown if there is nothing to keep. */

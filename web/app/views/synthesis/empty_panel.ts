@@ -3,7 +3,7 @@ import { button } from "../../../ui/controls/buttons";
 import { html } from "../../../ui/dom";
 
 /** An action with a button. */
-export interface EmptyChoice {
+interface EmptyChoice {
   label: string;
   onChoose: () => void;
 }

@@ -1,6 +1,6 @@
 /** Keeps the last requested model open, whatever was requested or finished loading in between. */
 
-export interface ModelLoaderOptions<Request, Model> {
+interface ModelLoaderOptions<Request, Model> {
   /** Whether two requests are for the same model. Requests are new objects each time, so identity cannot be compared. */
   isSame: (a: Request, b: Request) => boolean;
   load: (request: Request) => Promise<Model>;

@@ -11,7 +11,7 @@ export interface PlayheadOptions {
 }
 
 /** Position of the playhead. */
-export interface PlayheadPlace {
+interface PlayheadPlace {
   value: number;
   max: number;
   /** Position of the value, units. */

@@ -2,7 +2,7 @@
 import { svg } from "../../../ui/dom";
 import { type RulerMark, ruler, type Scale } from "../../../ui/scale";
 
-export interface TimeRulerOptions {
+interface TimeRulerOptions {
   time: Scale;
   /** Vertical position of the line, units. */
   y: number;

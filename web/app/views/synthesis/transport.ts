@@ -11,7 +11,7 @@ export interface TransportListeners {
 }
 
 /** Names of the buttons whose meaning depends on the view. */
-export interface TransportNames {
+interface TransportNames {
   previous: string;
   next: string;
   loop: string;

@@ -14,7 +14,7 @@ export interface WalkSource {
 }
 
 /** A model and the duration of its training. */
-export interface TimedWalk extends TrainedWalk {
+interface TimedWalk extends TrainedWalk {
   secs: number;
 }
 

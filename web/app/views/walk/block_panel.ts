@@ -22,7 +22,7 @@ import { capitalised, numberWord } from "../../ui/words";
 import type { BlockFigures } from "./figures";
 import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";
 
-export interface BlockPanelListeners extends GestureListeners {
+interface BlockPanelListeners extends GestureListeners {
   onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;
   onWhole: (whole: boolean) => void;
   onTempo: (tempo: WalkTempo) => void;
@@ -34,7 +34,7 @@ export interface BlockPanelListeners extends GestureListeners {
   onSubject: (subject: PlotSubject) => void;
 }
 
-export interface BlockPanelModel {
+interface BlockPanelModel {
   block: WalkBlock;
   title: string;
   whole: boolean;

@@ -17,7 +17,7 @@ export interface FooterListeners extends TransportListeners {
   onStyle: () => void;
 }
 
-export interface FooterModel {
+interface FooterModel {
   playing: boolean;
   loop: boolean;
   /** Whether there is a walk to play and save. */

@@ -37,7 +37,7 @@ export function stepsOf(segments: readonly Segment[]): number {
 }
 
 /** The segment of a step; steps beyond the plan belong to its last one. */
-export function segmentAt(segments: readonly Segment[], step: number): Segment {
+function segmentAt(segments: readonly Segment[], step: number): Segment {
   return segments.find(({ first, steps }) => step >= first && step < first + steps) ?? segments.at(-1)!;
 }
 
@@ -53,7 +53,7 @@ export function sharesAt(segments: readonly Segment[], step: number, phase = 0.5
 }
 
 /** A transition to the style of a block. */
-export interface PlannedChange {
+interface PlannedChange {
   /** Its first step. */
   step: number;
   between: number;

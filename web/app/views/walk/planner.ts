@@ -17,7 +17,7 @@ const CLICK_PX = 4;
 /** Step of an arrow key for the playhead, seconds. */
 const KEY_SECS = 0.1;
 
-export interface PlannerListeners extends GestureListeners {
+interface PlannerListeners extends GestureListeners {
   /** Returns the current blocks; the displayed ones may be one display frame old. */
   blocks: () => readonly WalkBlock[];
   onChoose: (block: number) => void;

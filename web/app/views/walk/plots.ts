@@ -22,7 +22,7 @@ export const PLOT_SUBJECTS: readonly PlotSubject[] = [
   ...(Object.keys(strings.walk.joints) as (keyof typeof strings.walk.joints)[]),
 ];
 
-export interface PlotModel {
+interface PlotModel {
   model: WalkModel;
   subject: PlotSubject;
   weights: Weights;

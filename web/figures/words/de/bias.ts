@@ -1,7 +1,7 @@
 /** Figures of the bias in German. */
-import type { BiasWords } from "../bias";
+import type { Words } from "../words";
 
-export const bias: BiasWords = {
+export const bias: Words["bias"] = {
   title: "Der Teil außerhalb des Bandes",
   stage: "Die gehobenen Arme, vorher und nachher",
   knobs: {

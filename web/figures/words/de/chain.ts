@@ -1,7 +1,7 @@
 /** Figures of a synthesised step in German. */
-import type { ChainWords } from "../chain";
+import type { Words } from "../words";
 
-export const chain: ChainWords = {
+export const chain: Words["chain"] = {
   chain: "Die Zustände eines linken und eines rechten Schritts",
   path: "Der Verlauf durch die Zustände",
   gait: "Der Gang dieses Modells",

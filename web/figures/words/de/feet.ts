@@ -1,7 +1,7 @@
 /** Figures of feet in German. */
-import type { FeetWords } from "../feet";
+import type { Words } from "../words";
 
-export const feet: FeetWords = {
+export const feet: Words["feet"] = {
   title: "Wann ein Fuß steht und wie er rutscht",
   soles: "Die Sohle von oben",
   leg: "Ein Bein von der Seite",

@@ -1,7 +1,7 @@
 /** Figures of the evaluation in German. */
-import type { JudgeWords } from "../judge";
+import type { Words } from "../words";
 
-export const judge: JudgeWords = {
+export const judge: Words["judge"] = {
   title: "Ergebnisse der Verfahren",
   methods: "Verfahren",
   names: { nn: "NN", knn: "KNN", lar: "LAR", mar: "MAR", gar: "GAR", lti: "LTI", gp: "GP" },

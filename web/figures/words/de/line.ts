@@ -1,7 +1,7 @@
 /** Figures of one prediction in German. */
-import type { LineWords, SweepWords } from "../line";
+import type { Words } from "../words";
 
-export const line: LineWords = {
+export const line: Words["line"] = {
   title: "Ein Freiheitsgrad und seine Gerade",
   knobs: {
     k: { symbol: "K", name: "Nachbarn K", description: "Wie viele der nächsten Beispiele zählen" },
@@ -22,7 +22,7 @@ export const line: LineWords = {
     `${name}: ${k} Beispiele; bei einer Eingabe von ${x}° sagt die Gerade ${y}° voraus, Steigung ${slope}, ${above}° vom Mittel.`,
 };
 
-export const sweep: SweepWords = {
+export const sweep: Words["sweep"] = {
   title: "Fehler über λ",
   error: "Fehler, °",
   columns: ["λ", "Fehler, °"],

@@ -1,10 +1,10 @@
 /** Figures of key-styling in German. */
-import type { MapWords } from "../map";
+import type { Words } from "../words";
 
 /** A count with its noun. */
 const counted = (count: string, one: string, many: string) => `${count} ${count === "1" ? one : many}`;
 
-export const map: MapWords = {
+export const map: Words["map"] = {
   som: "Komponenten und ihre Gebiete",
   learning: "Fehler nach jedem Durchgang",
   pad: "Zieh die Füße auseinander",

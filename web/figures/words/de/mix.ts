@@ -1,7 +1,7 @@
 /** Figures of the mixture in German. */
-import type { MixWords } from "../mix";
+import type { Words } from "../words";
 
-export const mix: MixWords = {
+export const mix: Words["mix"] = {
   title: "Die nächsten Klassen",
   reading: "Als was die Eingabe erkannt wird",
   delta: { symbol: "δ", name: "Breite δ", description: "Wie langsam ein Gewicht mit dem Abstand fällt" },

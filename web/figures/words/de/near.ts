@@ -1,7 +1,7 @@
 /** Figures of the distance of windows in German. */
-import type { NearWords } from "../near";
+import type { Words } from "../words";
 
-export const near: NearWords = {
+export const near: Words["near"] = {
   stage: "Die Anfrage und ihre 8 nächsten",
   title: "Abstand zu jedem Fenster",
   knobs: {

@@ -1,7 +1,7 @@
 /** Figures of the pace of a blend in German. */
-import type { PaceWords } from "../pace";
+import type { Words } from "../words";
 
-export const pace: PaceWords = {
+export const pace: Words["pace"] = {
   blend: "Stilgewichte",
   clock: "Zeit der Mischung",
   paced: "Dieselbe Sekunde",

@@ -1,7 +1,7 @@
 /** Figures of the degrees of freedom of a pose in German. */
-import type { PoseWords } from "../pose";
+import type { Words } from "../words";
 
-export const pose: PoseWords = {
+export const pose: Words["pose"] = {
   stage: "Gelenk und Mittel",
   numbers: "Die 67 Zahlen dieser Pose",
   title: "Eine Zahl über der Zeit",

@@ -1,7 +1,7 @@
 /** Figures of a registered step in German. */
-import type { WarpWords } from "../warp";
+import type { Words } from "../words";
 
-export const warp: WarpWords = {
+export const warp: Words["warp"] = {
   title: "Welche Augenblicke einander entsprechen",
   paths: { linear: "linear", dtw: "DTW", imw: "IMW", own: "deiner", exact: "wahr" },
   path: "Pfad am Zeiger",

@@ -1,7 +1,5 @@
 /** Figures of the bias in English. */
-import type { BiasWords } from "../bias";
-
-export const bias: BiasWords = {
+export const bias = {
   title: "The part outside the band",
   stage: "The raised arms, before and after",
   knobs: {
@@ -9,7 +7,7 @@ export const bias: BiasWords = {
     reach: { symbol: "κ", name: "Reach κ", description: "Half the width of the band, in standard deviations" },
     keep: { symbol: "ρ", name: "Share ρ", description: "Share of the bias that is added back" },
   },
-  axis: (joint) => `${joint}, turn from its mean, °`,
+  axis: (joint: string) => `${joint}, turn from its mean, °`,
   input: "input",
   output: "output",
   guess: "ρΔx, degrees",
@@ -21,9 +19,10 @@ export const bias: BiasWords = {
     bias: "Δx, the bias",
     y: "y, the output",
   },
-  read: (low, high) => `band from ${low}° to ${high}°`,
-  said: (x, low, high, bias, y) =>
+  read: (low: string, high: string) => `band from ${low}° to ${high}°`,
+  said: (x: string, low: string, high: string, bias: string, y: string) =>
     `The input is at ${x}°, the band from ${low}° to ${high}°: ${bias}° are outside, and the output is at ${y}°.`,
   elevations: ["walker", "upper arms from straight down, °"],
-  posed: (style, time, raise) => `At ${time} s: the input with its arms raised by ${raise}°, and its ${style} version.`,
-};
+  posed: (style: string, time: string, raise: string) =>
+    `At ${time} s: the input with its arms raised by ${raise}°, and its ${style} version.`,
+} as const;

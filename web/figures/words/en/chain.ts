@@ -1,7 +1,5 @@
 /** Figures of a synthesised step in English. */
-import type { ChainWords } from "../chain";
-
-export const chain: ChainWords = {
+export const chain = {
   chain: "The states of a left and a right step",
   path: "The trajectory through the states",
   gait: "The walker of this model",
@@ -23,16 +21,19 @@ export const chain: ChainWords = {
   },
   ends: { left: "End of the left step", right: "End of the right step" },
   steps: { left: "left step", right: "right step" },
-  state: (n) => `state ${n}`,
+  state: (n: number) => `state ${n}`,
   time: "time, s",
-  angle: (joint) => `${joint}, about x, °`,
-  read: (farthest, deviations, jerk) => `|c − μ| ≤ ${farthest}°, ${deviations} σ · jerk ${jerk} ×`,
-  walked: (left, right, cadence) => `left ${left} s · right ${right} s · ${cadence} steps a minute`,
-  said: (joint, farthest, deviations, jerk) =>
+  angle: (joint: string) => `${joint}, about x, °`,
+  read: (farthest: string, deviations: string, jerk: string) =>
+    `|c − μ| ≤ ${farthest}°, ${deviations} σ · jerk ${jerk} ×`,
+  walked: (left: string, right: string, cadence: string) =>
+    `left ${left} s · right ${right} s · ${cadence} steps a minute`,
+  said: (joint: string, farthest: string, deviations: string, jerk: string) =>
     `The ${joint}: the curve is ${farthest}° from a mean at most, ${deviations} standard deviations, and its jerk is ${jerk} times that of the model.`,
-  walks: (style, share) => `A walk with a share of ${share} of the style ${style}; the rest is neutral.`,
+  walks: (style: string, share: string) =>
+    `A walk with a share of ${share} of the style ${style}; the rest is neutral.`,
   walker: "walk",
   columns: ["time, s", "μ, °", "σ, °", "c, °"],
   durations: ["state", "left, s", "right, s"],
   shares: ["style", "k"],
-};
+} as const;

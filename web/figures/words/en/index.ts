@@ -1,7 +1,6 @@
 /** Figures in English. */
 import { ROLES, type Role } from "../../../humanoid";
 import { INPUTS, STYLES } from "../../built_in";
-import type { Words } from "../words";
 import { bias } from "./bias";
 import { chain } from "./chain";
 import { feet } from "./feet";
@@ -21,7 +20,7 @@ const same = <T extends string>(names: readonly T[], say: (name: T) => string) =
 const joint = (role: Role) =>
   role.replace(/^(left|right)_(.*)$/, (_, side, part) => `${part} ${side[0].toUpperCase()}`);
 
-export const en: Words = {
+export const en = {
   decimal: ".",
   number: "number",
   loading: "The figure is loading.",
@@ -29,9 +28,9 @@ export const en: Words = {
   play: "Play",
   pause: "Pause",
   noGraphics: "This browser cannot draw in 3D. The table below has the same data.",
-  failed: (why) => `The figure could not be created. ${why}`,
+  failed: (why: string) => `The figure could not be created. ${why}`,
   retry: "Try again",
-  unknown: (kind) => `There is no figure “${kind}”.`,
+  unknown: (kind: string) => `There is no figure “${kind}”.`,
   styles: same(STYLES, (name) => name),
   inputs: same(INPUTS, (name) => name),
   joints: same(ROLES, (role) => joint(role).replaceAll("_", " ")),
@@ -44,12 +43,12 @@ export const en: Words = {
   playhead: "Instant",
   time: "time of the input, s",
   difference: "Difference of the poses, e",
-  distance: (joint) => `Distance of the joint: ${joint}`,
-  legend: (pairing, now, mean) => `${pairing}: ${now} cm, mean ${mean} cm`,
+  distance: (joint: string) => `Distance of the joint: ${joint}`,
+  legend: (pairing: string, now: string, mean: string) => `${pairing}: ${now} cm, mean ${mean} cm`,
   two: "Two walkers, one content",
   ended: "The styled walker has already finished.",
-  times: (input, style, styled) => `neutral ${input}\u00a0s, ${style} ${styled}\u00a0s`,
-  pictured: (style, time, pairing, e, most, cm) =>
+  times: (input: string, style: string, styled: string) => `neutral ${input}\u00a0s, ${style} ${styled}\u00a0s`,
+  pictured: (style: string, time: string, pairing: string, e: string, most: string, cm: string) =>
     `At ${time} s, ${pairing}: the ${style} pose differs by ${e} cm from the neutral one, most at the ${most}, ${cm} cm.`,
   chain,
   feet,
@@ -63,6 +62,6 @@ export const en: Words = {
   pace,
   sweep,
   warp,
-  curved: (style, time, content, second, mean, meanSecond) =>
+  curved: (style: string, time: string, content: string, second: string, mean: string, meanSecond: string) =>
     `Style ${style} at ${time} s: ${content} cm by content, ${second} cm by second. Means ${mean} and ${meanSecond} cm.`,
-};
+} as const;

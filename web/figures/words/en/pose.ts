@@ -1,7 +1,5 @@
 /** Figures of the degrees of freedom of a pose in English. */
-import type { PoseWords } from "../pose";
-
-export const pose: PoseWords = {
+export const pose = {
   stage: "Joint and mean",
   numbers: "The 67 numbers of this pose",
   title: "One number over time",
@@ -22,24 +20,24 @@ export const pose: PoseWords = {
   },
   restore: "Put back",
   pose: "pose",
-  angles: (joint) => `${joint}, °`,
+  angles: (joint: string) => `${joint}, °`,
   height: "h, m",
   sideways: "v to the left, m/s",
   forwards: "v forwards, m/s",
   turning: "ψ̇, °/s",
   time: "time, s",
-  flexion: (joint) => `${joint}, about x, °`,
+  flexion: (joint: string) => `${joint}, about x, °`,
   raw: "log R",
   centred: "w",
-  read: (angle) => `|w| ${angle}°`,
-  counted: (changed, of) => `${changed} of ${of} changed`,
-  jumps: (raw, jump) => `greatest jump: log R ${raw} rad · w ${jump} rad`,
-  posed: (joint, angle, x, y, z) =>
+  read: (angle: string) => `|w| ${angle}°`,
+  counted: (changed: string, of: string) => `${changed} of ${of} changed`,
+  jumps: (raw: string, jump: string) => `greatest jump: log R ${raw} rad · w ${jump} rad`,
+  posed: (joint: string, angle: string, x: string, y: string, z: string) =>
     `The ${joint} is turned by ${angle}° from its mean: ${x}° about x, ${y}° about y, ${z}° about z.`,
-  listed: (changed, of, heading, limbs) =>
+  listed: (changed: string, of: string, heading: string, limbs: string) =>
     `With the walker turned by ${heading}° and ${limbs} ${limbs === "1" ? "limb" : "limbs"} bent, ${changed} of ${of} numbers differ from the input's.`,
-  plotted: (joint, phi, raw, jump) =>
+  plotted: (joint: string, phi: string, raw: string, jump: string) =>
     `The ${joint} with its own axes turned by ${phi}°: from frame to frame log R jumps by ${raw} rad at most, w by ${jump} rad.`,
   components: ["joint", "x, °", "y, °", "z, °"],
   columns: ["time, s", "log R, °", "w, °"],
-};
+} as const;

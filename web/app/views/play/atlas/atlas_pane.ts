@@ -28,7 +28,7 @@ const INSET = 6;
 const CLICK_PX = 4;
 
 /** The page's interface for the pane. */
-export interface AtlasHost {
+interface AtlasHost {
   session: Session;
   onPart: (part: AtlasPart) => void;
   /** Called when other windows are shown; `undefined` for all. */

@@ -27,7 +27,7 @@ const STANDING = 0.3;
 const NO_PATH = new Float32Array();
 
 /** Elements of Play that contain the elements of driving. */
-export interface DrivePlaces {
+interface DrivePlaces {
   /** The layer over the picture. */
   readonly stage: HTMLElement;
   /** The element of the picture that receives touches. */
@@ -41,7 +41,7 @@ export interface DrivePlaces {
 }
 
 /** Actions of Play with keys in driving. */
-export interface DriveActions {
+interface DriveActions {
   pause(): void;
   /** Selects the next style alone, or the previous one. */
   corner(by: -1 | 1): void;

@@ -7,7 +7,7 @@ import { headingOf } from "./wish";
 const REACH_PX = 28;
 
 /** The page's interface for the tool. */
-export interface HeadingGround {
+interface HeadingGround {
   /** Points in the page at which it can be grabbed; empty while it is hidden. */
   arrow(): readonly { x: number; y: number }[];
   /** The point on the ground under a point of the page. */

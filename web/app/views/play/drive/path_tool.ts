@@ -76,7 +76,7 @@ export function distanceTo(path: Float32Array, { x, z }: Spot): number {
 }
 
 /** The page's interface for the tool. */
-export interface PathGround {
+interface PathGround {
   /** The point on the ground under a point of the page. */
   groundAt(clientX: number, clientY: number): Spot | undefined;
   /** Whether the character's body is there: a click on it selects a body part. */

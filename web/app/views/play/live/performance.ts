@@ -25,7 +25,7 @@ const SILENT_MS = 1000;
 const MAX_KEPT_SECS = 300;
 
 /** Elements of Play that contain the elements of a live performance. */
-export interface LivePlaces {
+interface LivePlaces {
   /** The panel of the input, after which the performer's is inserted. */
   readonly input: HTMLElement;
   readonly transport: HTMLElement;

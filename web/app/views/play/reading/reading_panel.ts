@@ -26,7 +26,7 @@ import {
 import { pullToClose } from "./sheet";
 import { readingWords as words } from "./strings.en";
 
-export interface ReadingListeners {
+interface ReadingListeners {
   /** Called when the file is to be read in another way. */
   onRead: (reading: FileReading) => Promise<boolean>;
   /** Called when the user sets the input's action; empty for any action. */
@@ -39,7 +39,7 @@ export interface ReadingListeners {
 }
 
 /** Contents of the similarity row. */
-export interface ShownLikeness {
+interface ShownLikeness {
   /** The recognised class; `undefined` while it is not known. */
   likeness: Likeness | undefined;
   /** Actions of the database. */

@@ -52,7 +52,7 @@ export interface TimelineData {
 }
 
 /** Contents of the moving layer, in input frames. */
-export interface Overlay {
+interface Overlay {
   /** The playhead. */
   frame: number;
   /** Position of the pointer over the rows. */

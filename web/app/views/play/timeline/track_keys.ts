@@ -8,7 +8,7 @@ import { formatNumber, html, setAttributes } from "../../../../ui/dom";
 import { type GestureListeners, listenToDrags } from "../../../../ui/drag";
 import { strings } from "../../../strings/strings";
 
-export interface TrackKeyListeners extends GestureListeners {
+interface TrackKeyListeners extends GestureListeners {
   /** Called when a key was selected. */
   onChoose: (key: number) => void;
   /** Called when a key was moved to a frame. */
@@ -17,7 +17,7 @@ export interface TrackKeyListeners extends GestureListeners {
 }
 
 /** Maps frames to pixels of the timeline and back. */
-export interface FramePlaces {
+interface FramePlaces {
   x(frame: number): number;
   frameAt(clientX: number): number;
 }

@@ -5,7 +5,7 @@ import type { LearnEngine } from "../client/learn/protocol";
 const KEPT = 64;
 
 /** Memoises the last answers by the engine and the arguments; failed requests are repeated. */
-export function remembered<Asked extends readonly unknown[], Answer>(
+export function memoized<Asked extends readonly unknown[], Answer>(
   ask: (engine: LearnEngine, ...asked: Asked) => Promise<Answer>,
 ): (engine: LearnEngine, ...asked: Asked) => Promise<Answer> {
   const engines = new WeakMap<LearnEngine, Map<string, Promise<Answer>>>();
