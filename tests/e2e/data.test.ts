@@ -112,7 +112,7 @@ describe("a zip of clips", () => {
     expect(await heading()).toBe("5 clips, 3 styles");
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
-    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is open\.$/);
+    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is now open\.$/);
     await eventually(databases).toEqual(["Built-in", "small"]);
     // It is opened immediately; a user who continues with the clips stays in the view.
     await eventually(openDatabase).toBe("small");
