@@ -106,7 +106,7 @@ describe("a walk that falls on the polygon", () => {
     await page.getByLabel("Name of the style").fill("bent");
     await action.selectOption("walk");
     await page.getByRole("button", { name: "Make it a style" }).click();
-    await eventually(() => says("“bent” is made of the action “walk”").isVisible()).toBe(true);
+    await eventually(() => says("“bent” was made from the action “walk”").isVisible()).toBe(true);
     await eventually(vertices).toContain("bent");
     // It replaces the one before.
     expect(await vertices()).not.toContain("stooping");
