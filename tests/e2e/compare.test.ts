@@ -40,7 +40,7 @@ describe("the columns", () => {
     const late = async (column: string) =>
       Math.abs(Number((await figure(column, "Timing error"))!.replace("−", "-").split(" ")[0]));
     expect(await late("mar")).toBeLessThan(await late("input"));
-    await eventually(() => page.locator(".compare-summary").textContent()).toMatch(/the counterpart.*computed/);
+    await eventually(() => page.locator(".compare-summary").textContent()).toMatch(/the counterpart.*synthetic/);
     await eventually(() => page.getByRole("heading", { level: 1, name: /four ways/ }).isVisible()).toBe(true);
     await eventually(faults).toEqual([]);
     await drawn(page, 5);

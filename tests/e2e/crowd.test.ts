@@ -210,9 +210,9 @@ describe("the people", () => {
     });
     await eventually(title).toMatch(/^Twelve people/);
     await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe(
-      "This device was too slow: 12 walk now.",
+      "This device was too slow: now only 12 walk.",
     );
-    await eventually(() => page.getByRole("status").filter({ hasText: "12 walk now." }).count()).toBe(2);
+    await eventually(() => page.getByRole("status").filter({ hasText: "now only 12 walk." }).count()).toBe(2);
     await walking();
     await page.getByRole("slider", { name: "Count" }).focus();
     await page.keyboard.press("ArrowRight");
@@ -287,13 +287,13 @@ describe("performers", () => {
   it("need a motion that is long enough, and are as many as can be drawn", async () => {
     await visit(page, `view=crowd&people=performers&crowd=1000_1&${FIELD}&range=0-10`);
     await page.getByText("A crowd cannot perform the motion from Play.").waitFor();
-    await page.getByRole("button", { name: "Let them walk" }).click();
+    await page.getByRole("button", { name: "Use walkers" }).click();
     await eventually(title).toBe("One hundred people, two ways of walking");
     await walking();
     await visit(page, `view=crowd&people=performers&crowd=1000_1&${FIELD}`);
     await eventually(title).toBe("One hundred people, two styles");
     await eventually(() => page.locator(".crowd-people-limit").textContent()).toBe(
-      "Without a graphics card 100 perform.",
+      "Without a GPU, at most 100 perform.",
     );
     await walking();
   });

@@ -112,7 +112,7 @@ describe("a zip of clips", () => {
     expect(await heading()).toBe("5 clips, 3 styles");
     expect(await page.getByLabel("Pattern of the file names").inputValue()).toBe("{action}_{style}_{take}.bvh");
     expect(await page.getByRole("radio", { name: "neutral is neutral" }).isChecked()).toBe(true);
-    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is open\.$/);
+    expect(await build()).toMatch(/^Three styles ready\. [\d\s]+ frames, [\d.]+ s\. It is now open\.$/);
     await eventually(databases).toEqual(["Built-in", "small"]);
     // It is opened immediately; a user who continues with the clips stays in the view.
     await eventually(openDatabase).toBe("small");
@@ -160,7 +160,7 @@ describe("a zip of clips", () => {
     await page.getByRole("link", { name: "Data" }).click();
     await page.getByRole("button", { name: "Delete small" }).click();
     await eventually(databases).toEqual(["Built-in"]);
-    await page.getByRole("button", { name: "Undo deleting small" }).click();
+    await page.getByRole("button", { name: "Undo deletion of small" }).click();
     await eventually(databases).toEqual(["Built-in", "small"]);
     await page.getByRole("button", { name: "Open small" }).click();
     await eventually(() => vertices()).toEqual(["neutral", "old", "proud"]);
@@ -212,7 +212,7 @@ describe("a style of two manners", () => {
     await screenshot(page, "data-manners-mobile");
     await page.setViewportSize({ width: 1440, height: 900 });
 
-    await report.getByRole("button", { name: "Make two styles: old in walk" }).click();
+    await report.getByRole("button", { name: "Split into two styles: old in walk" }).click();
     await eventually(heading).toBe("8 clips, 3 styles");
     await eventually(() => report.count()).toBe(0);
     await dismissNotes();

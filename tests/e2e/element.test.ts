@@ -211,7 +211,7 @@ describe("a player", () => {
     const page = await openPlayer('state="styles=old:1&ghost=off&speed=2" ghost="overlay" controls');
     expect(await stylesOf(page)).toEqual({ old: 1 });
     const pressed = page.getByRole("button", { name: "Input" });
-    await eventually(() => pressed.getAttribute("title")).toContain("same place");
+    await eventually(() => pressed.getAttribute("title")).toContain("overlaid");
     await page.context().close();
   });
 

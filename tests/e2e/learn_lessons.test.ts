@@ -91,7 +91,7 @@ describe("by the keyboard alone", () => {
     for (let i = 0; i < 2; i++) await page.keyboard.press("ArrowRight");
     await eventually(() => verdict("B")).toMatch(/^≈ ?Close: a little later\.$/);
     for (let i = 0; i < 2; i++) await page.keyboard.press("Shift+ArrowRight");
-    await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: at 200 ms DTW says \d+ ms/);
+    await eventually(() => verdict("B")).toMatch(/^✓ ?Yes: DTW pairs 200 ms with \d+ ms/);
     await screenshot(page, "lesson-register-solved");
   });
 

@@ -183,7 +183,7 @@ describe("a performer", () => {
     await performing();
     for (const message of ["{", "[]", '{"t":1}', '{"t":"NaN","p":[0,0,0],"q":[]}', "x".repeat(70_000)])
       sender.say(message);
-    await eventually(() => figure("Not understood").textContent()).toBe("5");
+    await eventually(() => figure("Unreadable").textContent()).toBe("5");
     sender.say('{"strut":1,"names":["a"],"parents":[-1],"offsets":[[0,0,0]]}');
     await eventually(() => panel().locator(".live-fault").textContent()).toMatch(/^No legs and arms/);
     const { inputFrame } = await page.evaluate(() => window.strut.frame);
@@ -247,7 +247,7 @@ describe("a link", () => {
     await eventually(() => narrow.evaluate(() => window.strut.frame.inputFrame)).toBeGreaterThan(60);
     await screenshot(narrow, "live-narrow");
     await narrow.getByRole("button", { name: "Curves" }).click();
-    expect(await figure("Shown after", narrow).isVisible()).toBe(true);
+    expect(await figure("Latency", narrow).isVisible()).toBe(true);
     await screenshot(narrow, "live-narrow-curves");
     await expectFitsNarrow(narrow, ".live-bar button");
     await closePage(narrow);

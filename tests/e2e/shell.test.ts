@@ -151,7 +151,7 @@ describe("keys of a single character", () => {
     await page.keyboard.press("l");
     await eventually(loop).toBe(false);
     await page.keyboard.press("?");
-    await page.getByRole("switch", { name: /act as keys/ }).click();
+    await page.getByRole("switch", { name: /as shortcuts/ }).click();
     await page.keyboard.press("Escape");
     await eventually(() => page.getByRole("dialog").isVisible()).toBe(false);
     await page.keyboard.press("l");

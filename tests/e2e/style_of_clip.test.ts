@@ -106,7 +106,7 @@ describe("a walk that falls on the polygon", () => {
     await page.getByLabel("Name of the style").fill("bent");
     await action.selectOption("walk");
     await page.getByRole("button", { name: "Make it a style" }).click();
-    await eventually(() => says("“bent” is made of the action “walk”").isVisible()).toBe(true);
+    await eventually(() => says("“bent” was made from the action “walk”").isVisible()).toBe(true);
     await eventually(vertices).toContain("bent");
     // It replaces the one before.
     expect(await vertices()).not.toContain("stooping");
@@ -114,7 +114,7 @@ describe("a walk that falls on the polygon", () => {
 
   it("is refused with a sentence where it is too short", async () => {
     await dropFile(page, "walk_short.bvh", everyNth(walk, 1, 40), await polygon());
-    await eventually(() => page.getByRole("dialog").textContent()).toContain("An action takes 1 s at least");
+    await eventually(() => page.getByRole("dialog").textContent()).toContain("It needs at least 1 s");
     await page.getByRole("button", { name: "Make it a style" }).click();
     await eventually(alert).toContain("It lasts 0.7 s; a complete action of at least 1.0 s was expected");
     expect(await vertices()).toContain("weary");

@@ -105,10 +105,10 @@ describe("what is no project file of this version", () => {
     expect(await why(new Blob(["HIERARCHY"]))).toMatch(/not a Strut project/);
     expect(await why(new Blob([zipOf([{ name: "walk.bvh", content: "HIERARCHY" }])]))).toMatch(/not a Strut project/);
     expect(await why(archive({ ...MANIFEST, format: "other" }))).toMatch(/not a Strut project/);
-    expect(await why(archive({ ...MANIFEST, version: VERSION + 1 }))).toMatch(/newer Strut.*format is 2/);
+    expect(await why(archive({ ...MANIFEST, version: VERSION + 1 }))).toMatch(/newer version of Strut.*format is 2/);
     expect(await why(archive({ ...MANIFEST, version: 0 }))).toMatch(/format 0 is too old/);
     expect(await why(archive({ ...MANIFEST, version: "1" }))).toMatch(/“version”/);
-    expect(await why(archive("{"))).toMatch(/no JSON/);
+    expect(await why(archive("{"))).toMatch(/is not JSON/);
     expect(await why(archive([]))).toMatch(/not a Strut project/);
   });
 
