@@ -1,6 +1,6 @@
 //! Jumps, punches and kicks of a style: the parameters that do not appear in walking.
 //!
-//! A form contains what depends on the style; the common part is in the [drills](crate::drill).
+//! A form contains what depends on the style; the common part is in the drills (`drill`).
 
 /// Arm posture relative to the trunk, degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]

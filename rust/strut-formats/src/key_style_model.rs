@@ -1,4 +1,4 @@
-//! Key-style model file, `.strutkeys`: a [container](crate::container).
+//! Key-style model file, `.strutkeys`: a [container].
 //!
 //! Tensors are little-endian f32. There are A axes (1 to 3), K components and N recorded frames. A pose has D = 64
 //! numbers: an exponential map relative to its reference for every joint, then (height of the hips − 0.9 m) / 0.8 m.

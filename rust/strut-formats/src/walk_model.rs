@@ -1,4 +1,4 @@
-//! Walk model file, `.strutwalk`: a [container](crate::container).
+//! Walk model file, `.strutwalk`: a [container].
 //!
 //! Tensors are little-endian f32. There are S styles, two sides (left, right) and five states. D = 63 are the degrees
 //! of freedom of a pose, an exponential map relative to its reference for every joint. The three streams are static,

@@ -8,7 +8,7 @@ use std::ops::Range;
 /// Joint positions of a row, metres, with the heading removed and the hips above the origin.
 pub type PointCloud = [Vec3; JOINTS];
 
-/// One clip of a [`Database`].
+/// One clip of a [`Database`](super::Database).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     /// File stem or other display name.

@@ -2,7 +2,7 @@
 //!
 //! Tensors are little-endian. There are N frames of all clips, D = 67 degrees of freedom ([`DOFS`]) and J = 21 joints
 //! ([`JOINTS`]). S styles have M ≤ 8 counterparts each. The search index has W windows and bases of L = 3900 numbers
-//! ([`Plan::BASIS_LENGTH`]).
+//! ([`Plan::BASIS_LENGTH`](strut_core::search::Plan::BASIS_LENGTH)).
 //!
 //! | Name | Shape | Type | Content |
 //! | --- | --- | --- | --- |
