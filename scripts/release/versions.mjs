@@ -16,8 +16,8 @@ const PLACES = [
   // The first two are the project's own.
   { file: "package-lock.json", pattern: String.raw`("name": "strut-motion",\s+"version": ")(VERSION)`, times: 2 },
   { file: "rust/Cargo.toml", pattern: '(^version = ")(VERSION)' },
-  { file: "rust/Cargo.toml", pattern: '(^strut-.* version = ")(VERSION)', times: 5 },
-  { file: "rust/Cargo.lock", pattern: String.raw`(^name = "(?:strut-.*|xtask)"\nversion = ")(VERSION)`, times: 10 },
+  { file: "rust/Cargo.toml", pattern: '(^strut-.* version = ")(VERSION)', times: 6 },
+  { file: "rust/Cargo.lock", pattern: String.raw`(^name = "(?:strut-.*|xtask)"\nversion = ")(VERSION)`, times: 11 },
   { file: "blender/strut_motion/blender_manifest.toml", pattern: '(^version = ")(VERSION)' },
   { file: "CITATION.cff", pattern: "(^version: )(VERSION)" },
   { file: "examples/jupyter/package.json", pattern: String.raw`("strut-motion": "\^)(VERSION)` },
