@@ -48,7 +48,7 @@ describe("training", () => {
   it("refuses what is no database and no model", async () => {
     const database = new Blob(["HIERARCHY"]);
     await expect(openWalk({ database }, {}, spawn)).rejects.toMatchObject({ code: "bad-file" });
-    await expect(openWalk({ file: new TextEncoder().encode("HIERARCHY") })).rejects.toThrow(/no walk model/);
+    await expect(openWalk({ file: new TextEncoder().encode("HIERARCHY") })).rejects.toThrow(/not a walk model/);
   });
 });
 

@@ -59,7 +59,7 @@ test("it says what is wrong with what it cannot do", () => {
     return "";
   };
   expect(message(() => startGlue.Database.fromPacked(new startGlue.PackedMotions(new Uint8Array(9))))).toContain(
-    "no packed motions",
+    "not packed motions",
   );
   expect(message(() => startGlue.Input.fromPacked(database, packed, "dance"))).toContain("'dance'");
 });
