@@ -12,7 +12,7 @@ function withoutLinks(text) {
     .replace(/^\[[^\]]+\]: .*$/gm, "")
     .replace(/\[(`[^`]+`)\]\([\w:]+\)/g, "$1")
     .replace(/\[([^\]`]+)\]\((?:crate|super|self|strut_core|strut_formats)[\w:]*\)/g, "$1")
-    .replace(/\[(`[^`]+`)\](?!\()/g, "$1")
+    .replace(/\[(`[^`]+`|[a-z]{3,})\](?!\()/g, "$1")
     .trim();
 }
 
