@@ -72,7 +72,9 @@ describe("training", () => {
     await expect(refusal({ axes: ["hips.y / 0"] })).rejects.toThrow(/has no value in frame 1/);
     await expect(refusal({ axes: ["hipz_height"] })).rejects.toThrow(/Column 1: there is no/);
     await expect(refusal({ axes: [] })).rejects.toThrow(/1 to 3 were expected/);
-    await expect(openKeyStyle({ file: new TextEncoder().encode("HIERARCHY") })).rejects.toThrow(/not a key-style model/);
+    await expect(openKeyStyle({ file: new TextEncoder().encode("HIERARCHY") })).rejects.toThrow(
+      /not a key-style model/,
+    );
   });
 
   it("takes BVH files, and leaves out what is none", async () => {
