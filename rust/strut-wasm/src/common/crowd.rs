@@ -44,6 +44,7 @@ pub fn frames_of_crowd(secs: f32, rate_hz: f32) -> Result<usize, EngineError> {
 
 /// Methods that the handles of crowds have in common, for a struct whose field `crowd` is a crowd. The module imports
 /// `EngineError` and `wasm_bindgen`.
+#[cfg(any(feature = "crowd", feature = "performers"))]
 macro_rules! crowd_handle {
     ($handle:ident) => {
         #[wasm_bindgen]
@@ -113,4 +114,5 @@ macro_rules! crowd_handle {
         }
     };
 }
+#[cfg(any(feature = "crowd", feature = "performers"))]
 pub(crate) use crowd_handle;

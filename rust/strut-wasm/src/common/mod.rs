@@ -13,6 +13,7 @@ mod panic;
 mod poses;
 
 pub use bytes::{Bytes, SlicedFile, Slices};
+#[cfg(any(feature = "crowd", feature = "performers"))]
 pub(crate) use crowd::crowd_handle;
 pub use crowd::{frames_of_crowd, points_of_route, vertices_of_field};
 pub use database::read_database;
