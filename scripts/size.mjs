@@ -6,8 +6,9 @@ import { siteFiles } from "./site_files.mjs";
 import { root, Sentence } from "./steps.mjs";
 
 /** Greatest sizes after gzip, kilobytes, by extension, of the files before the first styled figure. */
-// The engine of the page's start also measures the distance that a clip travels and its distance from the database.
-const BUDGET_KB = { ".js": 300, ".wasm": 116, ".bin": 175 };
+// The engine of the page's start also measures the distance that a clip travels and its distance from the database. Messages
+// that name the next step, and one pass of wasm-opt, take half a kilobyte.
+const BUDGET_KB = { ".js": 300, ".wasm": 117, ".bin": 175 };
 /** Greatest size after gzip, kilobytes, of all files before the first styled figure. */
 const BUDGET_ALL_KB = 600;
 
@@ -29,7 +30,7 @@ const LATER = [
   { name: "Batches", key: /^batch\/take_motions\.ts$/, budget: 12 },
   { name: "live poses", key: /client\/live\/live_stream\.ts$/, budget: 7 },
   { name: "Live", key: /views\/play\/live\/performance\.ts$/, budget: 9 },
-  { name: "figures", key: /element\/figure\/\w+\/\w+_figure\.ts$/, budget: 30 },
+  { name: "figures", key: /figures\/\w+\/\w+_figure\.ts$/, budget: 30 },
   { name: "a lesson", key: /lessons\/(text\/\w+\/)?\w+\.ts$/, budget: 12, sets: withTexts },
 ];
 
@@ -47,7 +48,8 @@ const LATER_ASSETS = [
   // these.
   { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 354 },
   { name: "all motions", asset: /^built_in-.*\.bin$/, budget: 1325 },
-  { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 496 },
+  // Trained methods that the core knows only by an interface, and one pass of wasm-opt, take 5.
+  { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 503 },
   // The code that writes BVH files includes names in other encodings.
   { name: "walking", asset: /^strut_wasm_walk_bg.*\.wasm$/, budget: 128 },
   { name: "crowds", asset: /^strut_crowd_bg.*\.wasm$/, budget: 144 },
