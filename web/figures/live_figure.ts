@@ -81,7 +81,7 @@ export abstract class LiveFigure<State extends object, Shown> implements FigureI
     for (const [control, of] of this.#lights) toggle(control, of);
   }
 
-  /** The data of a state; `undefined` if there are none. */
+  /** Loads the data of a state; `undefined` if the state has no data. */
   protected abstract load(state: State): Promise<Shown | undefined>;
 
   /** Displays the current data, and reports the change. */

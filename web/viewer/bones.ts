@@ -23,7 +23,7 @@ const MIN_REACH_PX = 10;
 /** Middle of a mannequin's head above its joint, and its radius, relative to its stature. */
 const HEAD = { rise: 0.088, radius: 0.122 };
 
-/** The joint whose bone is at a point of the picture; `undefined` if there is none. @param placeOf position of a joint */
+/** Returns the joint whose bone is at a point of the picture, or `undefined`. @param placeOf position of a joint */
 export function jointNear(x: number, y: number, placeOf: (role: Role) => { x: number; y: number }): Role | undefined {
   let nearest: { role: Role; distance: number } | undefined;
   for (const [bone, from, to] of BONES) {

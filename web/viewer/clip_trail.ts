@@ -1,4 +1,4 @@
-/** What is drawn of the clip that the character performs: its path ahead, and the moments before and after. */
+/** Overlays of the performed clip: the path of the hips, and the motion trail before and after the current frame. */
 import { MathUtils } from "three";
 import { hipsTurn, POSE_FLOATS } from "../humanoid";
 import { OnionSkin } from "./onion_skin";
@@ -6,7 +6,7 @@ import { MotionTrail } from "./stage/motion_trail";
 import type { Stage } from "./stage/stage";
 import type { Theme } from "./themes";
 
-/** What is drawn of the moments before and after: nothing, lines of hands, feet and head, or whole bodies as well. */
+/** The motion trail: none, lines of hands, feet and head, or whole bodies as well. */
 export type MotionTrailMode = "off" | "lines" | "onion";
 
 /** How the bodies of other moments look. */
