@@ -7,7 +7,7 @@ import { preview } from "vite";
 import { expect } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
 import { POSE_FLOATS } from "../../web/humanoid";
-import { type Graphics, softwareGraphics } from "./graphics";
+import { type Graphics, recordContexts, softwareGraphics } from "./graphics";
 import { slowDown } from "./slow";
 
 const ROOT = resolve(import.meta.dirname, "../..");
@@ -127,6 +127,7 @@ export async function openPage(browser: Browser, url: string, options: PageOptio
     if (message.text().startsWith("[policy]")) errors.push(message.text());
   });
   faults.set(page, errors);
+  await recordContexts(page);
   await page.goto(`${url}${options.hash ? `#${options.hash}` : ""}`);
   await shown(page);
   return page;

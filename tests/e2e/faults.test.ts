@@ -14,6 +14,7 @@ import {
   turnBetween,
   visit,
 } from "./browser";
+import { lastContext } from "./graphics";
 
 declare const window: { strut: StrutHook; restoreContext?: () => void };
 
@@ -65,10 +66,11 @@ describe("a lost graphics context", () => {
       });
     await page.keyboard.press("Space");
     await eventually(picture).toBeGreaterThan(40);
-    await page.locator(".stage canvas").evaluate(async (element) => {
-      const context = (element as HTMLCanvasElement).getContext("webgl2")!;
+    await (await lastContext(page)).evaluate(async (context) => {
       const extension = context.getExtension("WEBGL_lose_context")!;
-      const lost = new Promise((resolve) => element.addEventListener("webglcontextlost", resolve, { once: true }));
+      const lost = new Promise((resolve) =>
+        context.canvas.addEventListener("webglcontextlost", resolve, { once: true }),
+      );
       extension.loseContext();
       await lost;
       // All listeners have run by then.

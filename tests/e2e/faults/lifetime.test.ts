@@ -3,6 +3,7 @@ import type { CDPSession, Page } from "playwright-core";
 import { afterEach, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../../web/app/shell/hook";
 import { drawn, eventually, openSite, saved, settledPose, shown, styledPose, turnBetween, visit } from "../browser";
+import { lastContext } from "../graphics";
 import { consoleErrors, dismissAll, hurryTimers } from "./inject";
 
 declare const window: { strut: StrutHook; shiftClock: (ms: number) => void };
@@ -211,9 +212,7 @@ describe("a graphics context that is lost for good", () => {
     await visit(page, STILL);
     await page.waitForFunction(() => window.strut.analysed);
     await hurryTimers(page);
-    await page.locator(".stage canvas").evaluate((element) => {
-      (element as HTMLCanvasElement).getContext("webgl2")!.getExtension("WEBGL_lose_context")!.loseContext();
-    });
+    await (await lastContext(page)).evaluate((context) => context.getExtension("WEBGL_lose_context")!.loseContext());
     await eventually(alert).toMatch(/The browser stopped the 3D graphics/);
     const { name, bytes } = await saved(page, "BVH");
     expect(name).toMatch(/proud\.bvh$/);

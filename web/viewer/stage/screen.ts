@@ -9,6 +9,7 @@ import {
   type WebGLRenderTarget,
 } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { FrameReader } from "./frame_reader";
 import { GpuQueue } from "./gpu_queue";
 import { graphics } from "./graphics";
 import { IdleTask } from "./idle_task";
@@ -103,6 +104,8 @@ export class Screen {
   readonly #isShared: boolean;
   readonly #gl: WebGL2RenderingContext;
   readonly #queue: GpuQueue;
+  /** Reads frames back; only without a GPU, where a canvas that displays them itself may block the page. */
+  readonly reader: FrameReader | undefined;
   readonly #users = new Set<Drawn>();
   readonly #listeners = new AbortController();
   /** Programs whose uniforms and attributes three.js has queried. */
@@ -137,9 +140,11 @@ export class Screen {
     renderer.capabilities.getMaxAnisotropy();
     this.#gl = context;
     this.#queue = new GpuQueue(this.#gl);
+    if (graphics() === "software") this.reader = new FrameReader(this.#gl);
     // three.js restores its own resources from memory. The room was drawn by the lost context and must be drawn again.
     const restore = () => {
       this.#queue.forget();
+      this.reader?.forget();
       this.#dropEnvironment();
       for (const user of this.#users) user.restore();
     };
@@ -300,6 +305,7 @@ export class Screen {
   /** Releases the context now, not when its canvas is garbage-collected: browsers have few contexts. */
   dispose(): void {
     this.#listeners.abort();
+    this.reader?.forget();
     this.#dropEnvironment();
     this.renderer.dispose();
     this.renderer.forceContextLoss();

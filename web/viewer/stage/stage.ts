@@ -5,6 +5,7 @@ import { Lights } from "../light/lights";
 import type { Theme } from "../themes";
 import { Background } from "./background";
 import { Footprints } from "./footprints";
+import type { FrameReader } from "./frame_reader";
 import { Ground } from "./ground";
 import { HipsPath } from "./hips_path";
 import { Labels } from "./labels";
@@ -35,7 +36,8 @@ interface StageOptions {
 
 /**
  * Scene, camera, light and ground. A stage with a screen of its own shows the screen's canvas. On a shared screen it
- * draws in the corner of that canvas and copies the picture to a canvas of its own, unless it is alone there.
+ * draws in the corner of that canvas and copies the picture to a canvas of its own, unless it is alone there. Without a
+ * GPU every stage has a canvas of its own, to which its frames are read back.
  */
 export class Stage implements Drawn {
   /** The element that receives pointers and keys, and that screen readers find. */
@@ -57,8 +59,12 @@ export class Stage implements Drawn {
   readonly #screen: Screen;
   readonly #owns: boolean;
   readonly #bare: boolean;
-  /** The copy of the picture if the screen is shared. */
+  /** Whether the screen's canvas is not displayed: frames are copied to one of its own. */
+  readonly #copies: boolean;
+  /** The copy of the picture. */
   readonly #copy: CanvasRenderingContext2D | undefined;
+  /** The picture that was read back. */
+  #image: ImageData | undefined;
   #alone = false;
   #level: number;
   readonly #lights = new Lights();
@@ -86,8 +92,11 @@ export class Stage implements Drawn {
     this.#owns = screen === undefined;
     this.#screen = screen ?? Screen.own(level);
     this.#level = this.#screen.governor.level;
-    this.canvas = this.#owns ? this.#screen.canvas : document.createElement("canvas");
-    if (!this.#owns) this.#copy = this.canvas.getContext("2d")!;
+    const reads = this.#screen.reader !== undefined;
+    this.#copies = reads || !this.#owns;
+    this.canvas = this.#copies ? document.createElement("canvas") : this.#screen.canvas;
+    if (this.#copies) this.#copy = this.canvas.getContext("2d", { willReadFrequently: reads })!;
+    if (reads && this.#owns) this.#forwardLosses();
     // Hidden until it has the size of the picture, so that nothing visible moves.
     this.canvas.style.cssText = `${IN_THE_CORNER};touch-action:pan-y;visibility:hidden`;
     // The element handles the arrow keys, which an image does not; its label describes the picture.
@@ -124,7 +133,7 @@ export class Stage implements Drawn {
 
   /** Whether nothing else draws on its screen: the screen's canvas is shown then, without a copy. */
   set alone(alone: boolean) {
-    if (this.#owns || alone === this.#alone) return;
+    if (this.#owns || this.#screen.reader || alone === this.#alone) return;
     this.#alone = alone;
     const { canvas } = this.#screen;
     if (alone) {
@@ -308,8 +317,8 @@ export class Stage implements Drawn {
       void this.#screen.whenIdle(() => this.onIdle?.());
       return false;
     }
-    if (still !== this.#still) this.canvas.toggleAttribute(STILL, still);
     this.#still = still;
+    if (!still || !this.#screen.reader) this.canvas.toggleAttribute(STILL, still);
     this.#resize();
     this.#screen.renderer.info.reset();
     return true;
@@ -318,7 +327,34 @@ export class Stage implements Drawn {
   /** Ends a frame after all columns were drawn. */
   end(): void {
     this.#screen.addFrame();
-    if (this.#copy && !this.#alone) this.#copyTo(this.#copy);
+    const { reader } = this.#screen;
+    if (reader) this.#readWith(reader);
+    else if (this.#copy && !this.#alone) this.#copyTo(this.#copy);
+  }
+
+  /** Repeats the events of the screen's canvas, which is not in the document, on the stage's own. */
+  #forwardLosses(): void {
+    const forward = ({ type }: Event) => this.canvas.dispatchEvent(new Event(type));
+    for (const type of ["webglcontextlost", "webglcontextrestored"])
+      this.#screen.canvas.addEventListener(type, forward, { signal: this.#life.signal });
+  }
+
+  /** Shows the frame that was just drawn, once it was read back. */
+  #readWith(reader: FrameReader): void {
+    const { width, height } = this.#pixels;
+    const still = this.#still;
+    void reader.read({ width, height }, (pixels) => {
+      const { canvas } = this;
+      if (canvas.width !== width || canvas.height !== height || !this.#image) {
+        Object.assign(canvas, { width, height });
+        this.#image = new ImageData(width, height);
+      }
+      const { data } = this.#image;
+      const row = 4 * width;
+      for (let y = 0; y < height; y++) data.set(pixels.subarray(y * row, (y + 1) * row), (height - 1 - y) * row);
+      this.#copy!.putImageData(this.#image, 0, 0);
+      canvas.toggleAttribute(STILL, still && this.#still);
+    });
   }
 
   /** Draws the scene into a column, with the light on `subject`. */
@@ -401,7 +437,7 @@ export class Stage implements Drawn {
     // Every assignment to the canvas's size allocates new memory, so each is assigned at most once.
     if (!this.#screen.fits(pixels.width, pixels.height)) this.#screen.resize(pixels.width, pixels.height);
     this.#pixels = pixels;
-    if (this.#owns || this.#alone) {
+    if (!this.#copies || this.#alone) {
       canvas.style.width = `${width}px`;
       canvas.style.height = `${height}px`;
       canvas.style.objectFit = this.#filmed ? "contain" : "";
@@ -417,10 +453,12 @@ export class Stage implements Drawn {
   #fitCopy(width: number, height: number, pixels: Size): void {
     const { canvas } = this;
     const wanted = this.#alone ? { width: 1, height: 1 } : pixels;
-    if (canvas.width !== wanted.width) canvas.width = wanted.width;
-    if (canvas.height !== wanted.height) canvas.height = wanted.height;
+    // A picture that is read back brings its own size, as the one before it stays visible until then.
+    if (!this.#screen.reader && canvas.width !== wanted.width) canvas.width = wanted.width;
+    if (!this.#screen.reader && canvas.height !== wanted.height) canvas.height = wanted.height;
     canvas.style.width = `${width}px`;
     canvas.style.height = `${height}px`;
+    canvas.style.objectFit = this.#filmed ? "contain" : "";
   }
 }
 
