@@ -24,10 +24,19 @@ export async function buildWasm(options) {
   return { rust, wasm };
 }
 
-/** Builds the static site. Has the parameter and the result of {@link buildWasm}. */
-export async function buildSite(options) {
+/** Builds the page, without the rest of the site. Has the parameter and the result of {@link buildWasm}. */
+export async function buildPage(options) {
   const environments = await buildWasm(options);
   await step("Building the page", () => run(process.execPath, [vite, "build", "--logLevel", "warn"]));
+  return environments;
+}
+
+/**
+ * Writes the rest of the site beside a built page in dist/: the package, the page for frames, licences and the documentation.
+ * @param environments result of {@link buildPage}
+ * @param options those of the page
+ */
+export async function buildRest(environments, options) {
   await step("Writing the package and the page for frames", async () => {
     await writePackage(options);
     await writeEmbedPage();
@@ -35,5 +44,11 @@ export async function buildSite(options) {
   await step("Listing third-party licences", () => writeNotices(environments.rust));
   // A clean checkout installs its imports only after this file is read.
   await step("Writing the documentation", async () => (await import("./docs/site.mjs")).writeDocs());
+}
+
+/** Builds the static site. Has the parameter and the result of {@link buildWasm}. */
+export async function buildSite(options) {
+  const environments = await buildPage(options);
+  await buildRest(environments, options);
   return environments;
 }
