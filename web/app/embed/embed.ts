@@ -1,4 +1,5 @@
 /** Opens the Embed dialog for the displayed state. */
+import { ENGINE_FIELDS } from "../../link/play";
 import { DRIVE, type InputLibrary } from "../../player/input_library";
 import { linkTo } from "../shell/links";
 import { type AppState, initialState } from "../state/state";
@@ -6,26 +7,7 @@ import { strings } from "../strings/strings";
 import { manner } from "../ui/words";
 
 /** Fields of the state that an embedded figure has, too. */
-const SHOWN = [
-  "styles",
-  "parts",
-  "track",
-  "intensity",
-  "k",
-  "lambda",
-  "rho",
-  "kappa",
-  "delta",
-  "tempo",
-  "timing",
-  "footplant",
-  "coherence",
-  "action",
-  "inputStyle",
-  "camera",
-  "speed",
-  "loop",
-] as const satisfies readonly (keyof AppState)[];
+const SHOWN = [...ENGINE_FIELDS, "camera", "speed", "loop"] as const satisfies readonly (keyof AppState)[];
 
 /** The embedded state. */
 interface EmbedSubject {
