@@ -22,7 +22,7 @@ import { ChosenWalker } from "./chosen_walker";
 import { StyleColours } from "./colours";
 import { Conductor } from "./conductor";
 import { rendererName } from "./drawn_by";
-import { firstField, withoutVertex, withStyle, withVertex } from "./field";
+import { FieldEditor } from "./field_editor";
 import { FieldPanel } from "./field_panel";
 import { Footer } from "./footer";
 import { Gathering, type Performance } from "./gathering";
@@ -96,33 +96,19 @@ class CrowdView extends AnimatedView {
       onReady: (crowd, performs) => this.#present(crowd, performs),
       onFailed: (source, why) => this.#refuse(source, why),
     });
-    const gestures = store.gestureListeners;
-    this.#handles = new Handles({
-      ...gestures,
-      onChoose: (crowdVertex) => store.edit({ crowdVertex }),
-      onMove: (index, x, z) => this.#change(index, { x, z }, "crowd place"),
-      onReach: (index, reach) => this.#change(index, { reach }, "crowd reach"),
-      onRemove: (index) => this.#remove(index),
-    });
+    const editor = new FieldEditor(store, () => ({
+      field: this.#read().field,
+      radius: this.#radius,
+      styles: this.#styles,
+    }));
+    this.#handles = new Handles(editor);
     this.#chosen = new ChosenWalker(store, (saving) => this.#say(saving));
-    this.#fieldPanel = new FieldPanel(this.#colours, {
-      ...gestures,
-      onChoose: (crowdVertex) => store.edit({ crowdVertex }),
-      onChange: (index, patch) => this.#change(index, patch, `crowd ${Object.keys(patch).join()}`),
-      onAdd: (style) => this.#add(style),
-      onRemove: (index) => this.#remove(index),
-      onReset: () => {
-        if (this.#styles) store.edit({ field: firstField(this.#styles.all, this.#styles.neutral), crowdVertex: 0 });
-      },
-    });
-    this.#peoplePanel = new PeoplePanel({
-      onSettle: gestures.onSettle,
-      onKind: (crowdKind) => store.edit({ crowdKind }),
-      onCount: (count) => store.edit({ crowd: { ...this.#read().people, count } }, "crowd count"),
-      onSeed: (seed) => store.edit({ crowd: { ...this.#read().people, seed } }),
-      onDraw: () => this.#drawRoute(!this.#drawsRoute),
-      onClear: () => store.edit({ route: [] }),
-    });
+    this.#fieldPanel = new FieldPanel(this.#colours, editor);
+    this.#peoplePanel = new PeoplePanel(
+      store,
+      () => this.#read().people,
+      () => this.#drawRoute(!this.#drawsRoute),
+    );
     this.#cameras = new Segment(
       words.cameras,
       CROWD_CAMERAS.map((value) => ({ value, label: words.camera[value] })),
@@ -134,10 +120,9 @@ class CrowdView extends AnimatedView {
       class: "chip",
     });
     this.#map.title = words.mapWhy;
-    this.#footer = new Footer(this.#chart, {
+    this.#footer = new Footer(store, this.#chart, {
       onPlay: () => this.#togglePlay(),
       onStep: () => this.#step(),
-      onSpeed: (speed) => store.edit({ speed }),
       onPoster: () => void this.#export("poster"),
       onVideo: () => void this.#export("video"),
     });
@@ -377,21 +362,6 @@ class CrowdView extends AnimatedView {
 
   get #radius(): number {
     return this.#tick?.radius ?? radiusOf(this.#fitting(this.#asked));
-  }
-
-  #change(index: number, patch: Partial<FieldVertex>, gesture: string): void {
-    const { store } = this.host;
-    store.edit({ field: withVertex(this.#read().field, index, patch), crowdVertex: index }, gesture);
-  }
-
-  #add(style: string): void {
-    const field = withStyle(this.#read().field, style, this.#radius);
-    this.host.store.edit({ field, crowdVertex: field.length - 1 });
-  }
-
-  #remove(index: number): void {
-    const field = withoutVertex(this.#read().field, index);
-    this.host.store.edit({ field, crowdVertex: Math.max(0, index - 1) });
   }
 
   #drawRoute(draws: boolean): void {

@@ -5,26 +5,18 @@ import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, keepCount, setAttributes, setText } from "../../../ui/dom";
-import type { GestureListeners } from "../../../ui/drag";
 import { CROWD_RANGES, type CrowdKind } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { spoken } from "../../ui/words";
 import type { StyleColours } from "./colours";
+import type { FieldEditor } from "./field_editor";
 
 const words = strings.crowd;
-
-interface FieldPanelListeners extends GestureListeners {
-  onChoose: (index: number) => void;
-  onChange: (index: number, patch: { reach?: number; intensity?: number }) => void;
-  onAdd: (style: string) => void;
-  onRemove: (index: number) => void;
-  onReset: () => void;
-}
 
 export class FieldPanel {
   readonly element: HTMLElement;
   readonly #colours: StyleColours;
-  readonly #listeners: FieldPanelListeners;
+  readonly #editor: FieldEditor;
   readonly #rows = html("ul", { class: "crowd-rows" });
   readonly #head: HTMLElement;
   readonly #reach: Slider;
@@ -36,26 +28,26 @@ export class FieldPanel {
   #chosen = 0;
   #styles: readonly string[] = [];
 
-  constructor(colours: StyleColours, listeners: FieldPanelListeners) {
+  constructor(colours: StyleColours, editor: FieldEditor) {
     this.#colours = colours;
-    this.#listeners = listeners;
-    const { onSettle } = listeners;
+    this.#editor = editor;
+    const { onSettle } = editor.gestures;
     const slider = (name: string, key: "reach" | "intensity", initial: number) =>
       new Slider(name, CROWD_RANGES[key], initial, {
-        onInput: (value) => listeners.onChange(this.#chosen, { [key]: value }),
+        onInput: (value) => editor.change(this.#chosen, { [key]: value }),
         onSettle,
       });
     this.#reach = slider(words.reach, "reach", 3);
     this.#reach.words = (value) => words.metres(formatNumber(value, 1));
     this.#intensity = slider(words.intensity, "intensity", 1);
-    this.#remove = button(words.removeStyle, () => listeners.onRemove(this.#chosen), { icon: "remove" });
+    this.#remove = button(words.removeStyle, () => editor.remove(this.#chosen), { icon: "remove" });
     this.#add.addEventListener("change", () => {
       const style = this.#add.value;
       this.#add.value = "";
-      if (style !== "") listeners.onAdd(style);
+      if (style !== "") editor.add(style);
     });
     this.#addBox = html("div", { class: "select crowd-add" }, this.#add, icon("chevron"));
-    const reset = button(words.reset, listeners.onReset, { label: true, class: "plain" });
+    const reset = button(words.reset, () => editor.reset(), { label: true, class: "plain" });
     this.#head = html(
       "p",
       { class: "crowd-head caption", "aria-hidden": "true" },
@@ -118,7 +110,7 @@ export class FieldPanel {
       html("span", { class: "value" }),
     );
     const item = html("li", {}, row);
-    row.addEventListener("click", () => this.#listeners.onChoose([...this.#rows.children].indexOf(item)));
+    row.addEventListener("click", () => this.#editor.choose([...this.#rows.children].indexOf(item)));
     return item;
   }
 }

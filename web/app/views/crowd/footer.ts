@@ -4,16 +4,16 @@ import { SPEEDS } from "../../../link/page";
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
 import { clock, html, setText } from "../../../ui/dom";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { SpeedChoice } from "../../ui/transport";
 import type { ShareChart } from "./share_chart";
 
 const words = strings.crowd;
 
-export interface FooterListeners {
+interface FooterListeners {
   onPlay: () => void;
   onStep: () => void;
-  onSpeed: (speed: number) => void;
   onPoster: () => void;
   onVideo: () => void;
 }
@@ -27,10 +27,10 @@ export class Footer {
   readonly #running = html("span", { class: "caption" });
   readonly #outputs: readonly HTMLButtonElement[];
 
-  constructor(chart: ShareChart, listeners: FooterListeners) {
+  constructor(store: Store, chart: ShareChart, listeners: FooterListeners) {
     this.#play = new PlayButton(listeners.onPlay);
     this.#step = button(words.step, listeners.onStep, { icon: "next", keys: "→" });
-    this.#speed = new SpeedChoice(listeners.onSpeed);
+    this.#speed = new SpeedChoice((speed) => store.edit({ speed }));
     const poster = button(words.poster, listeners.onPoster, { icon: "picture", label: true, class: "outlined" });
     const video = button(words.video, listeners.onVideo, { icon: "film", label: true, class: "outlined" });
     // On a narrow screen there is no room for their text.

@@ -2,10 +2,11 @@
 
 import type { FieldVertex } from "../../../client/crowd/limits";
 import { formatNumber, html, keepCount, setAttributes } from "../../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { type Drag, listenToDrags } from "../../../ui/drag";
 import { CROWD_RANGES } from "../../state/crowd";
 import { strings } from "../../strings/strings";
 import { spoken } from "../../ui/words";
+import type { FieldEditor } from "./field_editor";
 
 const words = strings.crowd;
 
@@ -14,13 +15,6 @@ const STEP = 0.25;
 /** Change of the reach by a key, metres, and by a pixel of the wheel, as a share of it. */
 const REACH_STEP = 0.2;
 const WHEEL_SHARE = 0.0012;
-
-export interface HandleListeners extends GestureListeners {
-  onChoose: (index: number) => void;
-  onMove: (index: number, x: number, z: number) => void;
-  onReach: (index: number, reach: number) => void;
-  onRemove: (index: number) => void;
-}
 
 /** The picture in which the handles lie. */
 interface HandleGround {
@@ -33,12 +27,12 @@ interface HandleGround {
 
 export class Handles {
   readonly element = html("div", { class: "crowd-handles" });
-  readonly #listeners: HandleListeners;
+  readonly #editor: FieldEditor;
   #field: readonly FieldVertex[] = [];
   #ground: HandleGround | undefined;
 
-  constructor(listeners: HandleListeners) {
-    this.#listeners = listeners;
+  constructor(editor: FieldEditor) {
+    this.#editor = editor;
   }
 
   /** Sets the picture in which they lie. */
@@ -85,16 +79,17 @@ export class Handles {
     });
     const index = () => [...this.element.children].indexOf(handle);
     listenToDrags(handle, (press) => this.#begin(index(), handle, press));
-    handle.addEventListener("focus", () => this.#listeners.onChoose(index()));
-    handle.addEventListener("blur", () => this.#listeners.onSettle());
-    handle.addEventListener("pointerleave", () => this.#listeners.onSettle());
+    const { onSettle } = this.#editor.gestures;
+    handle.addEventListener("focus", () => this.#editor.choose(index()));
+    handle.addEventListener("blur", onSettle);
+    handle.addEventListener("pointerleave", onSettle);
     handle.addEventListener("keydown", (event) => this.#onKey(index(), event));
     handle.addEventListener("wheel", (event) => this.#onWheel(index(), event), { passive: false });
     return handle;
   }
 
   #begin(index: number, handle: HTMLElement, press: PointerEvent): Drag | undefined {
-    const { onMove, onSettle, onCancel } = this.#listeners;
+    const { onSettle, onCancel } = this.#editor.gestures;
     const vertex = this.#field[index];
     const from = this.#groundUnder(press);
     if (!vertex || !from) return undefined;
@@ -107,7 +102,7 @@ export class Handles {
     return {
       move: (event) => {
         const to = this.#groundUnder(event);
-        if (to) onMove(index, to.x + dx, to.z + dz);
+        if (to) this.#editor.change(index, { x: to.x + dx, z: to.z + dz });
       },
       cancel: onCancel,
       end: () => {
@@ -125,7 +120,6 @@ export class Handles {
   #onKey(index: number, event: KeyboardEvent): void {
     const vertex = this.#field[index];
     if (event.ctrlKey || event.metaKey || event.altKey || !vertex) return;
-    const { onMove, onReach, onRemove } = this.#listeners;
     const { x, z, reach } = vertex;
     const [right, away] = [
       { ArrowRight: STEP, ArrowLeft: -STEP }[event.key] ?? 0,
@@ -134,9 +128,9 @@ export class Handles {
     const longer = { "+": REACH_STEP, "=": REACH_STEP, "-": -REACH_STEP }[event.key] ?? 0;
     if (right !== 0 || away !== 0) {
       const [dx, dz] = alongAxes(right, away, this.#ground?.azimuth ?? 0);
-      onMove(index, x + dx, z + dz);
-    } else if (longer !== 0) onReach(index, reach + longer);
-    else if (event.key === "Delete" || event.key === "Backspace") onRemove(index);
+      this.#editor.change(index, { x: x + dx, z: z + dz });
+    } else if (longer !== 0) this.#editor.change(index, { reach: reach + longer });
+    else if (event.key === "Delete" || event.key === "Backspace") this.#editor.remove(index);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -149,7 +143,7 @@ export class Handles {
     const by = Math.exp(-Math.max(-120, Math.min(120, event.deltaY)) * WHEEL_SHARE);
     // A turn of the wheel that is too small to change anything still has an effect.
     const change = vertex.reach * (by - 1);
-    this.#listeners.onReach(index, vertex.reach + Math.sign(change) * Math.max(0.1, Math.abs(change)));
+    this.#editor.change(index, { reach: vertex.reach + Math.sign(change) * Math.max(0.1, Math.abs(change)) });
   }
 }
 

@@ -3,20 +3,11 @@
 import { button, Segment } from "../../../ui/controls/buttons";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, setText } from "../../../ui/dom";
-import type { GestureListeners } from "../../../ui/drag";
 import { CROWD_KINDS, CROWD_RANGES, type CrowdKind, type People } from "../../state/crowd";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 
 const words = strings.crowd;
-
-interface PeoplePanelListeners extends Pick<GestureListeners, "onSettle"> {
-  onKind: (kind: CrowdKind) => void;
-  onCount: (count: number) => void;
-  onSeed: (seed: number) => void;
-  /** Starts or ends drawing a route by hand. */
-  onDraw: () => void;
-  onClear: () => void;
-}
 
 /** Measurements; `undefined` until they are available. */
 export interface Figures {
@@ -45,27 +36,39 @@ export class PeoplePanel {
   readonly #cost = html("span");
   readonly #figures = { fps: html("dd"), tickMs: html("dd"), frameMs: html("dd"), drawnBy: html("dd") };
 
-  constructor(listeners: PeoplePanelListeners) {
-    const { onSettle } = listeners;
+  /**
+   * @param people the current agents
+   * @param onDraw starts or ends drawing a route by hand
+   */
+  constructor(store: Store, people: () => People, onDraw: () => void) {
+    const { onSettle } = store.gestureListeners;
+    const onSeed = (seed: number) => store.edit({ crowd: { ...people(), seed } });
     this.#kind = new Segment(
       words.kinds,
       CROWD_KINDS.map((value) => ({ value, label: words.of[value].kind })),
-      listeners.onKind,
+      (crowdKind) => store.edit({ crowdKind }),
     );
-    this.#count = new Slider(words.count, CROWD_RANGES.count, 200, { onInput: listeners.onCount, onSettle });
+    this.#count = new Slider(words.count, CROWD_RANGES.count, 200, {
+      onInput: (count) => store.edit({ crowd: { ...people(), count } }, "crowd count"),
+      onSettle,
+    });
     const { min, max } = CROWD_RANGES.seed;
     this.#seed.addEventListener("change", () => {
       const seed = this.#seed.valueAsNumber;
-      if (Number.isInteger(seed) && seed >= min && seed <= max) listeners.onSeed(seed);
+      if (Number.isInteger(seed) && seed >= min && seed <= max) onSeed(seed);
       else this.#seed.value = String(this.#shownSeed);
     });
-    const shuffle = button(words.shuffle, () => listeners.onSeed(min + Math.floor(Math.random() * (max - min + 1))), {
+    const shuffle = button(words.shuffle, () => onSeed(min + Math.floor(Math.random() * (max - min + 1))), {
       icon: "random",
       label: true,
       class: "outlined",
     });
-    this.#draw = button(words.draw, listeners.onDraw, { icon: "trail", label: true, class: "outlined" });
-    this.#clear = button(words.clear, listeners.onClear, { icon: "remove", label: true, class: "outlined" });
+    this.#draw = button(words.draw, onDraw, { icon: "trail", label: true, class: "outlined" });
+    this.#clear = button(words.clear, () => store.edit({ route: [] }), {
+      icon: "remove",
+      label: true,
+      class: "outlined",
+    });
     const figure = (name: string | HTMLElement, value: HTMLElement) =>
       html("div", { class: "row" }, html("dt", { class: "label" }, name), value);
     const { fps, tickMs, frameMs, drawnBy } = this.#figures;

@@ -4,14 +4,14 @@ import { button, Segment } from "../../../ui/controls/buttons";
 import { clock, formatNumber, html, setText } from "../../../ui/dom";
 import { type KeyPane, LENGTH_RANGE } from "../../state/key_style";
 import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { Transport, type TransportListeners } from "../synthesis/transport";
+import { fitted } from "./keys";
 
 const words = strings.keyStyle;
 
-export interface FooterListeners extends TransportListeners {
-  onLength: (secs: number) => void;
-  onPane: (pane: KeyPane) => void;
+interface FooterListeners extends TransportListeners {
   onReplay: () => void;
   onTrailToKeys: () => void;
   onAddKey: () => void;
@@ -39,15 +39,15 @@ export class Footer {
   readonly #remove: HTMLButtonElement;
   readonly #needModel: HTMLButtonElement[];
 
-  constructor(listeners: FooterListeners) {
-    this.#transport = new Transport({ previous: words.previous, next: words.next, loop: words.loop }, listeners);
+  constructor(store: Store, listeners: FooterListeners) {
+    this.#transport = new Transport(store, words, listeners);
     this.#pane = new Segment<KeyPane>(
       words.pane,
       [
         { value: "keys", label: words.keysPane },
         { value: "recordings", label: words.recordingsPane },
       ],
-      listeners.onPane,
+      (keyPane) => store.edit({ keyPane }),
     );
     const replay = button(words.replay, listeners.onReplay, { icon: "trail", keys: "R" });
     const toKeys = button(words.trailToKeys, listeners.onTrailToKeys, { icon: "key" });
@@ -76,8 +76,9 @@ export class Footer {
     );
     this.#length.addEventListener("change", () => {
       const secs = Number(this.#length.value);
-      if (this.#length.value !== "" && Number.isFinite(secs))
-        listeners.onLength(Math.min(LENGTH_RANGE.max, Math.max(LENGTH_RANGE.min, secs)));
+      if (this.#length.value === "" || !Number.isFinite(secs)) return;
+      const keyLength = Math.min(LENGTH_RANGE.max, Math.max(LENGTH_RANGE.min, secs));
+      store.edit({ keyLength, keys: fitted(store.state.keys, keyLength) });
     });
   }
 
@@ -86,7 +87,7 @@ export class Footer {
   }
 
   show(state: Readonly<AppState>, ready: boolean): void {
-    this.#transport.show(state.playing, state.loop);
+    this.#transport.show(state);
     this.#pane.value = state.keyPane;
     if (document.activeElement !== this.#length)
       this.#length.value = formatNumber(state.keyLength || LENGTH_RANGE.min, 2);

@@ -15,8 +15,8 @@ import { completed, hasHandle } from "./completion";
 import { Footer } from "./footer";
 import { KeyEditor } from "./key_editor";
 import type { KeyMotion } from "./key_motion";
-import { fitted, withValues } from "./keys";
-import { anotherSet, MODEL_FIELDS, ModelTrainer, type OpenModel, otherAxes } from "./model_trainer";
+import { withValues } from "./keys";
+import { anotherSet, MODEL_FIELDS, ModelTrainer, type OpenModel } from "./model_trainer";
 import { PadPanel } from "./pad_panel";
 import { PicturePanel } from "./picture_panel";
 import { Player } from "./player";
@@ -60,11 +60,7 @@ class KeyStyleView extends AnimatedView {
       (model) => this.#present(model),
       () => this.#showState(),
     );
-    this.#pad = new PadPanel({
-      onSet: (set) => store.edit({ ...anotherSet(set), playing: true }),
-      onClips: (keyClips) => store.edit({ ...otherAxes(store.state.keyAxes), keyClips }),
-      onAxes: (axes) => store.edit(otherAxes(axes)),
-      handle: () => store.state.keyHandle,
+    this.#pad = new PadPanel(store, {
       onGrab: () => this.#grab(),
       onMove: (values) => this.#moveTo(values),
       onDrop: () => this.#drop(),
@@ -74,7 +70,6 @@ class KeyStyleView extends AnimatedView {
         const values = keys[key]?.values.with(0, x).with(1, y);
         if (values) store.edit({ keys: withValues(keys, key, values) }, `key-style pad ${key}`);
       },
-      ...store.gestureListeners,
     });
     this.#timeline = new Timeline({
       keys: () => this.#editor.keys,
@@ -84,22 +79,11 @@ class KeyStyleView extends AnimatedView {
       onSeek: (secs) => this.#player.seek(secs),
     });
     this.#recordings = new Recordings((frame) => this.#pick(frame));
-    this.#picture = new PicturePanel(this.#trainer, {
-      onMethod: (keyMethod) => store.edit({ keyMethod }),
-      onGhost: () => store.edit({ keyGhost: !store.state.keyGhost }),
-      onComponents: (keyComponents) => store.edit({ keyComponents }, "key-style components"),
-      onLearning: (keyLearning) => store.edit({ keyLearning }),
-      onHard: (keyHard) => store.edit({ keyHard }),
-      onCurve: (keyCurve) => store.edit({ keyCurve }),
-      onSettle: () => store.endGesture(),
-    });
-    this.#footer = new Footer({
+    this.#picture = new PicturePanel(this.#trainer, store);
+    this.#footer = new Footer(store, {
       onPlay: () => this.#player.togglePlay(),
       onPrevious: () => this.#editor.chooseNext(-1),
       onNext: () => this.#editor.chooseNext(1),
-      onLoop: () => store.edit({ loop: !store.state.loop }),
-      onLength: (keyLength) => store.edit({ keyLength, keys: fitted(store.state.keys, keyLength) }),
-      onPane: (keyPane) => store.edit({ keyPane }),
       onReplay: () => this.#player.replay(),
       onTrailToKeys: () => this.#editor.takeTrail(),
       onAddKey: () => this.#editor.add(),

@@ -4,16 +4,10 @@ import { Segment } from "../../../ui/controls/buttons";
 import { Slider } from "../../../ui/controls/slider";
 import { html, setText } from "../../../ui/dom";
 import { KEY_STYLE_RANGES, type KeyCurve, type KeyLearning } from "../../state/key_style";
+import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { ComponentMap } from "./components";
-
-export interface ModelMenuListeners {
-  onComponents: (components: number) => void;
-  onLearning: (learning: KeyLearning) => void;
-  onHard: (hard: boolean) => void;
-  onCurve: (curve: KeyCurve) => void;
-  onSettle: () => void;
-}
 
 export class ModelMenu {
   readonly element: HTMLElement;
@@ -24,11 +18,11 @@ export class ModelMenu {
   readonly #choosing: Segment<"smooth" | "hard">;
   readonly #curve: Segment<KeyCurve>;
 
-  constructor(listeners: ModelMenuListeners) {
+  constructor(store: Store) {
     const words = strings.keyStyle;
     this.#components = new Slider(words.componentCount, KEY_STYLE_RANGES.components, 0, {
-      onInput: listeners.onComponents,
-      onSettle: listeners.onSettle,
+      onInput: (keyComponents) => store.edit({ keyComponents }, "key-style components"),
+      onSettle: () => store.endGesture(),
     });
     this.#components.words = words.byRule;
     this.#learning = new Segment<KeyLearning>(
@@ -37,7 +31,7 @@ export class ModelMenu {
         { value: "som", label: words.som },
         { value: "em", label: words.em },
       ],
-      listeners.onLearning,
+      (keyLearning) => store.edit({ keyLearning }),
     );
     this.#choosing = new Segment<"smooth" | "hard">(
       words.choosing,
@@ -45,7 +39,7 @@ export class ModelMenu {
         { value: "smooth", label: words.smooth },
         { value: "hard", label: words.hard },
       ],
-      (value) => listeners.onHard(value === "hard"),
+      (value) => store.edit({ keyHard: value === "hard" }),
     );
     this.#curve = new Segment<KeyCurve>(
       words.curve,
@@ -53,7 +47,7 @@ export class ModelMenu {
         { value: "spline", label: words.curves.spline },
         { value: "monotone", label: words.curves.monotone },
       ],
-      listeners.onCurve,
+      (keyCurve) => store.edit({ keyCurve }),
     );
     const row = (name: string, control: HTMLElement) =>
       html("div", { class: "row" }, html("span", { class: "label", "aria-hidden": "true" }, name), control);
@@ -82,10 +76,10 @@ export class ModelMenu {
     setText(this.#said, words);
   }
 
-  show(components: number, learning: KeyLearning, hard: boolean, curve: KeyCurve): void {
-    this.#components.value = components;
-    this.#learning.value = learning;
-    this.#choosing.value = hard ? "hard" : "smooth";
-    this.#curve.value = curve;
+  show({ keyComponents, keyLearning, keyHard, keyCurve }: Readonly<AppState>): void {
+    this.#components.value = keyComponents;
+    this.#learning.value = keyLearning;
+    this.#choosing.value = keyHard ? "hard" : "smooth";
+    this.#curve.value = keyCurve;
   }
 }

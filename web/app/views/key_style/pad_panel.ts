@@ -3,27 +3,26 @@ import "./pad.css";
 import type { KeyStyleFrame } from "../../../client/models/key_style";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, setText } from "../../../ui/dom";
+import type { GestureListeners } from "../../../ui/drag";
 import type { Axis, TimedValue } from "../../state/key_style";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { usualAxes } from "./axes";
 import { AxisChooser } from "./axis_chooser";
 import type { KeyMotion } from "./key_motion";
+import { anotherSet, otherAxes } from "./model_trainer";
 import { Pad, type PadListeners } from "./pad";
 import { SetChooser, type SetModel } from "./set_chooser";
 
 const words = strings.keyStyle;
 
-interface PadPanelListeners extends Omit<PadListeners, "onMove"> {
-  onSet: (set: string) => void;
-  onClips: (clips: string[]) => void;
-  onAxes: (axes: Axis[]) => void;
-  /** Returns the handle's values. */
-  handle: () => readonly number[];
+interface PadPanelListeners extends Omit<PadListeners, "onMove" | keyof GestureListeners> {
   onMove: (values: readonly number[]) => void;
 }
 
 export class PadPanel {
   readonly element: HTMLElement;
+  readonly #store: Store;
   readonly #listeners: PadPanelListeners;
   readonly #sets: SetChooser;
   readonly #axes: AxisChooser;
@@ -34,13 +33,18 @@ export class PadPanel {
   /** Whether the slider is being dragged. */
   #sliding = false;
 
-  constructor(listeners: PadPanelListeners) {
+  constructor(store: Store, listeners: PadPanelListeners) {
+    this.#store = store;
     this.#listeners = listeners;
-    this.#sets = new SetChooser(listeners.onSet, listeners.onClips);
-    this.#axes = new AxisChooser(listeners.onAxes);
+    this.#sets = new SetChooser(
+      (set) => store.edit({ ...anotherSet(set), playing: true }),
+      (keyClips) => store.edit({ ...otherAxes(store.state.keyAxes), keyClips }),
+    );
+    this.#axes = new AxisChooser((axes) => store.edit(otherAxes(axes)));
     this.#pad = new Pad({
       ...listeners,
-      onMove: (x, y) => listeners.onMove(listeners.handle().map((value, axis) => [x, y][axis] ?? value)),
+      ...store.gestureListeners,
+      onMove: (x, y) => listeners.onMove(store.state.keyHandle.map((value, axis) => [x, y][axis] ?? value)),
     });
     const legend = html(
       "p",
@@ -123,7 +127,7 @@ export class PadPanel {
       digits: [x!.digits, y?.digits ?? 0],
       ranges: [ranges[0]!, ranges[1] ?? { min: 0, max: 1 }],
       points,
-      support: motion.support(this.#listeners.handle()),
+      support: motion.support(this.#store.state.keyHandle),
       centres,
       overTime: y === undefined,
     });
@@ -139,7 +143,8 @@ export class PadPanel {
     const { min, max } = motion.ranges[axis]!;
     const round = (value: number) => Number(value.toFixed(digits));
     const range = { min: round(min), max: round(max), digits };
-    const { onGrab, onMove, onDrop, handle } = this.#listeners;
+    const { onGrab, onMove, onDrop } = this.#listeners;
+    const handle = () => this.#store.state.keyHandle;
     const control = new Slider(title, range, motion.middle[axis]!, {
       onInput: (value) => {
         if (!this.#sliding) onGrab();

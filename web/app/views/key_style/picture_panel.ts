@@ -7,6 +7,7 @@ import { button, Segment } from "../../../ui/controls/buttons";
 import { formatNumber, html, setText } from "../../../ui/dom";
 import type { KeyMethod } from "../../state/key_style";
 import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { capitalised, numberWord, spoken } from "../../ui/words";
 import type { ViewerLease } from "../../view";
@@ -14,17 +15,12 @@ import { shortTitleOf } from "./axes";
 import { Comparison } from "./comparison";
 import { DimensionLines, type Measured } from "./dimension_lines";
 import type { KeyMotion } from "./key_motion";
-import { ModelMenu, type ModelMenuListeners } from "./model_menu";
+import { ModelMenu } from "./model_menu";
 import type { ModelTrainer, OpenModel } from "./model_trainer";
 import type { Player } from "./player";
 import { parseSet } from "./sets";
 
 const words = strings.keyStyle;
-
-interface PicturePanelListeners extends ModelMenuListeners {
-  onMethod: (method: KeyMethod) => void;
-  onGhost: () => void;
-}
 
 export class PicturePanel {
   readonly element: HTMLElement;
@@ -43,14 +39,19 @@ export class PicturePanel {
   #measured: Measured[] = [];
   readonly #pose = new Float32Array(POSE_FLOATS);
 
-  constructor(trainer: ModelTrainer, listeners: PicturePanelListeners) {
-    this.#menu = new ModelMenu(listeners);
+  constructor(trainer: ModelTrainer, store: Store) {
+    this.#menu = new ModelMenu(store);
     this.#method = new Segment<KeyMethod>(
       words.method,
       (["style", "hybrid", "frame", "all"] as const).map((value) => ({ value, label: words.methods[value] })),
-      listeners.onMethod,
+      (keyMethod) => store.edit({ keyMethod }),
     );
-    this.#ghost = button(words.ghost, listeners.onGhost, { icon: "ghost", label: true, class: "chip", keys: "G" });
+    this.#ghost = button(words.ghost, () => store.edit({ keyGhost: !store.state.keyGhost }), {
+      icon: "ghost",
+      label: true,
+      class: "chip",
+      keys: "G",
+    });
     this.element = html(
       "div",
       { class: "editor-picture" },
@@ -100,7 +101,7 @@ export class PicturePanel {
     this.element.classList.toggle("comparing", this.#comparison.visible);
     this.#ghosted = state.keyGhost;
     this.#ghost.setAttribute("aria-pressed", String(state.keyGhost));
-    this.#menu.show(state.keyComponents, state.keyLearning, state.keyHard, state.keyCurve);
+    this.#menu.show(state);
     if (!open) {
       setText(this.#title, refused ? words.nothing : words.training);
       setText(this.#caption, "");

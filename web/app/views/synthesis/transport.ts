@@ -2,12 +2,13 @@
 import { button } from "../../../ui/controls/buttons";
 import { PlayButton } from "../../../ui/controls/play_button";
 import { html } from "../../../ui/dom";
+import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
 
 export interface TransportListeners {
   onPlay: () => void;
   onPrevious: () => void;
   onNext: () => void;
-  onLoop: () => void;
 }
 
 /** Names of the buttons whose meaning depends on the view. */
@@ -24,16 +25,16 @@ export class Transport {
   readonly buttons: readonly HTMLButtonElement[];
   readonly #play: PlayButton;
 
-  constructor(names: TransportNames, listeners: TransportListeners) {
+  constructor(store: Store, names: TransportNames, listeners: TransportListeners) {
     this.#play = new PlayButton(listeners.onPlay);
     const previous = button(names.previous, listeners.onPrevious, { icon: "previous", keys: "←" });
     const next = button(names.next, listeners.onNext, { icon: "next", keys: "→" });
-    this.loop = button(names.loop, listeners.onLoop, { icon: "loop", keys: "L" });
+    this.loop = button(names.loop, () => store.edit({ loop: !store.state.loop }), { icon: "loop", keys: "L" });
     this.buttons = [this.#play.element, previous, next];
     this.element = html("div", { class: "editor-transport" }, ...this.buttons, this.loop);
   }
 
-  show(playing: boolean, loop: boolean): void {
+  show({ playing, loop }: Readonly<AppState>): void {
     this.#play.playing = playing;
     this.loop.setAttribute("aria-pressed", String(loop));
   }

@@ -5,9 +5,10 @@ import { button, Segment } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { Slider } from "../../../ui/controls/slider";
 import { formatNumber, html, setText } from "../../../ui/dom";
-import type { GestureListeners } from "../../../ui/drag";
 import { Polygon } from "../../../ui/polygon/polygon";
 import { isBeyondData, vertexOrder } from "../../../ui/polygon/selection";
+import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
 import {
   INTENSITY_RANGE,
   STEP_RANGE,
@@ -22,26 +23,17 @@ import { capitalised, numberWord } from "../../ui/words";
 import type { BlockFigures } from "./figures";
 import { PLOT_SUBJECTS, Plot, type PlotSubject } from "./plots";
 
-interface BlockPanelListeners extends GestureListeners {
+interface BlockPanelListeners {
   onBlock: (patch: Partial<WalkBlock>, gesture?: string) => void;
   onWhole: (whole: boolean) => void;
-  onTempo: (tempo: WalkTempo) => void;
-  onCadence: (cadence: number) => void;
   /** Called when a beat was tapped. */
   onTap: () => void;
-  onStride: (stride: number) => void;
-  onTurn: (turn: number) => void;
-  onSubject: (subject: PlotSubject) => void;
 }
 
+/** The selected block. */
 interface BlockPanelModel {
   block: WalkBlock;
   title: string;
-  whole: boolean;
-  tempo: WalkTempo;
-  cadence: number;
-  stride: number;
-  turn: number;
   /** Whether the plan has no other block, and so no transition. */
   alone: boolean;
   figures: BlockFigures;
@@ -80,8 +72,8 @@ export class BlockPanel {
   /** Whether the polygon's handle is being dragged, and so moves without easing. */
   #held = false;
 
-  constructor(listeners: BlockPanelListeners) {
-    const { onBlock, onSettle, onCancel } = listeners;
+  constructor(store: Store, { onBlock, onWhole, onTap }: BlockPanelListeners) {
+    const { onSettle, onCancel } = store.gestureListeners;
     this.#polygon = new Polygon({
       onChange: (styles, gesture) => {
         this.#held = gesture !== undefined;
@@ -99,7 +91,7 @@ export class BlockPanel {
         { value: "triangle", label: strings.play.style.three },
         { value: "whole", label: strings.play.style.all },
       ],
-      (mode) => listeners.onWhole(mode === "whole"),
+      (mode) => onWhole(mode === "whole"),
     );
     this.#feet = new Segment<Feet>(
       strings.walk.feet,
@@ -127,25 +119,31 @@ export class BlockPanel {
     this.#tempo = new Segment<WalkTempo>(
       strings.walk.durations,
       WALK_TEMPOS.map((value) => ({ value, label: strings.walk[value] })),
-      listeners.onTempo,
+      (walkTempo) => store.edit({ walkTempo }),
     );
     this.#cadence = new Slider(strings.walk.cadence, WALK_RANGES.cadence, 110, {
-      onInput: listeners.onCadence,
+      onInput: (walkCadence) => store.edit({ walkCadence }, "walk cadence"),
       onSettle,
     });
     this.#cadence.words = strings.walk.perMinute;
-    this.#tap = button(strings.walk.tap, listeners.onTap, { label: true, class: "outlined walk-tap" });
+    this.#tap = button(strings.walk.tap, onTap, { label: true, class: "outlined walk-tap" });
     this.#tap.title = strings.walk.tapWhy;
-    this.#stride = new Slider(strings.walk.stride, WALK_RANGES.stride, 100, { onInput: listeners.onStride, onSettle });
+    this.#stride = new Slider(strings.walk.stride, WALK_RANGES.stride, 100, {
+      onInput: (walkStride) => store.edit({ walkStride }, "walk stride"),
+      onSettle,
+    });
     this.#stride.words = strings.walk.percent;
-    this.#turn = new Slider(strings.walk.turn, WALK_RANGES.turn, 0, { onInput: listeners.onTurn, onSettle });
+    this.#turn = new Slider(strings.walk.turn, WALK_RANGES.turn, 0, {
+      onInput: (walkTurn) => store.edit({ walkTurn }, "walk turn"),
+      onSettle,
+    });
     this.#turn.words = strings.walk.turning;
     this.#subject.append(
       ...PLOT_SUBJECTS.map((value) =>
         html("option", { value }, value === "states" ? strings.walk.stateEnds : strings.walk.joints[value]),
       ),
     );
-    this.#subject.addEventListener("change", () => listeners.onSubject(this.#subject.value as PlotSubject));
+    this.#subject.addEventListener("change", () => store.edit({ walkPlot: this.#subject.value }));
     const figure = (name: string, value: HTMLElement) => html("div", { class: "row" }, html("dt", {}, name), value);
     this.element = html(
       "aside",
@@ -213,8 +211,8 @@ export class BlockPanel {
     this.#mode.element.hidden = styles.length <= 3;
   }
 
-  show(model: BlockPanelModel): void {
-    const { block, title, whole, tempo, figures } = model;
+  show(state: Readonly<AppState>, { block, title, alone, figures }: BlockPanelModel): void {
+    const { walkWhole: whole, walkTempo: tempo } = state;
     this.#block = block;
     setText(this.#heading, title);
     this.#mode.value = whole ? "whole" : "triangle";
@@ -226,13 +224,13 @@ export class BlockPanel {
     this.#intensity.value = block.intensity;
     this.#steps.value = block.steps;
     this.#transition.value = block.transition;
-    this.#transition.element.hidden = model.alone;
+    this.#transition.element.hidden = alone;
     this.#tempo.value = tempo;
     this.#cadence.element.hidden = tempo !== "fixed";
     this.#tap.hidden = tempo !== "fixed";
-    this.#cadence.value = model.cadence;
-    this.#stride.value = model.stride;
-    this.#turn.value = model.turn;
+    this.#cadence.value = state.walkCadence;
+    this.#stride.value = state.walkStride;
+    this.#turn.value = state.walkTurn;
     setText(this.#figures.cadence, strings.walk.cadenceFigure(formatNumber(figures.cadence, 0)));
     setText(this.#figures.stepLength, strings.walk.metres(formatNumber(figures.stepLength, 2)));
     setText(this.#figures.speed, strings.walk.metresPerSecond(formatNumber(figures.speed, 2)));

@@ -2,12 +2,15 @@
 
 import { button } from "../../../ui/controls/buttons";
 import { clock, formatNumber, html, setText } from "../../../ui/dom";
+import type { AppState } from "../../state/state";
+import type { Store } from "../../state/store";
+import { MAX_BLOCKS } from "../../state/walk";
 import { strings } from "../../strings/strings";
 import { Transport, type TransportListeners } from "../synthesis/transport";
 
 const words = strings.walk;
 
-export interface FooterListeners extends TransportListeners {
+interface FooterListeners extends TransportListeners {
   onAdd: () => void;
   onRemove: () => void;
   onBvh: () => void;
@@ -15,15 +18,6 @@ export interface FooterListeners extends TransportListeners {
   onVideo: () => void;
   /** Called to open the walk in Play as the input. */
   onStyle: () => void;
-}
-
-interface FooterModel {
-  playing: boolean;
-  loop: boolean;
-  /** Whether there is a walk to play and save. */
-  ready: boolean;
-  canAdd: boolean;
-  canRemove: boolean;
 }
 
 export class Footer {
@@ -35,8 +29,8 @@ export class Footer {
   readonly #remove: HTMLButtonElement;
   readonly #others: readonly HTMLButtonElement[];
 
-  constructor(listeners: FooterListeners) {
-    this.#transport = new Transport({ previous: words.previous, next: words.next, loop: words.loop }, listeners);
+  constructor(store: Store, listeners: FooterListeners) {
+    this.#transport = new Transport(store, words, listeners);
     this.#add = button(words.add, listeners.onAdd, { icon: "add", label: true });
     this.#remove = button(words.remove, listeners.onRemove, { icon: "remove" });
     const outlined = { icon: "export", label: true, class: "outlined" } as const;
@@ -55,11 +49,12 @@ export class Footer {
     );
   }
 
-  show({ playing, loop, ready, canAdd, canRemove }: FooterModel): void {
-    this.#transport.show(playing, loop);
+  /** @param ready whether there is a walk to play and save */
+  show(state: Readonly<AppState>, ready: boolean): void {
+    this.#transport.show(state);
     for (const element of this.#others) element.disabled = !ready;
-    this.#add.disabled = !ready || !canAdd;
-    this.#remove.disabled = !ready || !canRemove;
+    this.#add.disabled = !ready || state.walk.length >= MAX_BLOCKS;
+    this.#remove.disabled = !ready || state.walk.length <= 1;
   }
 
   /** Time from the beginning of the plan, seconds. */

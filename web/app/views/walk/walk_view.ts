@@ -13,7 +13,7 @@ import { VIDEO_SIZES } from "../../outputs/formats";
 import { saveBvh, saveGlb } from "../../outputs/save_motion";
 import { checkVideoLength } from "../../outputs/video_length";
 import type { AppState } from "../../state/state";
-import { MAX_BLOCKS, type WalkBlock } from "../../state/walk";
+import type { WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
 import { ProgressLine } from "../../ui/progress";
 import { onResize } from "../../ui/resize";
@@ -104,16 +104,10 @@ class WalkView extends AnimatedView {
       ...store.gestureListeners,
       onSeek: (secs) => this.#player.seek(secs),
     });
-    this.#panel = new BlockPanel({
+    this.#panel = new BlockPanel(store, {
       onBlock: (patch, gesture) => this.#editBlock(patch, gesture),
-      ...store.gestureListeners,
       onWhole: (walkWhole) => this.#mixWhole(walkWhole),
       onTap: () => this.#player.tapBeat(),
-      onTempo: (walkTempo) => store.edit({ walkTempo }),
-      onCadence: (walkCadence) => store.edit({ walkCadence }, "walk cadence"),
-      onStride: (walkStride) => store.edit({ walkStride }, "walk stride"),
-      onTurn: (walkTurn) => store.edit({ walkTurn }, "walk turn"),
-      onSubject: (walkPlot) => store.edit({ walkPlot }),
     });
     this.#form = new Segment(
       words.view,
@@ -123,11 +117,10 @@ class WalkView extends AnimatedView {
       ],
       (form) => store.edit({ walkStrip: form === "strip" }),
     );
-    this.#footer = new Footer({
+    this.#footer = new Footer(store, {
       onPlay: () => this.#player.togglePlay(),
       onPrevious: () => this.#player.stepBy(-1),
       onNext: () => this.#player.stepBy(1),
-      onLoop: () => store.edit({ loop: !store.state.loop }),
       onAdd: () => this.#addBlock(),
       onRemove: () => this.#removeBlock(),
       onBvh: () => void this.#export(bvhOf),
@@ -304,14 +297,9 @@ class WalkView extends AnimatedView {
     const neutral = this.#neutral;
     this.#planner.show({ blocks, chosen, neutral, walk, title: this.#nameOf });
     this.#strip.set(walk, blocks, neutral, this.#nameOf);
-    this.#panel.show({
+    this.#panel.show(state, {
       block,
       title: words.block(chosen + 1, this.#nameOf(block)),
-      whole: state.walkWhole,
-      tempo: state.walkTempo,
-      cadence: state.walkCadence,
-      stride: state.walkStride,
-      turn: state.walkTurn,
       alone: blocks.length < 2,
       figures: figuresOf(walk, chosen),
     });
@@ -391,8 +379,7 @@ class WalkView extends AnimatedView {
     this.element.classList.toggle("as-strip", state.walkStrip);
     this.#form.value = state.walkStrip ? "strip" : "3d";
     this.#strip.setVisible(state.walkStrip, state.theme);
-    const { playing, loop, walk } = state;
-    this.#footer.show({ playing, loop, ready, canAdd: walk.length < MAX_BLOCKS, canRemove: walk.length > 1 });
+    this.#footer.show(state, ready);
   }
 
   readonly keys: KeyTable = {
