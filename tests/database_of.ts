@@ -1,10 +1,10 @@
 /** Databases for tests, built as the page builds them. */
-import { createBuildClient } from "../web/client/build/client";
+import { BuildClient } from "../web/client/build/client";
 import { InlineBuildWorker } from "./inline_build_worker";
 
 /** Builds a `.strutdb` file of clips by their names, `action_style_take.bvh`. */
 export async function databaseOf(clips: Readonly<Record<string, string>>): Promise<Uint8Array> {
-  const client = createBuildClient(() => new InlineBuildWorker());
+  const client = new BuildClient(() => new InlineBuildWorker());
   try {
     const paths = Object.keys(clips);
     await client.open(paths.map((path) => ({ path, file: new File([clips[path]!], path) })));

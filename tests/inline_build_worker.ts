@@ -1,31 +1,24 @@
 /** The build worker on this thread, with the real module; messages arrive asynchronously, as from a real one. */
-import type { BuildWorkerPort } from "../web/client/build/client";
-import type { BuildReply, BuildRequest } from "../web/client/build/messages";
-import { type BuildPort, serveBuilds } from "../web/client/build/server";
+import { serveBuilds } from "../web/client/build/server";
+import type { Request } from "../web/client/rpc";
+import { LocalPort } from "../web/package/local_port";
 
-export class InlineBuildWorker implements BuildWorkerPort {
-  onmessage: ((event: MessageEvent<BuildReply>) => void) | null = null;
-  onerror: ((event: ErrorEvent) => void) | null = null;
+export class InlineBuildWorker extends LocalPort {
   /** All requests to the worker. */
-  readonly received: BuildRequest[] = [];
+  readonly received: Request[] = [];
   terminated = false;
-  private readonly port: BuildPort;
 
   constructor() {
-    this.port = {
-      onmessage: null,
-      postMessage: (data) =>
-        queueMicrotask(() => !this.terminated && this.onmessage?.({ data } as MessageEvent<BuildReply>)),
-    };
-    serveBuilds(this.port);
+    super(serveBuilds);
   }
 
-  postMessage(data: BuildRequest): void {
-    this.received.push(data);
-    queueMicrotask(() => !this.terminated && this.port.onmessage?.({ data } as MessageEvent<BuildRequest>));
+  override postMessage(message: Request, transfer: Transferable[]): void {
+    this.received.push(message);
+    super.postMessage(message, transfer);
   }
 
-  terminate(): void {
+  override terminate(): void {
     this.terminated = true;
+    super.terminate();
   }
 }

@@ -3,17 +3,17 @@
  * real one.
  */
 import "../web/engine/whole";
-import type { WorkerPort } from "../web/client/client";
-import type { Call, Reply, Request } from "../web/client/messages";
+import type { CallRequest, Reply, Request, WorkerPort } from "../web/client/rpc";
+import type { ServerPort } from "../web/client/rpc_server";
 import { ATLAS_HANDLERS } from "../web/client/server/atlas";
 import { clipOfDatabase, neutralClips } from "../web/client/server/database_clips";
 import { DRIVING_CALLS } from "../web/client/server/driving_calls";
 import { recordMotion } from "../web/client/server/recorded_motion";
-import { type ServerPort, serve } from "../web/client/server/serve";
+import { serve } from "../web/client/server/serve";
 import type { ErrorParts } from "../web/engine/errors";
 
 /** Answers a call without the engine. */
-type Answer = (call: Call) => ErrorParts | undefined;
+type Answer = (call: CallRequest) => ErrorParts | undefined;
 
 /** Error of a trap in the engine. */
 export const TRAP: ErrorParts = { code: "fault", message: "The engine failed: unreachable.", hint: "" };
@@ -75,7 +75,7 @@ export class InlineWorker implements WorkerPort {
     return this.received.flatMap((message) => (message.kind === "call" ? [message.method] : []));
   }
 
-  private refusal(call: Call): ErrorParts | undefined {
+  private refusal(call: CallRequest): ErrorParts | undefined {
     if (call.method !== this.faultAt) return this.answer(call);
     this.faultAt = undefined;
     return TRAP;

@@ -2,7 +2,7 @@
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { StrutHook } from "../../web/app/shell/hook";
-import { createBuildClient } from "../../web/client/build/client";
+import { BuildClient } from "../../web/client/build/client";
 import type { DriveFrame } from "../../web/client/drive/protocol";
 import { walksIn } from "../clips";
 import { InlineBuildWorker } from "../inline_build_worker";
@@ -396,7 +396,7 @@ describe("what was driven", () => {
 describe("a database without neutral walking", () => {
   it("is driven with built-in clips, and the panel says so", async () => {
     const walks = await walksIn(["neutral", "old"]);
-    const builds = createBuildClient(() => new InlineBuildWorker());
+    const builds = new BuildClient(() => new InlineBuildWorker());
     const paths = ["walk_neutral_1.bvh", "walk_old_1.bvh"];
     await builds.open(
       [walks.neutral, walks.old].map((text, i) => ({ path: paths[i]!, file: new File([text], paths[i]!) })),

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { CDPSession, Page } from "playwright-core";
 import { expect, onTestFinished, test } from "vitest";
-import type { Reply, Request } from "../../web/client/messages";
+import type { Reply, Request } from "../../web/client/rpc";
 import type { StrutPlayer } from "../../web/element";
 import { serveFolder } from "../package/server";
 import { root } from "../recordings";

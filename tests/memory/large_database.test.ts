@@ -1,12 +1,13 @@
 /**
  * Databases that do not fit are refused with a message; if memory runs out nevertheless, nothing that was open is lost.
  */
+
 import { readFileSync } from "node:fs";
 import { afterEach, expect, test } from "vitest";
 import * as bench from "../../bench/pkg/simd/strut_bench.js";
 import { crc32 } from "../../web/client/build/crc32";
+import type { StrutClient } from "../../web/client/client";
 import { createStrutClient } from "../../web/client/client";
-import type { StrutClient } from "../../web/client/protocol";
 import { loadBuiltIn } from "../../web/engine/built_in";
 import type { SlicedFile } from "../../web/engine/database";
 import { Engine } from "../../web/engine/engine";

@@ -4,7 +4,7 @@ import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import { createBuildClient } from "../../web/client/build/client";
+import { BuildClient } from "../../web/client/build/client";
 import type { ChosenFile, DroppedFile } from "../../web/client/build/protocol";
 import { InlineBuildWorker } from "../inline_build_worker";
 import { buildPrograms, COMMAND } from "../programs";
@@ -40,7 +40,7 @@ function byCommand(input: string, ...more: string[]): Uint8Array {
 
 /** Returns the page's database of these files. */
 async function byPage(files: DroppedFile[], neutral: string, pattern?: string, table?: File): Promise<Uint8Array> {
-  const client = createBuildClient(() => new InlineBuildWorker());
+  const client = new BuildClient(() => new InlineBuildWorker());
   const { clips } = await client.open(files);
   const labels = await client.label(pattern, table);
   const chosen = clips.flatMap(({ path, licence }, index): ChosenFile[] => {
@@ -91,7 +91,7 @@ describe("the built-in motions as BVH files", () => {
     copyFileSync(join(folder, "all/run_angry_001.bvh"), join(folder, "clip.bvh"));
     const add = ["add-style", "--db", "known.strutdb", "--input", "clip.bvh", "--style", "cross", "-o", "more.strutdb"];
     execFileSync(COMMAND, add, { cwd: folder, stdio: "pipe" });
-    const client = createBuildClient(() => new InlineBuildWorker());
+    const client = new BuildClient(() => new InlineBuildWorker());
     const { file, styles } = await client.addStyle(
       fileOf(join(folder, "known.strutdb")),
       fileOf(join(folder, "clip.bvh")),

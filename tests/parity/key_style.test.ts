@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import { createBuildClient } from "../../web/client/build/client";
+import { BuildClient } from "../../web/client/build/client";
 import { KeyStyleModel } from "../../web/client/models/key_style";
 import { InlineBuildWorker } from "../inline_build_worker";
 import { buildPrograms, COMMAND } from "../programs";
@@ -31,7 +31,7 @@ function byCommand(files: string[], axes: string[], method: "som" | "em" = "som"
 
 /** Returns the page's model of these files. */
 async function byPage(files: string[], axes: string[], em = false): Promise<Uint8Array> {
-  const client = createBuildClient(() => new InlineBuildWorker());
+  const client = new BuildClient(() => new InlineBuildWorker());
   const dropped = files.map((path) => ({ path: basename(path), file: new File([readFileSync(path)], basename(path)) }));
   const order = { clips: [], action: "", axes, components: 0, em };
   const { file } = await client.trainKeyStyle(undefined, dropped, order);

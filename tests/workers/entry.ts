@@ -1,8 +1,9 @@
 /** The engine's worker as a thread of Node. */
 import "../../web/engine/whole";
 import { parentPort } from "node:worker_threads";
-import type { Request } from "../../web/client/messages";
-import { type ServerPort, serve } from "../../web/client/server/serve";
+import type { Request } from "../../web/client/rpc";
+import type { ServerPort } from "../../web/client/rpc_server";
+import { serve } from "../../web/client/server/serve";
 
 const parent = parentPort!;
 const port: ServerPort = {

@@ -7,8 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Worker } from "node:worker_threads";
 import { build } from "vite";
-import type { WorkerPort } from "../../web/client/connection";
-import type { Reply, Request } from "../../web/client/messages";
+import type { Reply, Request, WorkerPort } from "../../web/client/rpc";
 import { root } from "../recordings";
 
 /** Builds the worker's code and returns its path. */

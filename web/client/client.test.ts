@@ -2,9 +2,11 @@ import { afterEach, describe, expect, test, vi } from "vitest";
 import { InlineWorker } from "../../tests/inline_worker";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import { POSE_FLOATS } from "../humanoid";
-import { createStrutClient, type WorkerPort } from "./client";
+import type { StrutClient } from "./client";
+import { createStrutClient } from "./client";
 import type { Patience } from "./connection";
-import { type Progress, type Restarted, type StrutClient, StrutError } from "./protocol";
+import { type Progress, type Restarted, StrutError } from "./protocol";
+import type { WorkerPort } from "./rpc";
 
 let workers: WorkerPort[] = [];
 let client: StrutClient | undefined;
@@ -284,7 +286,7 @@ describe("after a fault", () => {
     const analysing = client.analyse();
     const outcome = expect(analysing).rejects.toMatchObject({ code: "fault" });
     const restart = restarted(client);
-    await Promise.resolve();
+    await vi.waitFor(() => expect(worker().calls()).toContain("analyse"));
     worker().onerror?.({ message: "out of memory" } as ErrorEvent);
     await outcome;
     expect((await restart).why).toContain("out of memory");

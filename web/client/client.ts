@@ -1,14 +1,13 @@
-/** {@link StrutClient}: one database, one input and one session of an {@link EngineClient}. */
+/** One database, one input and one session of an {@link EngineClient}, as the page needs them. */
 import type { BuiltInSet } from "../engine/built_in";
 import { cancelled, disposed, StrutError } from "../engine/errors";
-import type { OpenedAtlas } from "./atlas/opened_atlas";
-import type { WorkerPort } from "./connection";
+import type { ClientAtlas } from "./atlas/client_atlas";
 import type { ClientDrive } from "./drive/drive_client";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import { EngineClient, type EngineClientSetup, type EngineRestart } from "./engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "./handles";
 import type { LiveStream } from "./live/live_stream";
-import type { LiveSetup, PerformerStream } from "./live/protocol";
+import type { LiveSetup } from "./live/protocol";
 import { optionsKnownTo } from "./options";
 import {
   type Analysis,
@@ -28,13 +27,11 @@ import {
   type Restarted,
   type SearchFigures,
   type ShownFrame,
-  type StrutClient,
   type StyledClip,
   type StylizeOptions,
 } from "./protocol";
+import { abortable, type WorkerPort } from "./rpc";
 import { Transition } from "./transition";
-
-export type { WorkerPort };
 
 /**
  * Starts a worker and waits until its engine is loaded.
@@ -49,7 +46,7 @@ export async function createStrutClient(setup?: EngineClientSetup): Promise<Stru
     engine.dispose();
     throw thrown;
   }
-  return new SingleSessionClient(engine, start);
+  return new StrutClient(engine, start);
 }
 
 /**
@@ -64,8 +61,8 @@ export function startStrutClient(
   { spawn, spawnStart = spawnStartWorker }: Spawners = {},
 ): StrutClient {
   const start = (set?: BuiltInSet) => new EngineClient({ ...(spawn && { spawn }), ...(set && { preload: set }) });
-  if (preload !== "first") return new SingleSessionClient(start(preload), start);
-  return new SingleSessionClient(new EngineClient({ spawn: spawnStart, preload }), start, false);
+  if (preload !== "first") return new StrutClient(start(preload), start);
+  return new StrutClient(new EngineClient({ spawn: spawnStart, preload }), start, false);
 }
 
 /** Functions that start workers. */
@@ -87,7 +84,14 @@ interface Opened {
   playing: { motion: ClientMotion; session: ClientSession } | undefined;
 }
 
-class SingleSessionClient implements StrutClient {
+/**
+ * A client with one database, one input and one session, as the page needs it; `engine_client.ts` has any number of
+ * each. Opening a database or an input replaces the previous one only if it succeeds. An open input is retargeted to a
+ * new database. Rejections are `StrutError`s with `code`, `message` (a sentence for the user) and `hint`. After a fault
+ * the client starts a new worker, reopens the same database and input with the same options at the same position, and
+ * then calls `onRestart`.
+ */
+export class StrutClient {
   onRestart: ((restarted: Restarted) => void) | undefined;
   private opened: Opened | undefined;
   /** The driven character on the open database. */
@@ -140,6 +144,10 @@ class SingleSessionClient implements StrutClient {
     });
   }
 
+  /**
+   * Opens a database in a worker of its own while the open one keeps playing, and then replaces it. The input continues
+   * from the displayed frame, at its position. Fails as {@link openDatabase} does.
+   */
   async exchangeDatabase(source: DatabaseSource, call?: CallOptions): Promise<DatabaseInfo> {
     const exchanging = this.openInNewEngine(source, call, (move) => this.inTurn(move));
     this.exchanging = exchanging;
@@ -150,15 +158,18 @@ class SingleSessionClient implements StrutClient {
     }
   }
 
+  /** Names of the built-in inputs, the default first; those of the open set, if there is one. */
   builtInInputs(): Promise<string[]> {
     const source = this.opened?.database.source;
     return this.engine.builtInMotions(source?.kind === "demo" ? source.set : undefined);
   }
 
+  /** Indices and names of the neutral clips of the open database. */
   async neutralClips(): Promise<{ clip: number; name: string }[]> {
     return this.openedDatabase().database.neutralClips();
   }
 
+  /** A clip of the open database, by its index. */
   async clipOfDatabase(clip: number): Promise<DatabaseClip> {
     return this.openedDatabase().database.clip(clip);
   }
@@ -186,6 +197,7 @@ class SingleSessionClient implements StrutClient {
     });
   }
 
+  /** Takes effect with the next frame. */
   async configure(options: StylizeOptions): Promise<void> {
     const before = this.options;
     this.options = options;
@@ -198,22 +210,26 @@ class SingleSessionClient implements StrutClient {
     }
   }
 
+  /** Whether playback loops; `range` is the part of the input that is played. */
   async setLoop(loop: boolean, range?: FrameRange): Promise<void> {
     this.loop = [loop, range];
     await this.opened?.playing?.session.setLoop(loop, range);
   }
 
+  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the current content in the current style). */
   step(dtSecs: number): Promise<LiveFrame> {
     // While paused, the frame is shown without a fade.
     if (!(dtSecs > 0)) this.fade = undefined;
     return this.show((session) => session.step(dtSecs));
   }
 
+  /** Jumps to an input frame. The engine is warmed up on the frames before it. */
   seek(inputFrame: number): Promise<LiveFrame> {
     this.fade = undefined;
     return this.show((session) => session.seek(inputFrame));
   }
 
+  /** Continues from a frame that something else displayed: from the same position and at the same time. */
   continueFrom(shown: ShownFrame): Promise<LiveFrame> {
     return this.show(async (session) => {
       const frame = await session.continueFrom(shown);
@@ -222,51 +238,77 @@ class SingleSessionClient implements StrutClient {
     });
   }
 
+  /** The whole input with the current options. */
   async analyse(call?: CallOptions): Promise<Analysis> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     return this.openedInput().session.analyse(call);
   }
 
-  async openAtlas(columns: number, call?: CallOptions): Promise<OpenedAtlas> {
-    if (!this.whole) await this.ensureFullEngine(call);
+  /**
+   * Opens an atlas: the input on the database as a picture of all distances, with at most `columns` columns. The caller
+   * disposes of it.
+   */
+  async openAtlas(columns: number, call?: CallOptions): Promise<ClientAtlas> {
+    await this.ensureFullEngine(call);
     const { database } = this.openedDatabase();
     return this.engine.openAtlas(database, this.openedInput().motion, columns, call);
   }
 
+  /**
+   * Records the prediction of the open input, or of a range of it, in every style of the database, within the memory
+   * limit: for crowds that perform it (`crowd/`). The styles of the options do not matter.
+   * @throws StrutError `bad-input` if it is shorter than half a second
+   */
   async record(options: StylizeOptions, range: FrameRange | undefined, call?: CallOptions): Promise<RecordedMotion> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     const { motion, session } = this.openedInput();
     const { database } = session;
     return this.engine.openBy((to) => to.call("recordMotion", [motion.id, database.id, options, range], call));
   }
 
+  /** The examples behind the result of {@link analyse}. */
   async examples(subject: CurveSubject, call?: CallOptions): Promise<Examples> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     return this.openedInput().session.examples(subject, call);
   }
 
+  /** The whole input with other options, as fast as the engine can. Playback is not affected. */
   async style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     const { motion, session } = this.openedInput();
     return motion.stylize(session.database, options, false, call);
   }
 
+  /**
+   * The input as performed in a style, if it is known: a built-in input, and a package that has the counterparts
+   * (`compare/`).
+   */
   async counterpart(style: string): Promise<Performed | undefined> {
     return this.openedInput().motion.counterpart(style);
   }
 
+  /**
+   * Compares the search by kd-trees with the exact one over the whole input, for `neighbours` neighbours in every class
+   * among `candidates` candidates of its kd-tree. `undefined` from a package without kd-trees (`compare/` has them).
+   */
   async compareSearch(neighbours: number, candidates: number, call?: CallOptions): Promise<SearchFigures | undefined> {
     const { motion, session } = this.openedInput();
     return motion.compareSearch(session.database, neighbours, candidates, call);
   }
 
+  /** The styled input as BVH text, on the input's own skeleton. */
   async exportBvh(call?: CallOptions): Promise<string> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     return this.openedInput().session.exportBvh(call);
   }
 
+  /**
+   * Starts driving a character with the neutral clips of the database, from a position on, until another input or
+   * database is opened or {@link closeDrive} is called. The input stays open.
+   * @throws StrutError if the clips for driving cannot be loaded; nothing changes then
+   */
   async openDrive(root: Root, call?: CallOptions): Promise<DriveInfo> {
-    if (!this.whole) await this.ensureFullEngine(call);
+    await this.ensureFullEngine(call);
     const { ClientDrive } = await import("./drive/drive_client");
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
@@ -282,14 +324,17 @@ class SingleSessionClient implements StrutClient {
     });
   }
 
+  /** Advances the driven character by `dtSecs`; 0 repeats the current instant in the current style. */
   async drive(dtSecs: number, control: DriveControl): Promise<DriveFrame> {
     return this.openedDrive().drive(dtSecs, control);
   }
 
+  /** The recording of what was driven. */
   async driven(): Promise<Driven> {
     return this.openedDrive().driven();
   }
 
+  /** Restarts at a position, and discards the recording. */
   async resetDrive(root: Root): Promise<void> {
     return this.openedDrive().reset(root);
   }
@@ -299,8 +344,13 @@ class SingleSessionClient implements StrutClient {
     this.steered = undefined;
   }
 
-  async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<PerformerStream> {
-    if (!this.whole) await this.ensureFullEngine(call);
+  /**
+   * Starts styling a live performer on the open database, until another input or database is opened, a character is
+   * driven, or {@link closeLive} is called. The input stays open. The caller pushes the poses that arrive,
+   * and advances the stream.
+   */
+  async openLive(setup: Omit<LiveSetup, "options">, call?: CallOptions): Promise<LiveStream> {
+    await this.ensureFullEngine(call);
     const { LiveStream } = await import("./live/live_stream");
     return this.inTurn(async () => {
       const { database } = this.openedDatabase();
@@ -331,15 +381,15 @@ class SingleSessionClient implements StrutClient {
    * @throws StrutError as for {@link exchangeDatabase}
    */
   private async ensureFullEngine(call: CallOptions | undefined): Promise<void> {
-    await unlessCancelled(
-      this.exchanging?.catch(() => {}),
-      call?.signal,
-    );
-    // A database requested earlier may have brought a full engine.
-    const complete = async () => {
-      if (!this.whole) await this.openInNewEngine(this.openedDatabase().database.source, undefined);
-    };
-    await unlessCancelled(this.inTurn(complete), call?.signal);
+    if (this.whole) return;
+    // Others may wait for the same engine: it is loaded even if this caller cancels.
+    await abortable(call?.signal, async () => {
+      await this.exchanging?.catch(() => {});
+      // A database requested earlier may have brought a full engine.
+      await this.inTurn(async () => {
+        if (!this.whole) await this.openInNewEngine(this.openedDatabase().database.source, undefined);
+      });
+    });
   }
 
   /** Opens a database in another engine, to which `turn` moves what is open. */
@@ -482,18 +532,6 @@ function isFirst(source: DatabaseSource | InputSource): boolean {
 /** The source of a built-in input in a set. */
 function inSet({ kind, name }: BuiltInInput, set: BuiltInSet | undefined): InputSource {
   return { kind, name, ...(set && { set }) };
-}
-
-/** Settles as `promise` does, or rejects when the caller cancels. The promise continues, because others may wait for it. */
-function unlessCancelled(promise: Promise<unknown> | undefined, signal: AbortSignal | undefined): Promise<unknown> {
-  return new Promise((resolve, reject) => {
-    const cancel = () => reject(cancelled(signal?.reason));
-    if (signal?.aborted) cancel();
-    signal?.addEventListener("abort", cancel, { once: true });
-    Promise.resolve(promise)
-      .then(resolve, reject)
-      .finally(() => signal?.removeEventListener("abort", cancel));
-  });
 }
 
 function notOpen(what: string): StrutError {

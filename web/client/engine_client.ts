@@ -2,13 +2,13 @@
  * The engine for callers on another thread: any number of databases, motions, sessions and live stylizers in one
  * worker, and the models of walks and key styles, which run on the calling thread.
  */
+
 import type { BuiltInSet } from "../engine/built_in";
 import { disposed } from "../engine/errors";
 import { DEFAULT_OPTIONS } from "../engine/types";
 import type { ClientAtlas } from "./atlas/client_atlas";
-import type { BuildWorkerPort } from "./build/client";
-import type { BuildClient } from "./build/protocol";
-import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable, type WorkerPort } from "./connection";
+import type { BuildClient } from "./build/client";
+import { Connection, DEFAULT_PATIENCE, type Patience, type Reopenable } from "./connection";
 import { ClientDatabase, type ClientHandle, ClientMotion, ClientSession, ClientStylizer } from "./handles";
 import type { KeyStyleModel, KeyStyleModelSource } from "./models/key_style";
 import type { WalkModel, WalkModelSource } from "./models/walk";
@@ -21,13 +21,14 @@ import {
   STYLE_HALF_LIFE_SECS,
   type StylizeOptions,
 } from "./protocol";
+import type { WorkerPort } from "./rpc";
 
 /** How the workers are started and watched; tests replace it. */
 export interface EngineClientSetup {
   spawn?: () => WorkerPort;
   /** A set of built-in motions that starts loading with the engine. */
   preload?: BuiltInSet;
-  spawnBuild?: () => BuildWorkerPort;
+  spawnBuild?: () => WorkerPort;
   patience?: Partial<Patience>;
 }
 
@@ -51,7 +52,7 @@ export class EngineClient {
   private disposed = false;
   /** Models and builds, which are not in the worker. */
   private readonly owned = new Set<{ dispose(): void }>();
-  private readonly spawnBuild: (() => BuildWorkerPort) | undefined;
+  private readonly spawnBuild: (() => WorkerPort) | undefined;
 
   /** The worker starts at once; calls wait until its engine is loaded. */
   constructor({ spawn = spawnWorker, preload, spawnBuild, patience }: EngineClientSetup = {}) {
@@ -160,8 +161,8 @@ export class EngineClient {
 
   /** Runs `work` with a build client, whose worker ends with it. */
   async build<T>(work: (builds: BuildClient) => Promise<T>): Promise<T> {
-    const { createBuildClient } = await import("./build/client");
-    const builds = this.own(createBuildClient(this.spawnBuild));
+    const { BuildClient } = await import("./build/client");
+    const builds = this.own(new BuildClient(this.spawnBuild));
     try {
       return await work(builds);
     } finally {
@@ -206,7 +207,7 @@ function openId(handle: Reopenable): number {
 }
 
 function preloading(worker: WorkerPort, set: BuiltInSet): WorkerPort {
-  worker.postMessage({ kind: "preload", set });
+  worker.postMessage({ kind: "preload", set }, []);
   return worker;
 }
 

@@ -1,7 +1,6 @@
-/** The wire format between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
+/** The calls between `connection.ts` and `server/`; callers see only `protocol.ts` and the handles. */
 import type { AtlasFacts, AtlasView, NearestInAtlas, PackedWindows } from "../engine/atlas";
 import type { BuiltInSet } from "../engine/built_in";
-import type { ErrorParts } from "../engine/errors";
 import type { Styled, WasmMemory } from "../engine/types";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
 import type {
@@ -17,13 +16,13 @@ import type {
   LiveFrame,
   MotionFacts,
   Performed,
-  Progress,
   RecordedMotion,
   SearchFigures,
   ShownFrame,
   StyledClip,
   StylizeOptions,
 } from "./protocol";
+import type { ArgumentsOf, ResultOf } from "./rpc";
 
 /** Id of an open object. The client chooses it, so that an object keeps its id when it is reopened. */
 export type Id = number;
@@ -40,7 +39,7 @@ export interface SessionSetup {
 }
 
 /** The worker's calls. The first argument of a call that opens an object is the object's id. */
-interface WorkerCalls {
+export interface WorkerCalls {
   openDatabase(database: Id, source: DatabaseSource): DatabaseInfo;
   /** Names of the motions of a built-in set, the default first. */
   builtInInputs(set: BuiltInSet): string[];
@@ -93,25 +92,6 @@ interface WorkerCalls {
 }
 
 export type Method = keyof WorkerCalls;
-export type Arguments<M extends Method> = Parameters<WorkerCalls[M]>;
+export type Arguments<M extends Method> = ArgumentsOf<WorkerCalls, M>;
 /** Result type of a method. */
-export type Result<M extends Method> = ReturnType<WorkerCalls[M]>;
-
-/** A call in progress; the client numbers its calls. */
-export type Call = { [M in Method]: { kind: "call"; id: number; method: M; args: Arguments<M> } }[Method];
-
-/**
- * Page → worker. A cancellation that arrives too late has no effect. A `ping` is answered by a `pong` at once. A
- * `preload`, of a set of built-in motions that will be needed, is not answered.
- */
-export type Request = Call | { kind: "cancel"; id: number } | { kind: "ping" } | { kind: "preload"; set: BuiltInSet };
-
-/** Worker → page. Every call is answered by one `result` or `failure`, after any number of `progress`. */
-export type Reply =
-  /** Sent once, without a request: the engine is loaded, or could not be loaded. */
-  | { kind: "ready" }
-  | { kind: "not-ready"; error: ErrorParts }
-  | { kind: "pong" }
-  | { kind: "progress"; id: number; progress: Progress }
-  | { kind: "result"; id: number; value: Result<Method> }
-  | { kind: "failure"; id: number; error: ErrorParts };
+export type Result<M extends Method> = ResultOf<WorkerCalls, M>;

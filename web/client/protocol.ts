@@ -8,22 +8,7 @@
 import type { BuiltInSet } from "../engine/built_in";
 import type { Recorded } from "../engine/crowd/limits";
 import type { RememberedReadings, Said } from "../engine/file_read";
-import type {
-  Analysis,
-  CallOptions,
-  CurveSubject,
-  DatabaseInfo,
-  Examples,
-  InputInfo,
-  Note,
-  Performed,
-  SearchFigures,
-  StylizeOptions,
-  WasmMemory,
-} from "../engine/types";
-import type { OpenedAtlas } from "./atlas/opened_atlas";
-import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "./drive/protocol";
-import type { LiveSetup, PerformerStream } from "./live/protocol";
+import type { Analysis, Note, WasmMemory } from "../engine/types";
 import type { LiveFrame } from "./live_frame";
 
 export { isCancellation, isFault, isUnloaded, StrutError, type StrutErrorCode } from "../engine/errors";
@@ -115,88 +100,4 @@ export interface Restarted {
   lost: readonly ("database" | "input")[];
   /** Why it could not be reopened, a sentence; empty if nothing was lost. */
   reason: string;
-}
-
-/**
- * A client with one database, one input and one session, as the page needs it; `engine_client.ts` has any number of
- * each. Opening a database or an input replaces the previous one only if it succeeds. An open input is retargeted to a
- * new database. Rejections are `StrutError`s with `code`, `message` (a sentence for the user) and `hint`. After a fault
- * the client starts a new worker, reopens the same database and input with the same options at the same position, and
- * then calls `onRestart`.
- */
-export interface StrutClient {
-  openDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
-  /**
-   * Opens a database in a worker of its own while the open one keeps playing, and then replaces it. The input continues
-   * from the displayed frame, at its position. Fails as {@link StrutClient.openDatabase} does.
-   */
-  exchangeDatabase(source: DatabaseSource, options?: CallOptions): Promise<DatabaseInfo>;
-  /** Names of the built-in inputs, the default first; those of the open set, if there is one. */
-  builtInInputs(): Promise<string[]>;
-  /** Indices and names of the neutral clips of the open database. */
-  neutralClips(): Promise<{ clip: number; name: string }[]>;
-  /** A clip of the open database, by its index. */
-  clipOfDatabase(clip: number): Promise<DatabaseClip>;
-  openInput(source: InputSource, options?: CallOptions): Promise<InputInfo>;
-  /** Takes effect with the next frame. */
-  configure(options: StylizeOptions): Promise<void>;
-  /** Whether playback loops; `range` is the part of the input that is played. */
-  setLoop(loop: boolean, range?: FrameRange): Promise<void>;
-  /** Advances the output clock by `dtSecs` (≥ 0; 0 repeats the current content in the current style). */
-  step(dtSecs: number): Promise<LiveFrame>;
-  /** Jumps to an input frame. The engine is warmed up on the frames before it. */
-  seek(inputFrame: number): Promise<LiveFrame>;
-  /** Continues from a frame that something else displayed: from the same position and at the same time. */
-  continueFrom(shown: ShownFrame): Promise<LiveFrame>;
-  /** The whole input with the current options. */
-  analyse(options?: CallOptions): Promise<Analysis>;
-  /** The examples behind the result of {@link analyse}. */
-  examples(subject: CurveSubject, options?: CallOptions): Promise<Examples>;
-  /** The whole input with other options, as fast as the engine can. Playback is not affected. */
-  style(options: StylizeOptions, call?: CallOptions): Promise<StyledClip>;
-  /**
-   * The input as performed in a style, if it is known: a built-in input, and a package that has the counterparts
-   * (`compare/`).
-   */
-  counterpart(style: string): Promise<Performed | undefined>;
-  /**
-   * Compares the search by kd-trees with the exact one over the whole input, for `neighbours` neighbours in every class
-   * among `candidates` candidates of its kd-tree. `undefined` from a package without kd-trees (`compare/` has them).
-   */
-  compareSearch(neighbours: number, candidates: number, options?: CallOptions): Promise<SearchFigures | undefined>;
-  /**
-   * Opens an atlas: the input on the database as a picture of all distances, with at most `columns` columns. The caller
-   * disposes of it.
-   */
-  openAtlas(columns: number, options?: CallOptions): Promise<OpenedAtlas>;
-  /**
-   * Records the prediction of the open input, or of a range of it, in every style of the database, within the memory
-   * limit: for crowds that perform it (`crowd/`). The styles of the options do not matter.
-   * @throws StrutError `bad-input` if it is shorter than half a second
-   */
-  record(options: StylizeOptions, range: FrameRange | undefined, call?: CallOptions): Promise<RecordedMotion>;
-  /** The styled input as BVH text, on the input's own skeleton. */
-  exportBvh(options?: CallOptions): Promise<string>;
-  /**
-   * Starts driving a character with the neutral clips of the database, from a position on, until another input or
-   * database is opened or {@link StrutClient.closeDrive} is called. The input stays open.
-   * @throws StrutError if the clips for driving cannot be loaded; nothing changes then
-   */
-  openDrive(root: Root, options?: CallOptions): Promise<DriveInfo>;
-  /** Advances the driven character by `dtSecs`; 0 repeats the current instant in the current style. */
-  drive(dtSecs: number, control: DriveControl): Promise<DriveFrame>;
-  /** The recording of what was driven. */
-  driven(): Promise<Driven>;
-  /** Restarts at a position, and discards the recording. */
-  resetDrive(root: Root): Promise<void>;
-  closeDrive(): void;
-  /**
-   * Starts styling a live performer on the open database, until another input or database is opened, a character is
-   * driven, or {@link StrutClient.closeLive} is called. The input stays open. The caller pushes the poses that arrive,
-   * and advances the stream.
-   */
-  openLive(setup: Omit<LiveSetup, "options">, options?: CallOptions): Promise<PerformerStream>;
-  closeLive(): void;
-  onRestart: ((restarted: Restarted) => void) | undefined;
-  dispose(): void;
 }

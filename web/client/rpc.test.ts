@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { joinedWorker } from "../../tests/joined_worker";
 import { StrutError } from "../engine/errors";
-import { RpcClient, remote } from "./rpc";
+import { RpcClient, remote } from "./rpc_client";
 
 interface Calls {
   add(a: number, b: number, options?: { signal?: AbortSignal }): Promise<number>;
@@ -28,8 +28,8 @@ function joined({ limitMs }: { limitMs?: number } = {}) {
     spawned += 1;
     return joinedWorker(TABLE);
   };
-  const rpc = new RpcClient(spawn, "engine of the lessons", limitMs);
-  const calls = remote<Calls>(rpc);
+  const rpc = new RpcClient<Calls>(spawn, "engine of the lessons", limitMs);
+  const calls = remote(rpc);
   return { rpc, calls, spawned: () => spawned };
 }
 
@@ -67,7 +67,9 @@ test("an aborted call is rejected at once, before or while it runs", async () =>
 
 test("a call that the table lacks is a fault, and the next call has another worker", async () => {
   const { rpc, calls, spawned } = joined();
-  await expect(rpc.call("toString", [])).rejects.toMatchObject({ code: "fault" });
+  await expect((rpc as RpcClient<{ toString(): string }>).call("toString", [])).rejects.toMatchObject({
+    code: "fault",
+  });
   expect(await calls.add(2, 2)).toBe(4);
   expect(spawned()).toBe(2);
 });
@@ -88,7 +90,7 @@ test("what cannot be sent is refused, and nothing is waited for", async () => {
     onmessage: null,
     onerror: null,
   });
-  const rpc = new RpcClient(worker, "engine of the lessons");
+  const rpc = new RpcClient<{ add(...args: unknown[]): number }>(worker, "engine of the lessons");
   await expect(rpc.call("add", [() => 1])).rejects.toMatchObject({ code: "bad-input" });
   void rpc.call("add", [new Proxy({ a: [1] }, {})]).catch(() => {});
   expect(sent).toMatchObject([{ method: "add", args: [{ a: [1] }] }]);

@@ -1,169 +1,226 @@
-/** Calls into a worker by name. The client is made from the interface, the server from a table of functions. */
-import { cancelled, disposed, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
+/** Remote calls to a worker: the messages, and the caller's side of one worker with abort, progress and watchdog. */
+import type { BuiltInSet } from "../engine/built_in";
+import { cancelled, type ErrorParts, fault, StrutError, toStrutError } from "../engine/errors";
+import type { Progress } from "../engine/types";
 import { sendPlain } from "./plain";
-import { READING_MS, Watchdog } from "./watchdog";
+import { Watchdog } from "./watchdog";
 
-/** How often a silent worker is noticed, milliseconds. */
-const STEP_MS = 20_000;
-
-/** Methods that return promises. */
-export type Methods = Readonly<Record<string, (...args: never[]) => Promise<unknown>>>;
-
-/** A call on its way to the worker. */
-export interface CallMessage {
+/** A call on its way to the worker; the caller numbers its calls. */
+export interface CallRequest {
+  kind: "call";
   id: number;
   method: string;
   args: unknown[];
 }
 
-/** The worker's answer. */
-export type AnswerMessage = { id: number } & ({ value: unknown } | { error: ErrorParts });
+/**
+ * Page → worker. A cancellation that arrives too late has no effect. A `ping` is answered by a `pong` at once. A
+ * `preload`, of a set of built-in motions that will be needed, is not answered.
+ */
+export type Request =
+  | CallRequest
+  | { kind: "cancel"; id: number }
+  | { kind: "ping" }
+  | { kind: "preload"; set: BuiltInSet };
 
-/** The part of a worker that the client needs. */
-export interface ClientPort {
-  postMessage(message: CallMessage, transfer: Transferable[]): void;
+/** Worker → page. Every call is answered by one `result` or `failure`, after any number of `progress`. */
+export type Reply =
+  /** Sent once, without a request, by the engine: it is loaded, or could not be loaded. */
+  | { kind: "ready" }
+  | { kind: "not-ready"; error: ErrorParts }
+  | { kind: "pong" }
+  | { kind: "progress"; id: number; progress: Progress }
+  | { kind: "result"; id: number; value: unknown }
+  | { kind: "failure"; id: number; error: ErrorParts };
+
+/** The part of a `Worker` that its caller needs. */
+export interface WorkerPort {
+  postMessage(message: Request, transfer: Transferable[]): void;
   terminate(): void;
-  onmessage: ((event: MessageEvent<AnswerMessage>) => void) | null;
+  onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** The part of a worker's scope that the server needs. */
-export interface ServerPort {
-  postMessage(message: AnswerMessage, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<CallMessage>) => void) | null;
+/** Arguments and result of the method `M` of an interface of calls. */
+export type ArgumentsOf<T, M extends keyof T> = T[M] extends (...args: infer A) => unknown ? A : never;
+export type ResultOf<T, M extends keyof T> = T[M] extends (...args: never[]) => infer R ? Awaited<R> : never;
+
+/** Options of one call. */
+export interface RemoteCallOptions {
+  signal?: AbortSignal | undefined;
+  onProgress?: ((progress: Progress) => void) | undefined;
+  /** Buffers that the worker takes over. */
+  transfer?: Transferable[];
+  /** The call succeeded after it was aborted. */
+  onLate?: () => void;
+}
+
+interface WorkerSetup {
+  /** Noun for messages. */
+  what: string;
+  /** How often the silence of a worker with pending calls is compared with its limit, milliseconds. */
+  silenceMs: number;
+  /** Time for the last message of a worker that was silent too long, milliseconds. */
+  graceMs: number;
+  /** Whether that message may be the answer to a ping; otherwise only one about a call counts. */
+  pings: boolean;
+  /** Longest silence while these methods are pending, milliseconds; `silenceMs` by default. */
+  limitMs?: (methods: readonly string[]) => number;
+  /** The worker has failed: it is terminated, and its calls are rejected. */
+  onFail: (error: StrutError) => void;
 }
 
 interface Pending {
+  method: string;
   resolve(value: unknown): void;
   reject(error: StrutError): void;
+  onProgress: (progress: Progress) => void;
 }
 
-/** Makes calls to a worker that starts with the first call. A failed worker is replaced at the next call. */
-export class RpcClient {
-  readonly #spawn: () => ClientPort;
-  #port: ClientPort | undefined;
+/** One worker with its unanswered calls, until it fails or is ended. `T` is the interface of its calls. */
+export class RemoteWorker<T extends object> {
+  /** Resolves when the worker reports that it is ready. Rejects if it ends before. */
+  readonly ready: Promise<void>;
+  #setReady!: () => void;
+  #setUnready!: (error: StrutError) => void;
+  /** Whether the worker has sent anything, so that its script runs. */
+  #hasStarted = false;
+  #ended: StrutError | undefined;
   #lastId = 0;
   readonly #pending = new Map<number, Pending>();
-  #disposed = false;
+  readonly #whenIdle: (() => void)[] = [];
   readonly #watchdog: Watchdog;
 
-  /**
-   * @param spawn starts the worker
-   * @param what noun for messages
-   * @param limitMs longest silence of a worker that has pending calls; a call may compute in one piece
-   */
   constructor(
-    spawn: () => ClientPort,
-    private readonly what: string,
-    limitMs: number = READING_MS,
+    private readonly port: WorkerPort,
+    private readonly setup: WorkerSetup,
   ) {
-    this.#spawn = spawn;
+    const { what, silenceMs, graceMs, pings, limitMs = () => silenceMs } = setup;
+    this.ready = new Promise((resolve, reject) => {
+      [this.#setReady, this.#setUnready] = [resolve, reject];
+    });
+    // Calls are rejected with the same error.
+    this.ready.catch(() => {});
     this.#watchdog = new Watchdog({
-      stepMs: Math.min(limitMs, STEP_MS),
-      graceMs: Math.min(limitMs, STEP_MS),
-      limitMs: () => limitMs,
+      stepMs: silenceMs,
+      graceMs,
+      limitMs: () => limitMs([...this.#pending.values()].map(({ method }) => method)),
       isWaiting: () => this.#pending.size > 0,
-      onSilent: () => this.#stop(fault(`The ${what} failed: its worker does not answer`)),
+      ping: () => pings && port.postMessage({ kind: "ping" }, []),
+      onSilent: () => this.#fail(fault(`The ${what} failed: its worker does not answer`)),
     });
+    port.onmessage = ({ data }) => !this.#ended && this.#receive(data);
+    port.onerror = ({ message }) =>
+      this.#fail(
+        this.#hasStarted ? fault(`The ${what} failed: ${message || "its worker stopped"}`) : unloadable(what, message),
+      );
   }
 
-  /** Calls a method; the buffers of `transfer` are transferred. @throws StrutError the worker's, `cancelled` or `disposed` */
-  call(method: string, args: unknown[], signal?: AbortSignal, transfer: Transferable[] = []): Promise<unknown> {
-    if (this.#disposed) return Promise.reject(disposed(this.what));
-    if (signal?.aborted) return Promise.reject(cancelled(signal.reason));
+  /**
+   * Calls a method. An aborted call is rejected at once.
+   * @throws StrutError the worker's, `bad-input` if an argument cannot be sent, `cancelled`, or why the worker ended
+   */
+  call<M extends keyof T & string>(
+    method: M,
+    args: ArgumentsOf<T, M>,
+    { signal, onProgress, transfer = [], onLate }: RemoteCallOptions = {},
+  ): Promise<ResultOf<T, M>> {
     const id = ++this.#lastId;
-    const answer = new Promise<unknown>((resolve, reject) => {
-      this.#pending.set(id, { resolve, reject });
-      this.#watchdog.restart();
-      try {
-        sendPlain({ id, method, args }, (message) => this.#started().postMessage(message, transfer));
-      } catch (thrown) {
-        this.#pending.delete(id);
-        reject(toStrutError(thrown));
-      }
-    });
-    const cancel = () => {
-      this.#pending.get(id)?.reject(cancelled(signal?.reason));
-      this.#pending.delete(id);
-    };
-    signal?.addEventListener("abort", cancel, { once: true });
-    return answer.finally(() => signal?.removeEventListener("abort", cancel));
+    const send = () =>
+      new Promise<unknown>((resolve, reject) => {
+        if (this.#ended) return reject(this.#ended);
+        const report = (progress: Progress) => !signal?.aborted && onProgress?.(progress);
+        this.#pending.set(id, { method, resolve, reject, onProgress: report });
+        this.#watchdog.restart();
+        try {
+          sendPlain({ kind: "call" as const, id, method, args }, (call) => this.port.postMessage(call, transfer));
+        } catch (thrown) {
+          this.#settled(id)?.reject(toStrutError(thrown));
+        }
+      });
+    return abortable(signal, send, (answer) => {
+      this.port.postMessage({ kind: "cancel", id }, []);
+      answer.then(onLate, () => {});
+    }) as Promise<ResultOf<T, M>>;
   }
 
-  /** Terminates the worker and rejects pending calls. */
-  dispose(): void {
-    this.#disposed = true;
-    this.#stop(disposed(this.what));
+  /** Resolves when no call is in progress; an aborted call is in progress until the worker has answered it. */
+  idle(): Promise<void> {
+    return this.#pending.size === 0 ? Promise.resolve() : new Promise((resolve) => this.#whenIdle.push(resolve));
   }
 
-  #started(): ClientPort {
-    if (this.#port) return this.#port;
-    const port = this.#spawn();
-    port.onmessage = ({ data }) => {
-      const pending = this.#pending.get(data.id);
-      this.#pending.delete(data.id);
-      this.#watchdog.restart();
-      if ("error" in data) pending?.reject(new StrutError(data.error));
-      else pending?.resolve(data.value);
-      if ("error" in data && data.error.code === "fault" && this.#port === port)
-        this.#stop(fault(`The ${this.what} failed`));
-    };
-    port.onerror = ({ message }) => {
-      if (this.#port === port) this.#stop(fault(`The ${this.what} failed: ${message || "its worker stopped"}`));
-    };
-    this.#port = port;
-    return port;
-  }
-
-  #stop(reason: StrutError): void {
+  /** Terminates the worker and rejects its calls. */
+  end(error: StrutError): void {
+    if (this.#ended) return;
+    this.#ended = error;
     this.#watchdog.stop();
-    this.#port?.terminate();
-    this.#port = undefined;
-    for (const { reject } of this.#pending.values()) reject(reason);
-    this.#pending.clear();
+    this.port.terminate();
+    this.#setUnready(error);
+    for (const id of [...this.#pending.keys()]) this.#settled(id)?.reject(error);
+  }
+
+  #fail(error: StrutError): void {
+    if (this.#ended) return;
+    this.end(error);
+    this.setup.onFail(error);
+  }
+
+  #receive(reply: Reply): void {
+    this.#hasStarted = true;
+    this.#watchdog.restart();
+    if (reply.kind === "ready") this.#setReady();
+    else if (reply.kind === "not-ready") this.#fail(new StrutError(reply.error));
+    else if (reply.kind === "progress") this.#pending.get(reply.id)?.onProgress(reply.progress);
+    else if (reply.kind === "result") this.#settled(reply.id)?.resolve(reply.value);
+    else if (reply.kind === "failure") {
+      const error = new StrutError(reply.error);
+      this.#settled(reply.id)?.reject(error);
+      // The instance that failed takes no more calls.
+      if (error.code === "fault") this.#fail(error);
+    }
+  }
+
+  /** Removes a call from the pending ones. */
+  #settled(id: number): Pending | undefined {
+    const call = this.#pending.get(id);
+    this.#pending.delete(id);
+    if (this.#pending.size === 0) for (const resolve of this.#whenIdle.splice(0)) resolve();
+    return call;
   }
 }
 
 /**
- * An object whose methods are remote calls: the methods of `T`, whose last argument may be options with only a `signal`.
- * @param own its other members, which are not calls
+ * The result of `start`, or a rejection as soon as the signal is aborted. If it was aborted before, nothing is started.
+ * @throws StrutError `cancelled`
  */
-export function remote<T extends object, Own extends object = object>(client: RpcClient, own = {} as Own): T & Own {
-  const get = (members: object, name: string | symbol) => {
-    if (name in members) return Reflect.get(members, name);
-    // A promise may resolve with the object: it has no `then`.
-    if (typeof name === "symbol" || name === "then") return undefined;
-    return (...args: unknown[]) => {
-      const options = args.at(-1);
-      return isCallOptions(options) ? client.call(name, args.slice(0, -1), options.signal) : client.call(name, args);
+export async function abortable<T>(
+  signal: AbortSignal | undefined,
+  start: () => Promise<T>,
+  onAbort: (started: Promise<T>) => void = () => {},
+): Promise<T> {
+  if (signal?.aborted) throw cancelled(signal.reason);
+  const started = start();
+  if (!signal) return started;
+  let abort = () => {};
+  const aborted = new Promise<never>((_, reject) => {
+    abort = () => {
+      onAbort(started);
+      reject(cancelled(signal.reason));
     };
-  };
-  return new Proxy(own, { get }) as T & Own;
+  });
+  signal.addEventListener("abort", abort, { once: true });
+  try {
+    return await Promise.race([started, aborted]);
+  } finally {
+    signal.removeEventListener("abort", abort);
+  }
 }
 
-function isCallOptions(value: unknown): value is { signal: AbortSignal | undefined } {
-  if (typeof value !== "object" || value === null || Object.keys(value).join() !== "signal") return false;
-  const { signal } = value as { signal: unknown };
-  return signal === undefined || signal instanceof AbortSignal;
-}
-
-/** Answers the calls that arrive at a port from a table of functions. */
-export function answerCalls(port: ServerPort, table: Methods): void {
-  port.onmessage = async ({ data: { id, method, args } }) => {
-    try {
-      const answer = Object.hasOwn(table, method) ? table[method] : undefined;
-      if (!answer) throw fault(`There is no call "${method}"`);
-      const value = await answer(...(args as never[]));
-      port.postMessage({ id, value }, buffersOf(value));
-    } catch (thrown) {
-      port.postMessage({ id, error: toStrutError(thrown).parts() }, []);
-    }
-  };
-}
-
-/** The buffers of the typed arrays in an answer at any depth. The table returns arrays without another owner. */
-function buffersOf(value: unknown): ArrayBuffer[] {
-  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-  if (typeof value !== "object" || value === null) return [];
-  return [...new Set(Object.values(value).flatMap(buffersOf))];
+/** The error of a worker that never sent a message. @param why the reason, empty if the browser does not report it */
+function unloadable(what: string, why: string): StrutError {
+  return new StrutError({
+    code: "load",
+    message: `The ${what} could not be started${why ? `: ${why}` : ""}.`,
+    hint: "Reload the page; if that does not help, the site was not deployed completely.",
+  });
 }

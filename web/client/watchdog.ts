@@ -10,7 +10,7 @@ interface WatchdogSettings {
   /** Whether an answer is expected. */
   isWaiting: () => boolean;
   /** Asks the worker for a sign of life. */
-  ping?: () => void;
+  ping: () => void;
   onSilent: () => void;
 }
 
@@ -40,7 +40,7 @@ export class Watchdog {
       if (!isWaiting()) return;
       const silent = silentMs + stepMs;
       if (silent < limitMs()) return this.#wait(silent);
-      ping?.();
+      ping();
       this.#timer = setTimeout(() => {
         if (isWaiting()) onSilent();
       }, graceMs);

@@ -1,6 +1,7 @@
 /** WASM packages other than the engine's, each loaded when it is first needed. */
 import type { Asset } from "./assets";
 import { toStrutError } from "./errors";
+import { loadedOnce } from "./loaded_once";
 import { compileModule } from "./module";
 import { type ErrorClass, valueError } from "./value_error";
 
@@ -11,8 +12,6 @@ interface Bindings extends ErrorClass {
 
 /** A package, loaded once per thread. */
 export class SidePackage<Glue extends Bindings> {
-  #loading: Promise<Glue> | undefined;
-
   /** @param module location of the module */
   constructor(
     private readonly glue: Glue,
@@ -23,13 +22,7 @@ export class SidePackage<Glue extends Bindings> {
    * The bindings.
    * @throws StrutError if the module cannot be loaded
    */
-  load(): Promise<Glue> {
-    this.#loading ??= this.#instantiate().catch((thrown) => {
-      this.#loading = undefined;
-      throw toStrutError(thrown);
-    });
-    return this.#loading;
-  }
+  readonly load = loadedOnce(() => this.awaited(() => this.#instantiate()));
 
   /**
    * Runs a call into the module. An error that the module returns as a value is a {@link StrutError}; anything else is

@@ -2,6 +2,7 @@
 
 import type { Asset } from "./assets";
 import { StrutError, toStrutError } from "./errors";
+import { loadedOnce } from "./loaded_once";
 import { compileModule } from "./module";
 import type * as engineGlue from "./pkg/strut_wasm.js";
 import { valueError } from "./value_error";
@@ -13,7 +14,6 @@ let glue: Glue;
 let module: () => Asset;
 
 let compiled: WebAssembly.Module | undefined;
-let loading: Promise<Glue> | undefined;
 let lost = false;
 
 /** Makes this thread use a package. Call it before anything is loaded. */
@@ -28,11 +28,9 @@ export function servePackage(its: Glue, itsModule: () => Asset): void {
  * @throws StrutError if the module cannot be loaded
  */
 export async function loadWasm(): Promise<Glue> {
-  loading ??= instantiate().catch((thrown) => {
-    loading = undefined;
+  await instantiated().catch((thrown) => {
     throw toStrutError(thrown);
   });
-  await loading;
   if (lost) {
     glue.__wbg_reset_state();
     lost = false;
@@ -62,9 +60,8 @@ export function wasmBytes(): number {
   return compiled ? glue.initSync({ module: compiled }).memory.buffer.byteLength : 0;
 }
 
-async function instantiate(): Promise<Glue> {
+const instantiated = loadedOnce(async () => {
   const loaded = await compileModule(module());
   glue.initSync({ module: loaded });
   compiled = loaded;
-  return glue;
-}
+});

@@ -1,5 +1,6 @@
 /** Builds databases: from clips, or from a database and an additional style. */
-import type { BuildClient, ChosenFile, DroppedFile } from "../client/build/protocol";
+import type { BuildClient } from "../client/build/client";
+import type { ChosenFile, DroppedFile } from "../client/build/protocol";
 import type { ClientDatabase, ClientMotion } from "../client/handles";
 import { type BuiltInSet, type CallOptions, StrutError } from "../client/protocol";
 import { loadBuiltIn } from "../engine/built_in";

@@ -1,10 +1,7 @@
 /** A server on the calling thread behind the same port as a worker's: messages arrive asynchronously, as with a real one. */
 
-/** The part of a worker's global scope that a server needs. */
-interface ServerSide<Request, Reply> {
-  postMessage(message: Reply, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<Request>) => void) | null;
-}
+import type { Reply, Request, WorkerPort } from "../client/rpc";
+import type { ServerPort } from "../client/rpc_server";
 
 /** Copies a message; transferred objects are detached from the sender. */
 type Copy = <T>(message: T, transfer: Transferable[]) => T;
@@ -12,12 +9,12 @@ type Copy = <T>(message: T, transfer: Transferable[]) => T;
 /** Copies like a worker's port. */
 export const structuredCopy: Copy = (message, transfer) => structuredClone(message, { transfer });
 
-export class LocalPort<Request, Reply> {
+export class LocalPort implements WorkerPort {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   /** Never called: an error on this thread is answered as a failure of its call. */
   onerror: ((event: ErrorEvent) => void) | null = null;
   #ended = false;
-  readonly #server: ServerSide<Request, Reply>;
+  readonly #server: ServerPort;
   /** Settles when the server takes messages. */
   readonly #serving: Promise<void>;
   readonly #copy: Copy;
@@ -26,7 +23,7 @@ export class LocalPort<Request, Reply> {
    * @param serve starts to serve at a port
    * @param copy copies a message, if its sender may change it afterwards
    */
-  constructor(serve: (port: ServerSide<Request, Reply>) => void | Promise<void>, copy: Copy = (message) => message) {
+  constructor(serve: (port: ServerPort) => void | Promise<void>, copy: Copy = (message) => message) {
     this.#copy = copy;
     this.#server = {
       onmessage: null,
@@ -38,8 +35,8 @@ export class LocalPort<Request, Reply> {
     this.#serving = Promise.resolve(serve(this.#server));
   }
 
-  postMessage(message: Request): void {
-    const data = this.#copy(message, []);
+  postMessage(message: Request, transfer: Transferable[]): void {
+    const data = this.#copy(message, transfer);
     void this.#serving.then(() => !this.#ended && this.#server.onmessage?.({ data } as MessageEvent<Request>));
   }
 

@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
-import type { WorkerPort } from "../client/connection";
 import { EngineClient } from "../client/engine_client";
+import type { WorkerPort } from "../client/rpc";
 import { type Boot, STARTED } from "./boot";
 import { loadEngine } from "./load";
 import { type Entry, type Started, startEngine } from "./start";

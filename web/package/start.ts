@@ -1,6 +1,5 @@
 /** Starts the engine of a page: in a worker; if that is forbidden, in a worker from a blob; otherwise on the page's thread. */
-import type { BuildWorkerPort } from "../client/build/client";
-import type { WorkerPort } from "../client/connection";
+import type { WorkerPort } from "../client/rpc";
 import { download } from "../engine/download";
 import { cancelled, type ErrorParts, StrutError } from "../engine/errors";
 import { type Boot, type FileRequest, STARTED } from "./boot";
@@ -13,7 +12,7 @@ export interface Started {
   /** Starts an engine; the first time it returns the one that was tried. */
   spawn: () => WorkerPort;
   /** Starts the worker that builds databases and trains models. */
-  spawnBuild: () => BuildWorkerPort;
+  spawnBuild: () => WorkerPort;
 }
 
 /** Properties that differ between the package's entries. */
@@ -52,7 +51,7 @@ export async function startEngine(entry: Entry, worker: boolean, signal?: AbortS
     return {
       thread,
       spawn: onceThen(first, () => spawnBooted(url, boot) as WorkerPort),
-      spawnBuild: () => spawnBooted(buildUrl, boot) as BuildWorkerPort,
+      spawnBuild: () => spawnBooted(buildUrl, boot) as WorkerPort,
     };
   }
   if (signal?.aborted) throw cancelled(signal.reason);

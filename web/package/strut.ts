@@ -1,5 +1,5 @@
 /** {@link Strut} over one client of the engine. */
-import type { BuildClient } from "../client/build/protocol";
+import type { BuildClient } from "../client/build/client";
 import type { EngineClient } from "../client/engine_client";
 import type { ClientDatabase, ClientMotion, ClientSession } from "../client/handles";
 import type { KeyStyleModel } from "../client/models/key_style";

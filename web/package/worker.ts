@@ -1,6 +1,7 @@
 /** The entry of the package's worker: a classic script that imports nothing. */
 import "../engine/whole";
-import { type ServerPort, serve } from "../client/server/serve";
+import type { ServerPort } from "../client/rpc_server";
+import { serve } from "../client/server/serve";
 import { type Boot, placeBooted, STARTED } from "./boot";
 
 /** The part of a worker's global scope that is needed at its start. */

@@ -4,7 +4,8 @@
  * to its events.
  */
 
-import type { OpenedAtlas } from "../client/atlas/opened_atlas";
+import type { ClientAtlas } from "../client/atlas/client_atlas";
+import type { StrutClient } from "../client/client";
 import {
   type DriveControl,
   type DriveFrame,
@@ -14,7 +15,7 @@ import {
   STILL,
 } from "../client/drive/protocol";
 import type { FirstSteps } from "../client/first_steps";
-import type { PerformerStream } from "../client/live/protocol";
+import type { LiveStream } from "../client/live/live_stream";
 import type {
   Analysis,
   CallOptions,
@@ -32,7 +33,6 @@ import type {
   RememberedReadings,
   Restarted,
   ShownFrame,
-  StrutClient,
   StylizeOptions,
 } from "../client/protocol";
 import { isCancellation, isFault } from "../client/protocol";
@@ -75,7 +75,7 @@ interface SessionListeners {
 /** A live performer, and the name of its input. */
 export interface LivePerformer {
   readonly name: string;
-  readonly stream: PerformerStream;
+  readonly stream: LiveStream;
 }
 
 /** Result of an operation that can fail or be cancelled. */
@@ -314,8 +314,8 @@ export class Session {
   }
 
   /** Starts styling a live performer, whose input has the name `name`; `undefined` if that failed. */
-  async openLive(name: string, delaySecs: number | undefined): Promise<PerformerStream | undefined> {
-    let opened: PerformerStream | undefined;
+  async openLive(name: string, delaySecs: number | undefined): Promise<LiveStream | undefined> {
+    let opened: LiveStream | undefined;
     await this.#attempt(async () => {
       const stream = await this.#progress.run("input", name, (options) =>
         this.#client.openLive({ delaySecs, follows: true }, options),
@@ -372,7 +372,7 @@ export class Session {
   }
 
   /** The input on the database as a picture of all distances; see `StrutClient.openAtlas`. */
-  openAtlas(columns: number, call: CallOptions): Promise<OpenedAtlas> {
+  openAtlas(columns: number, call: CallOptions): Promise<ClientAtlas> {
     return this.#client.openAtlas(columns, call);
   }
 

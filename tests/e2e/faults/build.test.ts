@@ -73,7 +73,7 @@ describe("the worker that builds ends", () => {
     await failNextCall(page, "readAll", "fails");
     await choose(...two());
     await faultMet(page, "readAll");
-    await eventually(alert).toMatch(/Building failed: ended for the test/);
+    await eventually(alert).toMatch(/The database builder failed: ended for the test/);
     await isRead();
     expect(await heading()).toBe("2 clips, 2 styles");
   });

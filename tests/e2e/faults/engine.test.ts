@@ -135,7 +135,7 @@ describe("at the start", () => {
   it("the engine's worker cannot be had: a sentence, and Reload brings the page with all that the link says", async () => {
     await page.route(/\/worker-[^/]*\.js$/, (route) => route.abort());
     await open();
-    await eventually(alert).toMatch(/The engine's worker could not be started. Reload the page/);
+    await eventually(alert).toMatch(/The engine could not be started. Reload the page/);
     await page.unroute(/\/worker-[^/]*\.js$/);
     await page.getByRole("alert").getByRole("button", { name: "Reload" }).click();
     await shown(page);

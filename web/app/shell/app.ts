@@ -1,7 +1,9 @@
 /** The app: builds the page around the views, and synchronises it with the state. */
+
 import type { DroppedFile } from "../../client/build/protocol";
+import type { StrutClient } from "../../client/client";
 import type { FirstSteps } from "../../client/first_steps";
-import type { DatabaseSource, StrutClient } from "../../client/protocol";
+import type { DatabaseSource } from "../../client/protocol";
 import type { ViewName } from "../../link/page";
 import { applyTheme, isDark, onSystemTheme, opposite } from "../../ui/theme";
 import { graphics } from "../../viewer";

@@ -5,8 +5,8 @@ import type { JointNames } from "../../client/protocol";
 /** The skeleton of a BVH file; `undefined` if the file has none that can be read. */
 export async function skeletonOf(path: string, bytes: ArrayBuffer): Promise<Skeleton | undefined> {
   // This is rare, so the reader for any skeleton is loaded on demand.
-  const { createBuildClient } = await import("../../client/build/client");
-  const client = createBuildClient();
+  const { BuildClient } = await import("../../client/build/client");
+  const client = new BuildClient();
   const skeletons: Skeleton[] = [];
   try {
     await client.open([{ path, file: new File([bytes], path) }]);

@@ -1,12 +1,12 @@
 /** The open objects, synchronised with the state: database, input, the available styles, and the engine's options. */
 
+import type { StrutClient } from "../../client/client";
 import type { FirstSteps } from "../../client/first_steps";
 import {
   type DatabaseInfo,
   type ExactPoses,
   type FileReading,
   isCancellation,
-  type StrutClient,
   StrutError,
 } from "../../client/protocol";
 import { engineOptions } from "../../link/engine_options";

@@ -4,8 +4,8 @@ import { InlineWorker } from "../../../tests/inline_worker";
 import { StrutError } from "../../engine/errors";
 import { EngineClient } from "../engine_client";
 import { AtlasDrawing, type Columns, Losses } from "./atlas_drawing";
+import type { AtlasView, ClientAtlas, PackedWindows } from "./client_atlas";
 import type { Graphics } from "./graphics";
-import type { AtlasView, OpenedAtlas, PackedWindows } from "./opened_atlas";
 
 const FOUND = { name: "a graphics card" };
 const COLUMNS = 20;
@@ -13,7 +13,7 @@ const never = new AbortController().signal;
 const lost = () => new StrutError({ code: "gpu-lost", message: "It stopped.", hint: "" });
 
 let engine: EngineClient;
-let atlas: OpenedAtlas;
+let atlas: ClientAtlas;
 let view: AtlasView;
 
 beforeEach(async () => {

@@ -1,7 +1,7 @@
 /** Draws an atlas: on the GPU if there is one and it works, otherwise on the CPU. */
 import { isCancellation, type StrutError } from "../../engine/errors";
+import type { AtlasPart, AtlasView, ClientAtlas, PackedWindows } from "./client_atlas";
 import { Graphics, type GraphicsFound } from "./graphics";
-import type { AtlasPart, AtlasView, OpenedAtlas, PackedWindows } from "./opened_atlas";
 
 /** Columns per call, which the engine answers between two frames. */
 const CALL_COLUMNS = 8;
@@ -67,7 +67,7 @@ export class AtlasDrawing {
 
   /** @param found the GPU, if there is one */
   constructor(
-    private readonly atlas: OpenedAtlas,
+    private readonly atlas: ClientAtlas,
     private readonly found: GraphicsFound | undefined,
     { openGraphics = (...open) => Graphics.open(...open), losses = VISIT }: DrawingSurroundings = {},
   ) {

@@ -1,15 +1,18 @@
-/** An atlas in the worker: a picture of all distances between a motion and a database. */
+/** An atlas in the worker. */
+import type { AtlasFacts, AtlasView, NearestInAtlas, PackedWindows } from "../../engine/atlas";
 import type { Connection, Post } from "../connection";
 import { type ClientDatabase, ClientHandle, type ClientMotion } from "../handles";
 import type { CallOptions, OpenMemory } from "../protocol";
-import type { AtlasFacts, AtlasView, NearestInAtlas, OpenedAtlas, PackedWindows } from "./opened_atlas";
 
 /** Bytes per column: a window, in the form in which it is compared. */
 const COLUMN_BYTES = 4200;
 /** Bytes per row of the database, on average. */
 const ROW_BYTES = 8;
 
-export class ClientAtlas extends ClientHandle implements OpenedAtlas {
+export type { AtlasPart, AtlasView, PackedWindows } from "../../engine/atlas";
+
+/** All distances between a motion and a database: columns are frames of the motion at equal intervals, lines are windows. */
+export class ClientAtlas extends ClientHandle implements Readonly<AtlasFacts> {
   readonly frames: Uint32Array;
   readonly firsts: Uint32Array;
 
@@ -42,26 +45,32 @@ export class ClientAtlas extends ClientHandle implements OpenedAtlas {
     return { kind: "atlas", bytes };
   }
 
+  /** Smallest D of each line in some columns, m², column after column. */
   async draw(view: AtlasView, columns: Uint32Array, options?: CallOptions): Promise<Float32Array> {
     return (await this.call("drawAtlas", [this.id, view, columns], options)).distances;
   }
 
+  /** The nearest window of a line in a column. */
   nearest(view: AtlasView, column: number, line: number): Promise<NearestInAtlas> {
     return this.call("nearestInAtlas", [this.id, view, column, line]);
   }
 
+  /** Pose at a frame of a clip, aligned with a column of the motion as in the metric. */
   async pose(column: number, clip: number, frame: number): Promise<Float32Array> {
     return (await this.call("atlasPose", [this.id, column, clip, frame])).pose;
   }
 
+  /** The database's windows for the GPU. */
   packed(view: AtlasView, options?: CallOptions): Promise<PackedWindows> {
     return this.call("packAtlas", [this.id, view], options);
   }
 
+  /** The motion's columns, in the same layout. */
   packedColumns(view: AtlasView, options?: CallOptions): Promise<PackedWindows> {
     return this.call("packAtlasColumns", [this.id, view], options);
   }
 
+  /** Line of each packed window; the largest number for windows without a line. */
   async lines(view: AtlasView, options?: CallOptions): Promise<Uint32Array> {
     return (await this.call("atlasLines", [this.id, view], options)).lines;
   }

@@ -1,6 +1,7 @@
 /** The GPU that draws atlases, in a worker of its own. Nothing is loaded if there is no GPU. */
 import type { PackedWindows } from "../../engine/atlas";
-import { type ClientPort, RpcClient, remote } from "../rpc";
+import type { WorkerPort } from "../rpc";
+import { RpcClient } from "../rpc_client";
 import type { GraphicsCalls } from "./graphics_protocol";
 
 /**
@@ -31,19 +32,17 @@ export async function findGraphics(software: boolean): Promise<GraphicsFound | u
   return { name: description || [vendor, architecture].filter((word) => word !== "").join(" ") };
 }
 
-function spawnWorker(): ClientPort {
+function spawnWorker(): WorkerPort {
   return new Worker(new URL("./graphics_worker.ts", import.meta.url), { type: "module", name: "strut graphics" });
 }
 
 /** Draws the windows of one database for one part of the body. */
 export class Graphics {
-  private readonly rpc: RpcClient;
-  private readonly calls: GraphicsCalls;
+  private readonly rpc: RpcClient<GraphicsCalls>;
   private columns = SLICE.first;
 
-  private constructor(spawn: () => ClientPort) {
+  private constructor(spawn: () => WorkerPort) {
     this.rpc = new RpcClient(spawn, "graphics processor");
-    this.calls = remote<GraphicsCalls>(this.rpc);
   }
 
   /** @throws StrutError `gpu-lost` if it cannot be used */
@@ -51,7 +50,7 @@ export class Graphics {
     const graphics = new Graphics(spawn);
     try {
       const transfer = [packed.rows.buffer, packed.windows.buffer] as ArrayBuffer[];
-      await graphics.rpc.call("open", [packed], signal, transfer);
+      await graphics.rpc.call("open", [packed], { signal, transfer });
       return graphics;
     } catch (thrown) {
       graphics.dispose();
@@ -61,7 +60,7 @@ export class Graphics {
 
   /** Sets the line of each window, below `height`. @throws StrutError `gpu-lost` */
   setLines(lines: Uint32Array, height: number): Promise<void> {
-    return this.calls.setLines(lines, height);
+    return this.rpc.call("setLines", [lines, height]);
   }
 
   /**
@@ -82,7 +81,7 @@ export class Graphics {
         windows: windows.slice(first * WINDOW, end * WINDOW),
       };
       const began = performance.now();
-      const bits = (await this.rpc.call("draw", [slice], signal)) as Uint32Array;
+      const bits = await this.rpc.call("draw", [slice], { signal });
       const share = SLICE_MS / Math.max(1, performance.now() - began);
       const wished = Math.round(((end - first) * Math.min(2, share)) / SLICE.least) * SLICE.least;
       this.columns = Math.min(SLICE.most, Math.max(SLICE.least, wished));

@@ -1,7 +1,7 @@
 /** The entry of the GPU's worker. */
 import { StrutError } from "../../engine/errors";
 import { Painter } from "../../engine/gpu/painter";
-import { answerCalls, type Methods, type ServerPort } from "../rpc";
+import { answerCalls, answersOf, type ServerPort } from "../rpc_server";
 import type { GraphicsCalls } from "./graphics_protocol";
 
 let opened: Painter | undefined;
@@ -29,4 +29,4 @@ const TABLE: GraphicsCalls = {
   draw: (columns) => inTurn(() => painter().draw(columns)),
 };
 
-answerCalls(self as unknown as ServerPort, TABLE as unknown as Methods);
+answerCalls(self as unknown as ServerPort, answersOf(TABLE));

@@ -1,4 +1,5 @@
 /** The build worker's entry. */
-import { type BuildPort, serveBuilds } from "./server";
+import type { ServerPort } from "../rpc_server";
+import { serveBuilds } from "./server";
 
-serveBuilds(self as unknown as BuildPort);
+serveBuilds(self as unknown as ServerPort);

@@ -2,8 +2,8 @@ import { afterEach, beforeAll, describe, expect, test } from "vitest";
 import { everyNth, playedAt, walksIn } from "../../../tests/clips";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
 import { zipOf } from "../../../tests/zip";
-import { createBuildClient } from "./client";
-import type { BuildClient, BuiltDatabase, ChosenFile, DroppedFile, ReadClip, ReadEvent, Skeleton } from "./protocol";
+import { BuildClient } from "./client";
+import type { BuiltDatabase, ChosenFile, DroppedFile, ReadClip, ReadEvent, Skeleton } from "./protocol";
 
 let walks: Record<"neutral" | "old" | "proud", string>;
 beforeAll(async () => {
@@ -18,7 +18,7 @@ afterEach(() => {
 });
 
 function connect(): BuildClient {
-  client = createBuildClient(() => {
+  client = new BuildClient(() => {
     workers.push(new InlineBuildWorker());
     return workers.at(-1)!;
   });
@@ -53,7 +53,7 @@ async function build(files: DroppedFile[], neutral = "neutral"): Promise<BuiltDa
 }
 
 test("a worker that stays silent is replaced, and its calls are rejected", async () => {
-  const client = createBuildClient(() => {
+  const client = new BuildClient(() => {
     const worker = new InlineBuildWorker();
     // As after the system has terminated it: no message, no error.
     if (workers.length === 0) worker.postMessage = () => {};
@@ -223,7 +223,8 @@ describe("a build", () => {
     expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
     // A module's memory never shrinks, so the worker is terminated when the build is done.
     expect(workers.map(({ terminated }) => terminated)).toEqual([true]);
-    expect(workers[0]!.received.map(({ method }) => method)).toEqual(["open", "build", "pause", "build"]);
+    const received = workers[0]!.received.map((message) => (message.kind === "call" ? message.method : message.kind));
+    expect(received).toEqual(["open", "build", "cancel", "build"]);
 
     // Another build has other clips.
     const other = client.build(TWELVE.slice(0, 1), "neutral");
@@ -252,4 +253,11 @@ describe("a build", () => {
     expect(built.clips).toBe(12);
     expect(labels).toEqual([]);
   });
+});
+
+test("files are opened after it was disposed of", async () => {
+  connect();
+  await client.open([file("a.bvh", walks.neutral)]);
+  client.dispose();
+  expect((await client.open([file("b.bvh", walks.neutral)])).clips).toEqual([{ path: "b.bvh", licence: "" }]);
 });

@@ -10,7 +10,6 @@ import type {
 } from "../../engine/build/builder";
 import type { KeyStyleOrder, TrainedKeyStyle } from "../../engine/build/key_style_training";
 import type { TrainedWalk } from "../../engine/build/walk_training";
-import type { CallOptions } from "../../engine/types";
 
 export type * from "../../engine/build/builder";
 export type { KeyStyleClip, KeyStyleOrder, TrainedKeyStyle } from "../../engine/build/key_style_training";
@@ -48,7 +47,7 @@ export type ReadClip =
 /** A skeleton that is shared by clips. */
 export interface Skeleton extends Pick<ClipInfo, "joints" | "parents" | "roles" | "confidence" | "fault" | "note"> {}
 
-/** What {@link BuildClient.readAll} reports while it runs. */
+/** What `readAll` reports while it runs. */
 export interface ReadEvent {
   clips: ReadClip[];
   /** Skeletons met for the first time; their indices follow those of the known ones. */
@@ -61,38 +60,17 @@ export interface ChosenFile extends BuildFile {
   roles: Roles | undefined;
 }
 
-/**
- * Database building as the page sees it. One set of files is open at a time. Rejections are `StrutError`s whose
- * messages are sentences for the user. Cancelling a call ends the worker, whatever it is doing, and a new one replaces
- * it. Only a build is paused instead: until other files are opened, the same build continues from there.
- */
-export interface BuildClient {
-  /** Lists the clips among these files, which replace the previous ones. Nothing is unpacked yet. */
-  open(files: DroppedFile[], options?: CallOptions): Promise<Found>;
-  /** Labels of every clip, in order, from the table or, without one, from the pattern. */
-  label(pattern: string | undefined, table: File | undefined): Promise<Labelled[]>;
-  /** Reads every clip once to find its length, frame rate and skeleton. */
-  readAll(onRead: (event: ReadEvent) => void, options?: CallOptions): Promise<void>;
-  preview(index: number, roles: Roles | undefined): Promise<Preview>;
-  /** Builds a database. Without `neutral`, the neutral style is found by its name. */
-  build(files: ChosenFile[], neutral: string | undefined, options?: CallOptions): Promise<BuiltDatabase>;
-  /** Adds a clip as a new style to a database, or to the built-in one. Without `action`, the action that fits best is used. */
-  addStyle(
-    database: Blob | undefined,
-    clip: File,
-    style: string,
-    options?: CallOptions & { action?: string | undefined },
-  ): Promise<BuiltDatabase>;
-  /** Trains a walk model on a database, or on the built-in one. */
-  trainWalk(database: Blob | undefined, options?: CallOptions): Promise<TrainedWalk>;
-  /** Trains a key-style model on clips of the files; without files on a database, or on the built-in one. */
-  trainKeyStyle(
-    database: Blob | undefined,
-    files: readonly DroppedFile[],
-    order: KeyStyleOrder,
-    options?: CallOptions,
-  ): Promise<TrainedKeyStyle>;
-  dispose(): void;
-}
-
 export type { BuildFile, Labelled, Preview, RefusedFile, Roles };
+
+/** The worker's calls. Cancelling a `build` pauses it. */
+export interface BuildCalls {
+  open(files: DroppedFile[]): Found;
+  label(pattern: string | undefined, table: File | undefined): Labelled[];
+  /** Its progress is a {@link ReadEvent}, too. */
+  readAll(): undefined;
+  preview(index: number, roles: Roles | undefined): Preview;
+  build(files: ChosenFile[], neutral: string | undefined): BuiltDatabase;
+  addStyle(database: Blob | undefined, clip: File, style: string, action: string | undefined): BuiltDatabase;
+  trainWalk(database: Blob | undefined): TrainedWalk;
+  trainKeyStyle(database: Blob | undefined, files: DroppedFile[], order: KeyStyleOrder): TrainedKeyStyle;
+}

@@ -4,11 +4,13 @@ import { KeyStyleClips, type KeyStyleOrder, type TrainedKeyStyle } from "../../e
 import { type TrainedWalk, trainWalk } from "../../engine/build/walk_training";
 import { buildModule } from "../../engine/build/wasm";
 import { loadBuiltIn } from "../../engine/built_in";
-import { cancelled, toStrutError } from "../../engine/errors";
+import { cancelled } from "../../engine/errors";
 import type { Progress } from "../../engine/types";
+import type { ResultOf } from "../rpc";
+import { answerCalls, type Caller, type ServerPort } from "../rpc_server";
 import { otherMessages } from "../server/time_slices";
-import type { BuildCall, BuildReply, BuildRequest, BuildResults } from "./messages";
 import type {
+  BuildCalls,
   BuiltDatabase,
   ChosenFile,
   DroppedFile,
@@ -22,12 +24,6 @@ import type {
 import { trainedOnce } from "./saved_walk_models";
 import { findSources, folderOf, LICENCE_NAMES, reasonOf, type Source } from "./sources";
 
-/** The part of a worker's global scope that the server needs. */
-export interface BuildPort {
-  postMessage(message: BuildReply, transfer: Transferable[]): void;
-  onmessage: ((event: MessageEvent<BuildRequest>) => void) | null;
-}
-
 /** Maximum number of bytes of a table of labels. */
 const MAX_TABLE_BYTES = 64 << 20;
 /** Time between two reports of clips that were read, milliseconds. */
@@ -39,28 +35,10 @@ const SHARES = { reading: 0.2, preparing: 0.15, registering: 0.6 };
 const TRAIN_READING = 0.15;
 const KEY_STYLE_READING = 0.3;
 
-/** The caller of a long task. */
-interface Caller {
-  report(progress: Progress): void;
-  tell(event: ReadEvent): void;
-}
-
 /** Answers the calls that arrive at `port`. */
-export function serveBuilds(port: BuildPort): void {
+export function serveBuilds(port: ServerPort): void {
   const server = new BuildServer(DatabaseBuilder.load());
-  port.onmessage = async ({ data: call }) => {
-    const { id } = call;
-    const caller: Caller = {
-      report: (progress) => port.postMessage({ kind: "progress", id, progress }, []),
-      tell: (event) => port.postMessage({ kind: "read", id, event }, []),
-    };
-    try {
-      const value = await server.answer(call, caller);
-      port.postMessage({ kind: "result", id, value }, []);
-    } catch (thrown) {
-      port.postMessage({ kind: "failure", id, error: toStrutError(thrown).parts() }, []);
-    }
-  };
+  answerCalls(port, (method, args, caller) => server.answer(method as keyof BuildCalls, args, caller));
 }
 
 /** An unfinished build. */
@@ -75,48 +53,40 @@ interface BegunBuild {
   built: BuiltDatabase | undefined;
 }
 
+/** The calls that concern open files. */
+type BuildAnswers = {
+  [M in Exclude<keyof BuildCalls, "open">]: (...args: Parameters<BuildCalls[M]>) => Promise<ResultOf<BuildCalls, M>>;
+};
+
 class BuildServer {
   private clips: Source[] = [];
   /** Every other call concerns the files that were opened before it. */
   private opening: Promise<Found> | undefined;
   private begun: BegunBuild | undefined;
-  private pauseAsked = false;
-  /** Settles when no build is under way. */
-  private building: Promise<BuiltDatabase | undefined> = Promise.resolve(undefined);
 
   constructor(private readonly loading: Promise<DatabaseBuilder>) {
     // The first call reports the load error.
     loading.catch(() => {});
   }
 
-  async answer(call: BuildCall, caller: Caller): Promise<BuildResults[BuildCall["method"]]> {
-    if (call.method === "pause") {
-      this.pauseAsked = true;
-      await this.building.catch(() => {});
-      return undefined;
-    }
-    if (call.method === "open") {
-      this.opening = this.loading.then((builder) => this.open(builder, call.files));
+  async answer(method: keyof BuildCalls, args: unknown[], caller: Caller): Promise<unknown> {
+    if (method === "open") {
+      const [files] = args as Parameters<BuildCalls["open"]>;
+      this.opening = this.loading.then((builder) => this.open(builder, files));
       return this.opening;
     }
     const [builder] = await Promise.all([this.loading, this.opening]);
-    switch (call.method) {
-      case "label":
-        return this.label(builder, call.pattern, call.table);
-      case "readAll":
-        return this.readAll(builder, caller);
-      case "preview":
-        return builder.preview(await this.clips[call.index]!.read(), call.roles);
-      case "build":
-        this.building = this.build(builder, call.files, call.neutral, caller);
-        return this.building;
-      case "addStyle":
-        return this.addStyle(builder, call, caller);
-      case "trainWalk":
-        return this.trainWalk(call.database, caller);
-      case "trainKeyStyle":
-        return this.trainKeyStyle(call.database, call.files, call.order, caller);
-    }
+    const answers: BuildAnswers = {
+      label: (pattern, table) => this.label(builder, pattern, table),
+      readAll: () => this.readAll(builder, caller),
+      preview: async (index, roles) => builder.preview(await this.clips[index]!.read(), roles),
+      build: (files, neutral) => this.build(builder, files, neutral, caller),
+      addStyle: (...given) => this.addStyle(builder, given, caller),
+      trainWalk: (database) => this.trainWalk(database, caller),
+      trainKeyStyle: (database, files, order) => this.trainKeyStyle(database, files, order, caller),
+    };
+    // A call pairs each method with its own arguments; TypeScript does not follow that through the index.
+    return (answers[method] as (...args: unknown[]) => Promise<unknown>)(...args);
   }
 
   private async open(builder: DatabaseBuilder, files: DroppedFile[]): Promise<Found> {
@@ -150,8 +120,12 @@ class BuildServer {
     let told = performance.now();
     const tell = (done: number) => {
       const total = this.clips.length;
-      caller.tell(event);
-      caller.report({ label: `Reading ${clipsOf(total)}, ${done} done.`, fraction: done / total });
+      const progress: Progress & ReadEvent = {
+        label: `Reading ${clipsOf(total)}, ${done} done.`,
+        fraction: done / total,
+        ...event,
+      };
+      caller.report(progress);
       event = { clips: [], skeletons: [] };
       told = performance.now();
     };
@@ -165,7 +139,7 @@ class BuildServer {
 
   private async addStyle(
     builder: DatabaseBuilder,
-    { database, clip, style, action }: Extract<BuildCall, { method: "addStyle" }>,
+    [database, clip, style, action]: Parameters<BuildCalls["addStyle"]>,
     caller: Caller,
   ): Promise<BuiltDatabase> {
     const [known, bvh] = await Promise.all([bytesOf(database), clip.arrayBuffer()]);
@@ -231,14 +205,13 @@ class BuildServer {
     const { build, unread } = begun;
     // A failed build cannot continue; only a pause keeps it.
     this.begun = undefined;
-    this.pauseAsked = false;
     while (begun.read < build.order.length) {
       const done = begun.read;
       const path = build.order[done]!;
       caller.report({ label: `Reading ${clipsOf(total)}, ${done} done.`, fraction: (SHARES.reading * done) / total });
       const { index, roles } = byPath.get(path)!;
       const bytes = await this.clips[index]!.read().catch((thrown) => reasonOf(thrown));
-      await this.mayPause(begun);
+      await this.mayPause(begun, caller);
       try {
         if (typeof bytes === "string") unread.push({ path, reason: bytes });
         else build.add(path, bytes, roles);
@@ -248,19 +221,19 @@ class BuildServer {
       begun.read += 1;
     }
     const report: OnBuildProgress = (stage, done, of) => caller.report(buildProgress(stage, done, of));
-    while (begun.built === undefined && build.step(report)) await this.mayPause(begun);
+    while (begun.built === undefined && build.step(report)) await this.mayPause(begun, caller);
     begun.built ??= build.finish(report);
-    await this.mayPause(begun);
+    await this.mayPause(begun, caller);
     return { ...begun.built, refused: [...unread, ...begun.built.refused] };
   }
 
   /**
-   * Handles the calls that arrived meanwhile.
-   * @throws StrutError `cancelled` if the build is to be paused
+   * Handles the messages that arrived meanwhile.
+   * @throws StrutError `cancelled` if the build was cancelled, and is paused
    */
-  private async mayPause(begun: BegunBuild): Promise<void> {
+  private async mayPause(begun: BegunBuild, caller: Caller): Promise<void> {
     await otherMessages();
-    if (!this.pauseAsked) return;
+    if (!caller.isCancelled()) return;
     this.begun = begun;
     throw cancelled();
   }

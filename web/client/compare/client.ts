@@ -1,6 +1,6 @@
 /** The Compare view's own engine, separate from the one that plays, so that training a method does not block playback. */
+import type { StrutClient } from "../client";
 import { createStrutClient } from "../client";
-import type { StrutClient } from "../protocol";
 
 /** A method is trained in one call, which may take longer than all other calls of the engine. */
 const SILENCE_MS = 300_000;

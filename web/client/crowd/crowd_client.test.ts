@@ -2,7 +2,6 @@
 import { expect, test } from "vitest";
 import { joinedWorker } from "../../../tests/joined_worker";
 import { StrutError } from "../../engine/errors";
-import type { Methods } from "../rpc";
 import type { Clock } from "./clock";
 import { createCrowd } from "./crowd_client";
 import type { CrowdCalls, CrowdTick } from "./protocol";
@@ -73,7 +72,7 @@ function worker() {
     exportBvh: async (walker, secs) => `HIERARCHY ${walker} ${secs}`,
   };
   const spawn = () =>
-    joinedWorker(table as unknown as Methods, () => {
+    joinedWorker(table, () => {
       state.ended += 1;
     });
   return { spawn, state, heard, release: () => release() };

@@ -6,7 +6,8 @@
 import type { FieldVertex, People, Place } from "../../engine/crowd/limits";
 import { type StrutError, toStrutError } from "../../engine/errors";
 import type { CallOptions } from "../protocol";
-import { type ClientPort, RpcClient, remote } from "../rpc";
+import type { WorkerPort } from "../rpc";
+import { RpcClient, remote } from "../rpc_client";
 import { type Clock, PAGE_CLOCK } from "./clock";
 import type { CrowdCalls, CrowdFacts, CrowdStart, CrowdTick } from "./protocol";
 
@@ -22,11 +23,11 @@ interface CrowdChoices {
 
 /** Dependencies that tests replace. */
 interface CrowdSurroundings {
-  spawn?: () => ClientPort;
+  spawn?: () => WorkerPort;
   clock?: Clock;
 }
 
-function spawnWorker(): ClientPort {
+function spawnWorker(): WorkerPort {
   return new Worker(new URL("./crowd_worker.ts", import.meta.url), { type: "module", name: "strut crowd" });
 }
 
@@ -39,16 +40,16 @@ export async function createCrowd(
   { signal, bonesOf, fieldOf, ...start }: CrowdStart & CrowdChoices & Pick<CallOptions, "signal">,
   { spawn = spawnWorker, clock = PAGE_CLOCK }: CrowdSurroundings = {},
 ): Promise<Crowd> {
-  const rpc = new RpcClient(spawn, "crowd");
+  const rpc = new RpcClient<CrowdCalls>(spawn, "crowd");
   try {
     // Agents added after the field is set start in its styles.
     const first = fieldOf ? { ...start, count: Math.min(1, start.count) } : start;
-    const facts = (await rpc.call("open", [people, first], signal)) as CrowdFacts;
+    const facts = await rpc.call("open", [people, first], { signal });
     if (fieldOf) {
-      await rpc.call("setField", [fieldOf(facts.styles)], signal);
-      await rpc.call("setCount", [start.count], signal);
+      await rpc.call("setField", [fieldOf(facts.styles)], { signal });
+      await rpc.call("setCount", [start.count], { signal });
     }
-    if (bonesOf) await rpc.call("setBones", [bonesOf(facts.proportions)], signal);
+    if (bonesOf) await rpc.call("setBones", [bonesOf(facts.proportions)], { signal });
     return new Crowd(rpc, facts, start.count, clock);
   } catch (thrown) {
     rpc.dispose();
@@ -83,13 +84,13 @@ export class Crowd implements CrowdFacts {
   private wait: (() => void) | undefined;
 
   constructor(
-    private readonly rpc: RpcClient,
+    private readonly rpc: RpcClient<CrowdCalls>,
     facts: CrowdFacts,
     private readonly asked: number,
     private readonly clock: Clock,
   ) {
     ({ styles: this.styles, proportions: this.proportions, rateHz: this.rateHz } = facts);
-    this.calls = remote<CrowdCalls>(rpc);
+    this.calls = remote(rpc);
     this.due = clock.now();
     this.ask();
   }
@@ -161,7 +162,7 @@ export class Crowd implements CrowdFacts {
 
   /** Makes the worker write the next tick into a buffer that is no longer used. */
   private ask(spare?: ArrayBuffer): void {
-    const answer = this.rpc.call("tick", [spare], undefined, spare ? [spare] : []) as Promise<CrowdTick>;
+    const answer = this.rpc.call("tick", [spare], { transfer: spare ? [spare] : [] });
     this.asking = answer.then(
       (tick) => {
         this.next = tick;

@@ -1,5 +1,5 @@
 /** The entry of the crowd's worker. */
-import { answerCalls, type Methods, type ServerPort } from "../rpc";
+import { answerCalls, answersOf, type ServerPort } from "../rpc_server";
 import { createCrowdTable } from "./crowd_table";
 
-answerCalls(self as unknown as ServerPort, createCrowdTable() as unknown as Methods);
+answerCalls(self as unknown as ServerPort, answersOf(createCrowdTable()));

@@ -1,13 +1,14 @@
 /** Driving through the client, with the real engine and driver on this thread. */
+
 import { afterEach, describe, expect, test } from "vitest";
 import { walksIn } from "../../../tests/clips";
 import { InlineBuildWorker } from "../../../tests/inline_build_worker";
 import { InlineWorker } from "../../../tests/inline_worker";
 import { DEFAULT_OPTIONS } from "../../engine/types";
 import { POSE_FLOATS } from "../../humanoid";
-import { createBuildClient } from "../build/client";
+import { BuildClient } from "../build/client";
+import type { StrutClient } from "../client";
 import { createStrutClient } from "../client";
-import type { StrutClient } from "../protocol";
 import { type DriveControl, type DriveFrame, type Root, STILL } from "./protocol";
 
 const DT = 1 / 60;
@@ -177,7 +178,7 @@ describe("bad input", () => {
 describe("a database with too little neutral walking", () => {
   /** A database of clips, each a BVH file. */
   async function databaseOf(files: Readonly<Record<string, string>>, neutral: string): Promise<Blob> {
-    const builds = createBuildClient(() => new InlineBuildWorker());
+    const builds = new BuildClient(() => new InlineBuildWorker());
     const { clips, pattern } = await builds.open(
       Object.entries(files).map(([path, text]) => ({ path, file: new File([text], path) })),
     );

@@ -6,6 +6,7 @@ import { KeyStyleClips } from "../../engine/build/key_style_training";
 import { loadBuiltIn } from "../../engine/built_in";
 import { KeyStyleModel, type StyleKey } from "../../engine/key_style/model";
 import type { Somn } from "../../engine/key_style/somn";
+import { loadedOnce } from "../../engine/loaded_once";
 import { DEGREES, POSE_FLOATS } from "../../humanoid";
 import type { Keyed, LearnEngine, SamplePoses, SomnSnapshot, StyleSamples } from "./protocol";
 
@@ -24,14 +25,7 @@ export function createKeyStyles(): Pick<
   LearnEngine,
   "styleSamples" | "somn" | "somnPoses" | "somnErrors" | "dragged" | "stylePose" | "keyed"
 > {
-  let opening: Promise<Opened> | undefined;
-  const opened = () => {
-    opening ??= open().catch((error) => {
-      opening = undefined;
-      throw error;
-    });
-    return opening;
-  };
+  const opened = loadedOnce(open);
   return {
     styleSamples: async () => structuredClone((await opened()).samples),
     somn: async (updates, asPrinted) => (await opened()).somn(updates, asPrinted),

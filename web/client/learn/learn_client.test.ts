@@ -27,7 +27,7 @@ it("an engine from another origin is started again by the same script", async ()
     },
   );
   const engine = createLearnClient();
-  for (let start = 0; start < 3; start++) await expect(engine.inputs()).rejects.toMatchObject({ code: "fault" });
+  for (let start = 0; start < 3; start++) await expect(engine.inputs()).rejects.toMatchObject({ code: "load" });
   expect(started).toEqual(["blob:1", "blob:1", "blob:1"]);
   engine.dispose();
 });

@@ -1,13 +1,14 @@
 /** The lessons' own engine in a worker, which starts with the first call. */
 
-import { type ClientPort, RpcClient, remote } from "../rpc";
+import type { WorkerPort } from "../rpc";
+import { RpcClient, remote } from "../rpc_client";
 import workerAddress from "./learn_worker?worker&url";
 import type { LearnEngine } from "./protocol";
 
 /** An engine with its disposal. */
 type LearnClient = LearnEngine & { dispose(): void };
 
-function spawnWorker(): ClientPort {
+function spawnWorker(): WorkerPort {
   const address = new URL(workerAddress, import.meta.url);
   const options = { type: "module", name: "strut learn" } as const;
   if (address.origin === self.origin) return new Worker(address, options);
@@ -21,7 +22,7 @@ function spawnWorker(): ClientPort {
 let script: string | undefined;
 
 /** Creates an engine. @param spawn starts the worker */
-export function createLearnClient(spawn: () => ClientPort = spawnWorker): LearnClient {
-  const client = new RpcClient(spawn, "engine of the lessons");
-  return remote<LearnEngine, { dispose(): void }>(client, { dispose: () => client.dispose() });
+export function createLearnClient(spawn: () => WorkerPort = spawnWorker): LearnClient {
+  const client = new RpcClient<LearnEngine>(spawn, "engine of the lessons");
+  return remote(client, { dispose: () => client.dispose() });
 }

@@ -4,6 +4,7 @@ import { Engine } from "../../engine/engine";
 import { StrutError } from "../../engine/errors";
 import type { Lens } from "../../engine/learn/lens";
 import { performedIn } from "../../engine/learn/wasm";
+import { loadedOnce } from "../../engine/loaded_once";
 import { createKeyStyles } from "./key_styles";
 import { Opened } from "./opened";
 import type { LearnEngine, WindowsOrder } from "./protocol";
@@ -21,18 +22,10 @@ function classOf(lens: Lens, order: WindowsOrder): number {
 
 /** The functions behind {@link LearnEngine}. */
 export function createLearnTable(): LearnEngine {
-  let opening: Promise<Opened> | undefined;
-  const open = async () => {
+  const opened = loadedOnce(async () => {
     const [engine, motions] = await Promise.all([Engine.load(), loadBuiltIn()]);
     return new Opened(engine, motions);
-  };
-  const opened = () => {
-    opening ??= open().catch((error) => {
-      opening = undefined;
-      throw error;
-    });
-    return opening;
-  };
+  });
   return {
     inputs: async () => {
       const { engine, motions } = await opened();

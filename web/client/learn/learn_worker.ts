@@ -1,7 +1,7 @@
 /** The entry of the lessons' worker. */
 import { serveLearnPackage } from "../../engine/learn/wasm";
-import { answerCalls, type Methods, type ServerPort } from "../rpc";
+import { answerCalls, answersOf, type ServerPort } from "../rpc_server";
 import { createLearnTable } from "./learn_table";
 
 serveLearnPackage();
-answerCalls(self as unknown as ServerPort, createLearnTable() as unknown as Methods);
+answerCalls(self as unknown as ServerPort, answersOf(createLearnTable()));

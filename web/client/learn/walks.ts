@@ -1,5 +1,6 @@
 /** Synthesised walks of the lessons, by the built-in walk model, which is loaded at the first call. */
 import { StrutError } from "../../engine/errors";
+import { loadedOnce } from "../../engine/loaded_once";
 import type { StyleWeights } from "../../engine/types";
 import { WalkModel, type Weights } from "../../engine/walk/walker";
 import { POSE_FLOATS } from "../../humanoid";
@@ -7,14 +8,7 @@ import type { LearnEngine } from "./protocol";
 
 /** The functions behind the walk calls. */
 export function createWalks(): Pick<LearnEngine, "walkPath" | "walk"> {
-  let opening: Promise<WalkModel> | undefined;
-  const opened = () => {
-    opening ??= WalkModel.builtIn().catch((error) => {
-      opening = undefined;
-      throw error;
-    });
-    return opening;
-  };
+  const opened = loadedOnce(() => WalkModel.builtIn());
   return {
     walkPath: async (styles, { joint, axis }, options) => {
       const model = await opened();

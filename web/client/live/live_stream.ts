@@ -10,7 +10,7 @@ import type { EngineClient } from "../engine_client";
 import type { ClientDatabase, ClientStylizer } from "../handles";
 import type { StylizeOptions } from "../protocol";
 import { heaviest } from "../readings";
-import type { LiveSetup, LiveStats, PerformerStream, StreamFrame } from "./protocol";
+import type { LiveSetup, LiveStats, StreamFrame } from "./protocol";
 
 /** Maximum number of frames that are caught up at once. If more time has passed, as in a hidden page, the rest is skipped. */
 const MAX_FRAMES_AT_ONCE = 15;
@@ -20,7 +20,7 @@ const REMEMBERED = 256;
 /** Options for live poses: output lasts as long as input, and there is no timeline. */
 const LIVE_OPTIONS = { timing: false, track: [] } as const;
 
-export class LiveStream implements PerformerStream {
+export class LiveStream {
   /** Receives every displayed frame. */
   onFrame: ((frame: StreamFrame) => void) | undefined;
   readonly #rateHz: number;

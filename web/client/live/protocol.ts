@@ -1,7 +1,6 @@
 /** Messages between a page and a performer's stream. */
 import type { BufferStats, Play } from "../../engine/live/pose_stream";
-import type { StreamSkeleton } from "../../engine/live/skeleton";
-import type { DatabaseInfo, Reading, StylizeOptions } from "../../engine/types";
+import type { Reading, StylizeOptions } from "../../engine/types";
 
 /** A displayed frame. */
 export interface StreamFrame {
@@ -39,25 +38,4 @@ export interface LiveSetup {
   /** Whether the character is pulled to the performer's position, or moves freely with its own steps. */
   follows: boolean;
   options: Partial<StylizeOptions>;
-}
-
-/** A performer styled as poses arrive. */
-export interface PerformerStream {
-  /** Receives every displayed frame. */
-  onFrame: ((frame: StreamFrame) => void) | undefined;
-  readonly database: { readonly info: DatabaseInfo };
-  readonly stats: LiveStats;
-  /** Sets the skeleton of the next frames. @throws StrutError if it is invalid; the previous one stays in use */
-  set skeleton(skeleton: StreamSkeleton);
-  /**
-   * Accepts a frame that arrives now. Returns whether it is used.
-   * @throws StrutError if the first frame of a BVH file shows that its skeleton is not a body
-   */
-  push(sentSecs: number, numbers: Float32Array): boolean;
-  /**
-   * Advances to the current time: styles the frames that are due and returns the last of them. Returns `undefined` if
-   * there is none, because nothing has arrived, the performer is lost, or it is too early.
-   * @throws StrutError as from the engine; the next call continues
-   */
-  advance(): Promise<StreamFrame | undefined>;
 }

@@ -3,9 +3,10 @@
  * the pointer within the same display frame.
  */
 import { KeyStyleModel } from "../../engine/key_style/model";
-import { type BuildWorkerPort, createBuildClient } from "../build/client";
+import { BuildClient } from "../build/client";
 import type { DroppedFile, KeyStyleOrder, TrainedKeyStyle } from "../build/protocol";
 import type { CallOptions } from "../protocol";
+import type { WorkerPort } from "../rpc";
 
 export {
   type Between,
@@ -37,7 +38,7 @@ export type KeyStyleModelSource = { file: Uint8Array } | { motions: TrainingMoti
 export async function openKeyStyle(
   source: KeyStyleModelSource,
   options?: CallOptions,
-  spawn?: () => BuildWorkerPort,
+  spawn?: () => WorkerPort,
 ): Promise<KeyStyleModel> {
   const { file } = "file" in source ? source : await trainKeyStyle(source.motions, source.order, options, spawn);
   return KeyStyleModel.open(file);
@@ -48,10 +49,10 @@ export async function trainKeyStyle(
   motions: TrainingMotions,
   order: KeyStyleOrder,
   options?: CallOptions,
-  spawn?: () => BuildWorkerPort,
+  spawn?: () => WorkerPort,
 ): Promise<TrainedKeyStyle> {
   const [database, files] = "files" in motions ? [undefined, motions.files] : [motions.database, []];
-  const client = createBuildClient(spawn);
+  const client = new BuildClient(spawn);
   try {
     return await client.trainKeyStyle(database, files, order, options);
   } finally {

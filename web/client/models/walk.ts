@@ -3,9 +3,10 @@
  * on the next frame.
  */
 import { WalkModel } from "../../engine/walk/walker";
-import { type BuildWorkerPort, createBuildClient } from "../build/client";
+import { BuildClient } from "../build/client";
 import type { TrainedWalk } from "../build/protocol";
 import type { CallOptions } from "../protocol";
+import type { WorkerPort } from "../rpc";
 
 export {
   type JointCurve,
@@ -33,7 +34,7 @@ export type WalkModelSource = { file: Uint8Array } | { database: Blob | undefine
 export async function openWalk(
   source: WalkModelSource,
   options?: CallOptions,
-  spawn?: () => BuildWorkerPort,
+  spawn?: () => WorkerPort,
 ): Promise<WalkModel> {
   const { file } = "file" in source ? source : await trainWalk(source.database, options, spawn);
   return WalkModel.open(file);
@@ -43,9 +44,9 @@ export async function openWalk(
 export async function trainWalk(
   database: Blob | undefined,
   options?: CallOptions,
-  spawn?: () => BuildWorkerPort,
+  spawn?: () => WorkerPort,
 ): Promise<TrainedWalk> {
-  const client = createBuildClient(spawn);
+  const client = new BuildClient(spawn);
   try {
     return await client.trainWalk(database, options);
   } finally {

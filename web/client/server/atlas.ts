@@ -1,10 +1,10 @@
 /** Calls about atlases: all distances between a motion and a database. */
 import { Atlas, type AtlasFacts, type AtlasView, type NearestInAtlas, type PackedWindows } from "../../engine/atlas";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { CarriedMotion, carriedMotion } from "./motions";
 import type { Key, OpenThing } from "./registry";
-import type { Caller } from "./time_slices";
 
 /** An open atlas. */
 class OpenAtlas implements OpenThing {

@@ -1,6 +1,7 @@
 /** The built-in motions for the server's calls. */
 import { type BuiltInSet, loadBuiltIn, type PackedMotions } from "../../engine/built_in";
-import type { Caller } from "./time_slices";
+import { loadedOnce } from "../../engine/loaded_once";
+import type { Caller } from "../rpc_server";
 
 /** Share of the download in the progress of opening. */
 const DOWNLOAD_SHARE = 0.8;
@@ -31,7 +32,6 @@ export class BuiltInMotions {
 
 class LoadingSet {
   #fraction = 0;
-  #loading: Promise<PackedMotions> | undefined;
   readonly #waiting = new Set<Caller>();
 
   constructor(private readonly name: BuiltInSet) {}
@@ -46,17 +46,14 @@ class LoadingSet {
     }
   }
 
-  start(): Promise<PackedMotions> {
+  /** Starts to load the set, unless it is loaded. */
+  readonly start = loadedOnce(() => {
     const received = (fraction: number) => {
       this.#fraction = fraction;
       for (const caller of this.#waiting) this.#report(caller);
     };
-    this.#loading ??= loadBuiltIn(received, this.name).catch((thrown) => {
-      this.#loading = undefined;
-      throw thrown;
-    });
-    return this.#loading;
-  }
+    return loadBuiltIn(received, this.name);
+  });
 
   #report(caller: Caller): void {
     if (this.#fraction < 1)

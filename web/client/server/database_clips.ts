@@ -2,9 +2,9 @@
 import { bvhOfPoses } from "../../engine/drive/driver";
 import { guarded } from "../../engine/wasm";
 import type { DatabaseClip } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
-import type { Caller } from "./time_slices";
 
 /** Indices and names of the clips in the neutral style. */
 export function neutralClips({ open }: Host, _: Caller, id: number): { clip: number; name: string }[] {

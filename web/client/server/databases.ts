@@ -2,9 +2,10 @@
 import type { BuiltInSet } from "../../engine/built_in";
 import type { Database, SlicedFile } from "../../engine/database";
 import type { DatabaseInfo, DatabaseSource } from "../protocol";
+import type { Caller } from "../rpc_server";
 import type { Host } from "./host";
 import type { OpenThing } from "./registry";
-import { type Caller, stage } from "./time_slices";
+import { stage } from "./time_slices";
 
 export class OpenDatabase implements OpenThing {
   static readonly noun = "database";

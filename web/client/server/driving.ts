@@ -5,12 +5,13 @@ import { bvhOfPoses, Driver, inputOfPoses, loadTakes } from "../../engine/drive/
 import type { Stylizer } from "../../engine/stylizer";
 import type { DriveControl, DriveFrame, DriveInfo, Driven, Root } from "../drive/protocol";
 import type { StylizeOptions } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import { DriveSession } from "./drive_session";
 import type { Host } from "./host";
 import { CarriedMotion, OpenMotion } from "./motions";
 import type { OpenThing } from "./registry";
-import { type Caller, stage } from "./time_slices";
+import { stage } from "./time_slices";
 
 /** A driven character. */
 class OpenDrive implements OpenThing {

@@ -1,7 +1,7 @@
 /** The driving calls for a server that has them. Their code is loaded with the first call. */
 import type { Arguments, Result } from "../messages";
+import type { Caller } from "../rpc_server";
 import type { Host } from "./host";
-import type { Caller } from "./time_slices";
 
 const NAMES = ["openDrive", "drive", "restyleDrive", "resetDrive", "driven", "takePoses"] as const;
 export type DrivingMethod = (typeof NAMES)[number];

@@ -2,10 +2,11 @@
 import type { ClipJob } from "../../engine/clip_job";
 import type { InputSource as EngineInputSource, Input } from "../../engine/input";
 import type { InputInfo, InputSource, MotionFacts, Performed, StyledClip, StylizeOptions } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import type { OpenThing } from "./registry";
-import { type Caller, runToEnd, stage } from "./time_slices";
+import { runToEnd, stage } from "./time_slices";
 
 export class OpenMotion implements OpenThing {
   static readonly noun = "motion";

@@ -2,10 +2,11 @@
 import { StrutError } from "../../engine/errors";
 import { Recording, recordedPart } from "../../engine/recording";
 import type { FrameRange, RecordedMotion, StylizeOptions } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { carriedMotion } from "./motions";
-import { type Caller, runToEnd } from "./time_slices";
+import { runToEnd } from "./time_slices";
 
 export async function recordMotion(
   host: Host,

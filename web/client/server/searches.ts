@@ -2,10 +2,11 @@
 import type { Database } from "../../engine/database";
 import type { Input } from "../../engine/input";
 import type { SearchFigures } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { carriedMotion } from "./motions";
-import { type Caller, stage } from "./time_slices";
+import { stage } from "./time_slices";
 
 /** Both searches of an input, in portions: the part of `SearchComparison` (`engine/compare/`) that is needed. */
 interface SearchJob {

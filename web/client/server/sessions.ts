@@ -3,13 +3,13 @@ import type { ClipJob } from "../../engine/clip_job";
 import type { Stylizer } from "../../engine/stylizer";
 import type { SessionSetup } from "../messages";
 import type { Analysis, CurveSubject, Examples, FrameRange, LiveFrame, ShownFrame, StylizeOptions } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { CarriedMotion, carriedMotion, styleClip } from "./motions";
 import type { Key, OpenThing } from "./registry";
 import { LiveSession } from "./session";
 import { SharedWork } from "./shared_work";
-import type { Caller } from "./time_slices";
 
 /** A motion playing in a database. Sessions share no state that changes during playback. */
 class OpenSession implements OpenThing {

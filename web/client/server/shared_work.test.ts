@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
+import type { Caller } from "../rpc_server";
 import { SharedWork } from "./shared_work";
-import { type Caller, runToEnd } from "./time_slices";
+import { runToEnd } from "./time_slices";
 
 /** A job of three slices, and the number of finished slices. */
 function job() {

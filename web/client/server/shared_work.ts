@@ -1,6 +1,6 @@
 /** Long work whose result several callers wait for. */
 import { cancelled } from "../../engine/errors";
-import type { Caller } from "./time_slices";
+import type { Caller } from "../rpc_server";
 
 /** Work that is done once. Its progress is reported to every caller, and it is cancelled when all callers cancel. */
 export class SharedWork<T> {

@@ -2,11 +2,11 @@
 import type { Stylizer } from "../../engine/stylizer";
 import type { Styled } from "../../engine/types";
 import type { StylizeOptions } from "../protocol";
+import type { Caller } from "../rpc_server";
 import { OpenDatabase } from "./databases";
 import type { Host } from "./host";
 import { LiveStylizer } from "./live_stylizer";
 import type { OpenThing } from "./registry";
-import type { Caller } from "./time_slices";
 
 class OpenStylizer implements OpenThing {
   static readonly noun = "stylizer";

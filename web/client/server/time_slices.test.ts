@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { type Caller, runToEnd } from "./time_slices";
+import type { Caller } from "../rpc_server";
+import { runToEnd } from "./time_slices";
 
 const caller: Caller = { isCancelled: () => false, report: () => undefined };
 

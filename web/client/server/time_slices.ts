@@ -1,16 +1,9 @@
 /** Long work in time slices, so that the worker answers other calls in between. */
 import { cancelled } from "../../engine/errors";
-import type { Progress } from "../protocol";
+import type { Caller } from "../rpc_server";
 
 /** Duration of a time slice: half a display frame. */
 const SLICE_MS = 8;
-
-/** The caller of long work: its cancellation and its progress. */
-export interface Caller {
-  /** Whether the caller has cancelled. */
-  isCancelled(): boolean;
-  report(progress: Progress): void;
-}
 
 /** Lets pending messages, such as a cancellation, be handled. */
 export function otherMessages(): Promise<void> {

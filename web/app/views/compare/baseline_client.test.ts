@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { type DatabaseInfo, type DatabaseSource, type StrutClient, StrutError } from "../../../client/protocol";
+import type { StrutClient } from "../../../client/client";
+import { type DatabaseInfo, type DatabaseSource, StrutError } from "../../../client/protocol";
 import { BaselineClient, type OpenSources } from "./baseline_client";
 
 const demo: DatabaseSource = { kind: "demo" };

@@ -1,5 +1,6 @@
 /** A second engine with the trained methods, kd-trees and the real counterparts, which the engine of Play does not have. */
 
+import type { StrutClient } from "../../../client/client";
 import { createCompareClient } from "../../../client/compare/client";
 import {
   type CallOptions,
@@ -7,7 +8,6 @@ import {
   isFault,
   type Performed,
   type SearchFigures,
-  type StrutClient,
   type StyleWeights,
   type StylizeOptions,
 } from "../../../client/protocol";

@@ -1,6 +1,7 @@
 /** The Compare view releases its resources, a second engine and a viewer, when they are no longer needed. */
+
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import type { StrutClient } from "../../../client/protocol";
+import type { StrutClient } from "../../../client/client";
 import { JOINTS, POSE_FLOATS } from "../../../humanoid";
 import type { Session } from "../../../player/session";
 import { Views } from "../../shell/views";

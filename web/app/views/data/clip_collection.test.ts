@@ -1,13 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type {
-  BuildClient,
-  DroppedFile,
-  Labelled,
-  ReadEvent,
-  Roles,
-  Skeleton,
-  TwoManners,
-} from "../../../client/build/protocol";
+import type { BuildClient } from "../../../client/build/client";
+import type { DroppedFile, Labelled, ReadEvent, Roles, Skeleton, TwoManners } from "../../../client/build/protocol";
 import { ClipCollection } from "./clip_collection";
 import { skeletonKey } from "./corpus";
 

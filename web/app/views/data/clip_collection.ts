@@ -1,6 +1,6 @@
 /** The clips of the Data view, independent of the page: opened, labelled, read and edited. */
+import type { BuildClient } from "../../../client/build/client";
 import type {
-  BuildClient,
   BuiltDatabase,
   ChosenFile,
   DroppedFile,

@@ -1,6 +1,6 @@
 /** The Data view: builds a database from the user's clips in the page. */
 import "./data.css";
-import { createBuildClient } from "../../../client/build/client";
+import { BuildClient } from "../../../client/build/client";
 import type { DroppedFile } from "../../../client/build/protocol";
 import { type CallOptions, isCancellation } from "../../../client/protocol";
 import { button } from "../../../ui/controls/buttons";
@@ -34,7 +34,7 @@ export function createView(host: ViewHost): View {
 class DatabaseView implements View {
   readonly element: HTMLElement;
   readonly #host: ViewHost;
-  readonly #client = createBuildClient();
+  readonly #client = new BuildClient();
   readonly #clips: ClipCollection;
   readonly #databases = new DeviceDatabases();
   /** Removes the offer to play with the built database. */

@@ -1,5 +1,5 @@
 /** A style from one clip: a clip dropped onto the polygon becomes a new style, in a database stored here. */
-import { createBuildClient } from "../../../client/build/client";
+import { BuildClient } from "../../../client/build/client";
 import type { CallOptions, DatabaseInfo } from "../../../client/protocol";
 import { strings } from "../../strings/strings";
 import { errorText } from "../../ui/words";
@@ -41,7 +41,7 @@ export async function styleOfClip(
   replaced: string | undefined,
   options: CallOptions,
 ): Promise<StyleOfClip> {
-  const client = createBuildClient();
+  const client = new BuildClient();
   try {
     const {
       refused: _,

@@ -2,8 +2,8 @@
 
 import "./atlas.css";
 import { AtlasDrawing, type Drawn } from "../../../../client/atlas/atlas_drawing";
+import type { AtlasPart, AtlasView, ClientAtlas } from "../../../../client/atlas/client_atlas";
 import { findGraphics, type GraphicsFound } from "../../../../client/atlas/graphics";
-import type { AtlasPart, AtlasView, OpenedAtlas } from "../../../../client/atlas/opened_atlas";
 import { type DatabaseInfo, isCancellation } from "../../../../client/protocol";
 import type { Session } from "../../../../player/session";
 import { button } from "../../../../ui/controls/buttons";
@@ -68,7 +68,7 @@ export class AtlasPane {
   /** The requested windows; `undefined` for all. */
   #asked: Span | undefined;
   #shown = false;
-  #open: { atlas: OpenedAtlas; drawing: AtlasDrawing } | undefined;
+  #open: { atlas: ClientAtlas; drawing: AtlasDrawing } | undefined;
   /** Cancels the current drawing or opening. */
   #busy = new AbortController();
   #shades: Shades | undefined;

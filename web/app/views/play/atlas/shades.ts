@@ -1,6 +1,6 @@
 /** Converts distances to shades: each column from its minimum distance, the brightest, to 3.2 times it. Pure functions. */
 
-import type { AtlasPart } from "../../../../client/atlas/opened_atlas";
+import type { AtlasPart } from "../../../../client/atlas/client_atlas";
 
 /**
  * Smallest lower bound of the shades by part of the body, metres: windows of one take of a walk are at most this far
