@@ -24,7 +24,7 @@ const walk = {
     }),
 };
 
-const live = await strut.live(db, walk, { styles: { proud: 1 }, delay: 50 });
+const live = await strut.live(db, walk, { styles: { proud: 1 }, delaySecs: 0.05 });
 const recorder = live.record();
 await new Promise((resolve) => {
   live.onFrame = ({ frame }) => {
@@ -72,7 +72,7 @@ console.log(
     nobody: await troubleOf(webSocketPoses("ws://127.0.0.1:1", { format: "json" })),
     refusals: [
       await refusal(() => webSocketPoses("ws://192.168.0.7", { format: "json" })),
-      await refusal(() => strut.live(db, walk, { delay: 500 })),
+      await refusal(() => strut.live(db, walk, { delaySecs: 0.5 })),
       await refusal(() =>
         strut.live(
           db,

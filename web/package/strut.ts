@@ -117,17 +117,29 @@ export class StrutEngine implements Strut {
     return new StyledResult(motion.name, clip, on.info, writers);
   }
 
-  async createStylizer(database: Database, options?: Options): Promise<LiveStylizer> {
-    return this.client.createStylizer(this.#database(database), options);
+  async createStylizer(
+    database: Database,
+    { signal, ...options }: Options & Pick<CallOptions, "signal"> = {},
+  ): Promise<LiveStylizer> {
+    return this.client.createStylizer(this.#database(database), options, signal && { signal });
   }
 
-  async live(database: Database, source: PoseSource, options?: LiveOptions): Promise<Live> {
+  async live(
+    database: Database,
+    source: PoseSource,
+    { signal, ...options }: LiveOptions & Pick<CallOptions, "signal"> = {},
+  ): Promise<Live> {
     const { openLive } = await import("../streams/live");
-    return openLive(this.client, this.#database(database), source, options);
+    return openLive(this.client, this.#database(database), source, options, signal);
   }
 
-  async createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback> {
-    const session = await this.client.createSession(this.#database(database), this.#motion(motion), options);
+  async createPlayback(
+    motion: Motion,
+    database: Database,
+    { signal, ...options }: Options & Pick<CallOptions, "signal"> = {},
+  ): Promise<Playback> {
+    const [on, played] = [this.#database(database), this.#motion(motion)];
+    const session = await this.client.createSession(on, played, options, signal && { signal });
     return new MotionPlayback(session, { ...DEFAULT_OPTIONS, ...options });
   }
 

@@ -86,17 +86,21 @@ export interface Strut {
     options?: Options & CallOptions & { bvh?: boolean },
   ): Promise<StyledMotion>;
 
-  /** Styles poses as they arrive. @throws StrutError `bad-input` */
-  createStylizer(database: Database, options?: Options): Promise<LiveStylizer>;
+  /** Styles poses as they arrive. @throws StrutError `bad-input` or `cancelled` */
+  createStylizer(database: Database, options?: Options & Pick<CallOptions, "signal">): Promise<LiveStylizer>;
 
   /**
    * Styles a live performer as poses arrive; `strut-motion/streams` has sources.
-   * @throws StrutError `bad-input` for an unknown or impossible option, `load`
+   * @throws StrutError `bad-input` for an unknown or impossible option, `load` or `cancelled`
    */
-  live(database: Database, source: PoseSource, options?: LiveOptions): Promise<Live>;
+  live(database: Database, source: PoseSource, options?: LiveOptions & Pick<CallOptions, "signal">): Promise<Live>;
 
-  /** Plays a motion in real time. @throws StrutError `bad-input` */
-  createPlayback(motion: Motion, database: Database, options?: Options): Promise<Playback>;
+  /** Plays a motion in real time. @throws StrutError `bad-input` or `cancelled` */
+  createPlayback(
+    motion: Motion,
+    database: Database,
+    options?: Options & Pick<CallOptions, "signal">,
+  ): Promise<Playback>;
 
   /**
    * A new database: `database` with a motion from a BVH file as an additional style.

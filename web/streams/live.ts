@@ -4,6 +4,7 @@ import type { ClientDatabase, StyleChange } from "../client/handles";
 import { LiveStream } from "../client/live/live_stream";
 import type { LiveStats, StreamFrame } from "../client/live/protocol";
 import { type DatabaseInfo, isFault, type StyleWeights, type StylizeOptions } from "../client/protocol";
+import { abortable } from "../client/rpc";
 import { StrutError } from "../engine/errors";
 import { bvhText } from "../formats/bvh";
 import { POSE_FLOATS } from "../humanoid";
@@ -14,8 +15,8 @@ const MAX_RECORDED_SECS = 3600;
 
 /** Options of styling a live performer. */
 export interface LiveOptions extends Partial<StylizeOptions> {
-  /** Buffering delay of frames, so that late ones arrive in time: adapted to their jitter, or 0 to 200 milliseconds. */
-  readonly delay?: "auto" | number;
+  /** Buffering delay of frames, so that late ones arrive in time: adapted to their jitter, or 0 to 0.2 seconds. */
+  readonly delaySecs?: "auto" | number;
   /** Whether the character is pulled to the performer's position, or moves freely with its own steps. */
   readonly place?: "follow" | "free";
 }
@@ -56,23 +57,28 @@ export interface LiveRecording {
   inputToBVH(): string;
 }
 
-/** @throws StrutError if something cannot be loaded, or an option is invalid */
+/** @throws StrutError if something cannot be loaded, an option is invalid, or `cancelled` */
 export async function openLive(
   engine: EngineClient,
   database: ClientDatabase,
   source: PoseSource,
-  { delay = "auto", place = "follow", ...options }: LiveOptions = {},
+  { delaySecs: delay = "auto", place = "follow", ...options }: LiveOptions = {},
+  signal?: AbortSignal,
 ): Promise<Live> {
-  if (delay !== "auto" && !(delay >= 0 && delay <= MAX_DELAY_MS)) {
-    const message = `delay is ${delay}. Expected "auto", or 0 to ${MAX_DELAY_MS} ms.`;
+  if (delay !== "auto" && !(delay >= 0 && delay <= MAX_DELAY_SECS)) {
+    const message = `delaySecs is ${delay}. Expected "auto", or 0 to ${MAX_DELAY_SECS} s.`;
     throw new StrutError({ code: "bad-input", message, hint: "" });
   }
-  const delaySecs = delay === "auto" ? undefined : delay / 1000;
-  const stream = await LiveStream.open(engine, database, { delaySecs, follows: place === "follow", options });
+  const delaySecs = delay === "auto" ? undefined : delay;
+  const stream = await abortable(
+    signal,
+    () => LiveStream.open(engine, database, { delaySecs, follows: place === "follow", options }),
+    (opening) => void opening.then((late) => late.dispose()).catch(() => {}),
+  );
   return new SourceLive(stream, source);
 }
 
-const MAX_DELAY_MS = 200;
+const MAX_DELAY_SECS = 0.2;
 
 class SourceLive implements Live {
   onFrame: ((frame: StreamFrame) => void) | undefined;
