@@ -26,18 +26,8 @@ export const bias: Lesson = lesson<BiasState>({
   id: "bias",
   fields: BIAS_FIELDS,
   figures: [
-    {
-      name: "raised",
-      kind: "raised",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    {
-      name: "band",
-      kind: "band",
-      beats: ["look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
+    { name: "raised", kind: "raised" },
+    { name: "band", kind: "band", beats: ["look", "why", "exercises", "sources"] },
   ],
   equation,
   decimals: { reach: 1, guess: 1, returned: 1, bias: 1 },

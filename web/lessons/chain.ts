@@ -35,19 +35,9 @@ export const chain: Lesson = lesson<ChainState>({
   id: "chain",
   fields: CHAIN_FIELDS,
   figures: [
-    { name: "path", kind: "path", beats: ["bet", "look", "exercises"], explained: ["look", "exercises"] },
-    {
-      name: "chain",
-      kind: "chain",
-      beats: ["look", "why", "exercises"],
-      explained: ["look", "why", "exercises"],
-    },
-    {
-      name: "gait",
-      kind: "gait",
-      beats: ["idea", "look", "why", "sources"],
-      explained: ["idea", "look", "why", "sources"],
-    },
+    { name: "path", kind: "path", beats: ["bet", "look", "exercises"] },
+    { name: "chain", kind: "chain", beats: ["look", "why", "exercises"] },
+    { name: "gait", kind: "gait", beats: ["idea", "look", "why", "sources"] },
   ],
   decimals: { farthest: 1, cadence: 1 },
   equation,

@@ -40,14 +40,9 @@ export const judge: Lesson = lesson<JudgeState>({
   id: "judge",
   fields: JUDGE_FIELDS,
   figures: [
-    {
-      name: "methods",
-      kind: "methods",
-      beats: ["idea", "bet", "look", "exercises", "sources"],
-      explained: ["look", "exercises", "sources"],
-    },
-    { name: "duel", kind: "duel", beats: ["look", "why", "exercises"], explained: ["look", "why", "exercises"] },
-    { name: "histogram", kind: "histogram", beats: ["look", "why", "sources"], explained: ["look", "why", "sources"] },
+    { name: "methods", kind: "methods", beats: ["idea", "bet", "look", "exercises", "sources"] },
+    { name: "duel", kind: "duel", beats: ["look", "why", "exercises"] },
+    { name: "histogram", kind: "histogram", beats: ["look", "why", "sources"] },
   ],
   equation,
   symbols: ["e", "p", "u", "i", "acceleration", "content"],

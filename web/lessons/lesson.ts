@@ -14,10 +14,13 @@ export type Beat = (typeof BEATS)[number];
 interface LessonFigure {
   name: string;
   kind: KindName;
-  /** The beats in which it is shown; before the reveal a figure must not reveal the answer to the bet. */
-  beats: readonly Beat[];
-  /** The beats that explain its marks and choices; the others show neither. */
-  explained: readonly Beat[];
+  /** The beats in which it is shown, all by default; before the reveal a figure must not reveal the answer to the bet. */
+  beats?: readonly Beat[];
+  /**
+   * The beats that explain its marks and choices; the others show neither. By default all of its beats, or those after
+   * the bet if it is shown there.
+   */
+  explained?: readonly Beat[];
   /** An exercise whose answer it would reveal: it is shown once that is solved. */
   after?: string;
 }
@@ -61,7 +64,8 @@ interface LessonOf<State> {
 }
 
 /** A lesson for the view: states are the texts of links. */
-export interface Lesson extends Omit<LessonOf<never>, "fields" | "exercises"> {
+export interface Lesson extends Omit<LessonOf<never>, "fields" | "figures" | "exercises"> {
+  figures: readonly (LessonFigure & Required<Pick<LessonFigure, "beats" | "explained">>)[];
   /** A state without unknown or invalid values. */
   clean(state: string): string;
   /** Keys of the state in links. */
@@ -76,11 +80,16 @@ interface TextExercise extends Omit<Exercise<never>, "start" | "solve"> {
 }
 
 /** Converts a lesson to one whose states are text. */
-export function lesson<State extends object>({ fields, exercises, ...rest }: LessonOf<State>): Lesson {
+export function lesson<State extends object>({ fields, figures, exercises, ...rest }: LessonOf<State>): Lesson {
   const changed = (state: string, patch: Partial<State>) =>
     withFields("", fields, { ...readHash(fields, state), ...patch });
   return {
     ...rest,
+    figures: figures.map(({ beats = BEATS, explained = explainedOf(beats), ...figure }) => ({
+      ...figure,
+      beats,
+      explained,
+    })),
     clean: (state) => changed(state, {}),
     keys: (Object.keys(initialOf(fields)) as (keyof State)[]).map((name) => fields[name].key),
     exercises: exercises.map(({ start, solve, ...exercise }) => ({
@@ -89,6 +98,11 @@ export function lesson<State extends object>({ fields, exercises, ...rest }: Les
       solve: async (engine) => changed("", { ...start, ...(await solve(engine)) }),
     })),
   };
+}
+
+/** The beats that explain a figure, by default. */
+function explainedOf(beats: readonly Beat[]): readonly Beat[] {
+  return beats.includes("bet") ? beats.filter((beat) => BEATS.indexOf(beat) > BEATS.indexOf("bet")) : beats;
 }
 
 /** The result of an answer. */

@@ -47,15 +47,10 @@ export const line: Lesson = lesson<LineState>({
   id: "line",
   fields: LINE_FIELDS,
   figures: [
-    {
-      name: "scatter",
-      kind: "scatter",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    { name: "terms", kind: "terms", beats: ["look", "why"], explained: ["look", "why"] },
+    { name: "scatter", kind: "scatter" },
+    { name: "terms", kind: "terms", beats: ["look", "why"] },
     // It reveals the answer to exercise A.
-    { name: "sweep", kind: "sweep", beats: ["exercises", "sources"], explained: ["exercises", "sources"], after: "A" },
+    { name: "sweep", kind: "sweep", beats: ["exercises", "sources"], after: "A" },
   ],
   equation,
   symbols: ["y", "x", "a", "b", "c", "d", "K", "v", "lambda"],

@@ -54,18 +54,8 @@ export const mix: Lesson = lesson<MixState>({
   id: "mix",
   fields: MIX_FIELDS,
   figures: [
-    {
-      name: "reading",
-      kind: "reading",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    {
-      name: "bars",
-      kind: "bars",
-      beats: ["look", "why", "exercises", "sources"],
-      explained: ["exercises"],
-    },
+    { name: "reading", kind: "reading" },
+    { name: "bars", kind: "bars", beats: ["look", "why", "exercises", "sources"], explained: ["exercises"] },
   ],
   equation,
   symbols: ["lambda", "D", "delta", "min", "t"],

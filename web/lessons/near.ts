@@ -36,18 +36,8 @@ export const near: Lesson = lesson<NearState>({
   id: "near",
   fields: NEAR_FIELDS,
   figures: [
-    {
-      name: "query",
-      kind: "query",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    {
-      name: "profile",
-      kind: "profile",
-      beats: ["look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
+    { name: "query", kind: "query" },
+    { name: "profile", kind: "profile", beats: ["look", "why", "exercises", "sources"] },
   ],
   equation,
   // As displayed in the figures.

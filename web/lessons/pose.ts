@@ -30,14 +30,9 @@ export const pose: Lesson = lesson<PoseState>({
   id: "pose",
   fields: POSE_FIELDS,
   figures: [
-    {
-      name: "joint",
-      kind: "joint",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    { name: "numbers", kind: "numbers", beats: ["look", "sources"], explained: ["look", "sources"] },
-    { name: "logs", kind: "logs", beats: ["why", "exercises"], explained: ["why", "exercises"] },
+    { name: "joint", kind: "joint" },
+    { name: "numbers", kind: "numbers", beats: ["look", "sources"] },
+    { name: "logs", kind: "logs", beats: ["why", "exercises"] },
   ],
   equation,
   symbols: ["w", "mean", "R", "h", "v", "psi"],

@@ -29,18 +29,8 @@ export const register: Lesson = lesson<WarpState>({
   id: "register",
   fields: WARP_FIELDS,
   figures: [
-    {
-      name: "warp",
-      kind: "warp",
-      beats: ["bet", "look", "why", "exercises", "sources"],
-      explained: ["look", "why", "exercises", "sources"],
-    },
-    {
-      name: "walkers",
-      kind: "walkers",
-      beats: ["idea", "look", "exercises"],
-      explained: ["idea", "look", "exercises"],
-    },
+    { name: "warp", kind: "warp", beats: ["bet", "look", "why", "exercises", "sources"] },
+    { name: "walkers", kind: "walkers", beats: ["idea", "look", "exercises"] },
   ],
   equation,
   symbols: ["c", "s", "tau", "alpha", "beta"],

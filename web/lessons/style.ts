@@ -44,7 +44,6 @@ export const style: Lesson = lesson<PairState>({
     {
       name: "stage",
       kind: "stage",
-      beats: ["idea", "bet", "look", "why", "exercises", "sources"],
       explained: ["look", "why", "exercises"],
     },
     {
