@@ -1,9 +1,10 @@
 /** The planner: blocks, transitions and the playhead of a plan, edited by the pointer and the keyboard. */
 import "./planner.css";
 import { formatNumber, html, svg } from "../../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { type Drag, listenToDrags } from "../../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { clampedValueAt, pixelOf } from "../../../ui/scale";
+import type { Store } from "../../state/store";
 import { STEP_RANGE, TRANSITION_RANGE, type WalkBlock } from "../../state/walk";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
@@ -17,15 +18,6 @@ const CLICK_PX = 4;
 /** Step of an arrow key for the playhead, seconds. */
 const KEY_SECS = 0.1;
 
-interface PlannerListeners extends GestureListeners {
-  /** Returns the current blocks; the displayed ones may be one display frame old. */
-  blocks: () => readonly WalkBlock[];
-  onChoose: (block: number) => void;
-  /** Called with new blocks. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
-  onEdit: (blocks: readonly WalkBlock[], gesture: string | undefined, chosen?: number) => void;
-  onSeek: (secs: number) => void;
-}
-
 /** The element under the pointer or with the keyboard focus. */
 interface Target {
   kind: "block" | "end" | "middle";
@@ -34,7 +26,8 @@ interface Target {
 
 export class Planner {
   readonly element: HTMLElement;
-  readonly #listeners: PlannerListeners;
+  readonly #store: Store;
+  readonly #onSeek: (secs: number) => void;
   readonly #root = svg("svg", { class: "planner", role: "group", "aria-label": strings.walk.plan });
   readonly #group = svg("g");
   readonly #playhead: Playhead;
@@ -46,20 +39,21 @@ export class Planner {
   /** Element to focus after the next drawing. */
   #focusNext: string | undefined;
 
-  constructor(listeners: PlannerListeners) {
-    this.#listeners = listeners;
+  constructor(store: Store, onSeek: (secs: number) => void) {
+    this.#store = store;
+    this.#onSeek = onSeek;
     this.#playhead = new Playhead({
       label: strings.synthesis.time,
       rulerY: ROWS.ruler,
       step: KEY_SECS,
-      onSeek: listeners.onSeek,
+      onSeek,
     });
     this.#playhead.bottom = ROWS.chart + CHART_HEIGHT;
     this.#root.append(this.#group, this.#playhead.element);
     this.element = html("div", { class: "planner-box" }, this.#root);
     listenToDrags(this.#root, (press) => this.#begin(press));
     this.#root.addEventListener("keydown", (event) => this.#onKey(event));
-    this.#root.addEventListener("keyup", () => listeners.onSettle());
+    this.#root.addEventListener("keyup", store.gestureListeners.onSettle);
   }
 
   /** Follows the width of the page until `signal` aborts. */
@@ -110,12 +104,13 @@ export class Planner {
     if (!this.#model || !this.#layout) return undefined;
     const target = targetOf(press.target as Element);
     if (!target) return this.#seeking(press);
-    if (target.kind === "block") this.#listeners.onChoose(target.index);
+    if (target.kind === "block") this.#choose(target.index);
     return this.#editing(press, target, this.#layout.stepWidth);
   }
 
   #seeking(press: PointerEvent): Drag {
-    const { onSeek, onSettle } = this.#listeners;
+    const onSeek = this.#onSeek;
+    const { onSettle } = this.#store.gestureListeners;
     const before = this.#secs;
     press.preventDefault();
     this.#playhead.focus();
@@ -126,8 +121,8 @@ export class Planner {
 
   /** A drag of a block, its end, or a transition. All edits start from the blocks before the drag. */
   #editing(press: PointerEvent, { kind, index }: Target, stepWidth: number): Drag {
-    const { blocks, onChoose, onSettle, onCancel } = this.#listeners;
-    const before = blocks();
+    const { onSettle, onCancel } = this.#store.gestureListeners;
+    const before = this.#store.state.walk;
     const pressX = this.#xOf(press);
     let moved = false;
     const order = { blocks: before, at: index };
@@ -144,7 +139,7 @@ export class Planner {
       },
       cancel: () => {
         onCancel();
-        if (kind === "block") onChoose(index);
+        if (kind === "block") this.#choose(index);
       },
       end: onSettle,
     };
@@ -168,8 +163,13 @@ export class Planner {
     return placeIn(this.#root, event).x;
   }
 
-  #edit(blocks: readonly WalkBlock[], gesture: string, chosen?: number): void {
-    this.#listeners.onEdit(blocks, `plan ${gesture}`, chosen);
+  #choose(walkBlock: number): void {
+    this.#store.edit({ walkBlock });
+  }
+
+  /** Sets new blocks. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
+  #edit(walk: readonly WalkBlock[], gesture: string, chosen?: number): void {
+    this.#store.edit({ walk, ...(chosen !== undefined && { walkBlock: chosen }) }, `plan ${gesture}`);
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -182,7 +182,8 @@ export class Planner {
 
   /** Edits by a key. Returns whether the key has a function here. */
   #press({ kind, index }: Target, key: string): boolean {
-    const blocks = this.#listeners.blocks();
+    // The displayed blocks may be one display frame old.
+    const blocks = this.#store.state.walk;
     const { steps, transition } = blocks[index]!;
     const along = { ArrowRight: 1, ArrowLeft: -1 }[key] ?? 0;
     const up = { ArrowUp: 1, ArrowDown: -1 }[key] ?? 0;
@@ -201,9 +202,9 @@ export class Planner {
       this.#edit(moveBlock(blocks, index, to), kind, to);
       this.#focusNext = `block-${to}`;
     } else if (up !== 0) this.#edit(withBlock(blocks, index, { steps: steps + up }), "end", index);
-    else if (key === "Enter" || key === " ") this.#listeners.onChoose(index);
+    else if (key === "Enter" || key === " ") this.#choose(index);
     else if (key === "Delete" || key === "Backspace")
-      this.#listeners.onEdit(removeBlock(blocks, index), undefined, Math.max(0, index - 1));
+      this.#store.edit({ walk: removeBlock(blocks, index), walkBlock: Math.max(0, index - 1) });
     else return false;
     return true;
   }

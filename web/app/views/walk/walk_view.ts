@@ -96,14 +96,7 @@ class WalkView extends AnimatedView {
         this.#lease?.viewer.resetTrail();
       },
     });
-    this.#planner = new Planner({
-      blocks: () => store.state.walk,
-      onChoose: (walkBlock) => store.edit({ walkBlock }),
-      onEdit: (walk, gesture, chosen) =>
-        store.edit({ walk, ...(chosen !== undefined && { walkBlock: chosen }) }, gesture),
-      ...store.gestureListeners,
-      onSeek: (secs) => this.#player.seek(secs),
-    });
+    this.#planner = new Planner(store, (secs) => this.#player.seek(secs));
     this.#panel = new BlockPanel(store, {
       onBlock: (patch, gesture) => this.#editBlock(patch, gesture),
       onWhole: (walkWhole) => this.#mixWhole(walkWhole),
