@@ -227,7 +227,7 @@ test("misconceptions are refused with their sentence, in both languages", async 
 });
 
 test("numbers of the text are the engine's", async () => {
-  const source = readFileSync(join(import.meta.dirname, "../../rust/strut-core/src/autoregression.rs"), "utf8");
+  const source = readFileSync(join(import.meta.dirname, "../../rust/strut-core/src/transfer/regression.rs"), "utf8");
   expect(source).toContain("pub const MAX_FEEDBACK: f32 = 0.9;");
   expect(line.equation).toContain("0.9");
   const { k, lambda } = initialOf(LINE_FIELDS);

@@ -168,7 +168,7 @@ test("C is computed from the two distances, and exp(−D) is refused with its se
 test("numbers of the text are the engine's", async () => {
   const rust = (file: string) =>
     readFileSync(join(import.meta.dirname, "../../rust/strut-core/src/transfer", file), "utf8");
-  const mixture = rust("mixture.rs");
+  const mixture = rust("class_weights.rs");
   expect(mixture).toContain("const FLOOR: f32 = 1e-6;");
   expect(FLOOR, "cm²").toBe(1e-6 * 1e4);
   expect(mixture).toContain("const HALF_KNOWN: f32 = 0.05 * 0.05;");

@@ -8,6 +8,7 @@
 use crate::humanoid::{HumanoidMotion, Proportions, Role};
 use crate::kinematics::world_from_local;
 use crate::math::Vec3;
+use crate::math::stats::quantile;
 
 /// Leg length that the thresholds of §3 were measured on, metres.
 const REFERENCE_LEG_LENGTH: f32 = 0.8;
@@ -109,8 +110,7 @@ pub fn label_with(motion: &HumanoidMotion, thresholds: &Thresholds) -> Vec<[bool
 fn percentile(values: impl Iterator<Item = f32>, p: f32) -> f32 {
     let mut sorted: Vec<f32> = values.collect();
     sorted.sort_by(f32::total_cmp);
-    let last = sorted.len().saturating_sub(1);
-    sorted.get((p * last as f32).round() as usize).copied().unwrap_or(0.0)
+    quantile(&sorted, p)
 }
 
 /// Speed of a point at a frame, m/s: a central difference, one-sided at the ends; 0 for a single frame.

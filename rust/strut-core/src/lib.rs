@@ -38,7 +38,6 @@
 #[cfg(test)]
 extern crate self as strut_core;
 
-pub mod autoregression;
 pub mod catalogue;
 pub mod contact;
 pub mod crowd;
@@ -53,14 +52,11 @@ pub mod kinematics;
 pub mod math;
 pub mod metrics;
 pub mod motion;
-pub mod motion_statistics;
 pub mod note;
 pub mod parallel;
 pub mod pose_vector;
 pub mod registration;
 pub mod retarget;
-mod root_path;
-mod rotation_row;
 pub mod search;
 pub mod skeleton;
 pub mod somn;

@@ -5,10 +5,10 @@
 //! input is 0, and more than 1 is exaggerated. Differences perpendicular to the line do not count.
 
 use super::off_database::heading_free_points;
+use strut_core::database::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 use strut_core::database::{Database, statistics_of_takes};
 use strut_core::humanoid::HumanoidMotion;
 use strut_core::math::stats::mean_of;
-use strut_core::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 
 /// Real takes of a database, relative to which progress is measured.
 #[derive(Clone, Debug)]
@@ -56,8 +56,8 @@ fn progress(from: &MotionStatistics, to: &MotionStatistics, at: &MotionStatistic
 mod tests {
     use super::*;
     use crate::fixtures::{BENT, Gait, NEUTRAL, RATE_HZ, database, walk};
+    use strut_core::database::motion_statistics::STATISTICS;
     use strut_core::humanoid::Proportions;
-    use strut_core::motion_statistics::STATISTICS;
 
     #[test]
     fn progress_is_a_projection() {

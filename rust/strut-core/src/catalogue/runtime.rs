@@ -26,12 +26,6 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// The same catalogue with another index of the same rows, for example an approximate one.
-    #[must_use]
-    pub fn map_index(self, change: impl FnOnce(Index) -> Index) -> Self {
-        Self { index: change(self.index), ..self }
-    }
-
     /// Quantised rows.
     pub fn rows(&self) -> &QuantisedRows {
         &self.rows

@@ -4,9 +4,9 @@
 //! mean matches neither: takes 1 to 4 of the `exhausted` turns of bandai-namco-2 differ about half as much from neutral
 //! as takes 5 to 8, and the output lies between them.
 
+use super::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 use super::offline::Database;
 use crate::math::partition::principal_partition;
-use crate::motion_statistics::{MotionStatistics, TakeSpread, motion_statistics};
 
 /// Minimum number of clips in a cluster: a single clip may be an outlier.
 const MIN_CLIPS: usize = 2;
@@ -75,8 +75,8 @@ fn clusters(takes: &[MotionStatistics], spread: &TakeSpread) -> Option<(f64, [Ve
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::database::motion_statistics::STATISTICS;
     use crate::math::random::SplitMix64;
-    use crate::motion_statistics::STATISTICS;
     use proptest::prelude::*;
 
     /// Takes of a class around a value, each differing from it by up to 1 cm in every statistic.

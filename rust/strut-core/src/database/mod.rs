@@ -5,6 +5,7 @@
 
 mod bimodal_styles;
 pub mod build;
+pub mod motion_statistics;
 mod offline;
 mod parts;
 mod residual;

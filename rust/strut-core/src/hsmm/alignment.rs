@@ -102,7 +102,7 @@ pub(super) fn equal_split(frames: usize) -> Option<[usize; STATES]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rotation_row::ROTATION_DIMS;
+    use crate::kinematics::rotation_row::ROTATION_DIMS;
     use proptest::prelude::*;
 
     fn observation(value: f64) -> Observation {

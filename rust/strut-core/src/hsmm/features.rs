@@ -3,15 +3,15 @@
 use super::RATE_HZ;
 use super::model::Observation;
 use crate::humanoid::{HumanoidMotion, JOINTS, Pose, TooManyFrames};
+use crate::kinematics::rotation_row::RotationRow;
+use crate::kinematics::rotation_row::mean_rotations;
 use crate::kinematics::{WorldPose, world_from_local};
 use crate::math::float_funcs::atan2;
 use crate::math::{Quat, Vec3};
 use crate::pose_vector::heading_of;
-use crate::rotation_row::RotationRow;
-use crate::rotation_row::mean_rotations;
 use thiserror::Error;
 
-pub use crate::rotation_row::row_of;
+pub use crate::kinematics::rotation_row::row_of;
 
 /// Least travelled distance from which a heading can be computed, metres.
 const LEAST_WAY: f32 = 0.3;

@@ -16,14 +16,13 @@ mod mlpg;
 mod model;
 mod path;
 mod refinement;
-mod root;
 mod statistics;
 mod steps;
 mod training;
 mod walker;
 mod walks;
 
-pub use crate::rotation_row::{ROTATION_DIMS, RotationRow};
+pub use crate::kinematics::rotation_row::{ROTATION_DIMS, RotationRow};
 pub use curve::{CurvePoint, JointCurve};
 pub use features::{Track, TrackError};
 pub use landmarks::{landmarks, styles_named};

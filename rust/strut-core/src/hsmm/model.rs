@@ -1,8 +1,9 @@
 //! The model of a set of walk styles: plain data.
 
 use crate::humanoid::{JOINTS, Proportions};
+use crate::kinematics::root_path::Support;
+use crate::kinematics::rotation_row::{ROTATION_DIMS, RotationRow, rotations_of};
 use crate::math::Quat;
-use crate::rotation_row::{ROTATION_DIMS, RotationRow, rotations_of};
 
 /// States of a step, from left to right.
 pub const STATES: usize = 5;
@@ -43,6 +44,13 @@ impl Side {
             Self::Left => Self::Right,
             Self::Right => Self::Left,
         }
+    }
+}
+
+impl From<Side> for Support {
+    /// The foot that does not swing supports (`docs/methods/hsmm.md` §11).
+    fn from(swinging: Side) -> Self {
+        Self::On(swinging.other() as usize)
     }
 }
 

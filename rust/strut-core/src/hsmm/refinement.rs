@@ -6,8 +6,8 @@
 use super::mlpg::{Banded, FrameState, Term};
 use super::model::{SIDES, STATES, Stream, StyleMeans};
 use super::statistics::{Sample, SharedVariances, states, states_of};
+use crate::kinematics::rotation_row::ROTATION_DIMS;
 use crate::math::linear::solve_positive_definite;
-use crate::rotation_row::ROTATION_DIMS;
 
 /// Number of means of one degree of freedom.
 const MEANS: usize = SIDES * STATES * Stream::ALL.len();

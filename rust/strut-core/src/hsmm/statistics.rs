@@ -5,8 +5,8 @@ use super::features::{Track, observations};
 use super::model::{Observation, PerState, SIDES, STATES, Stream, StyleMeans, flattened, flattened_mut};
 use super::steps::{Step, steps_of};
 use crate::humanoid::JOINTS;
+use crate::kinematics::rotation_row::{ROTATION_DIMS, RotationRow};
 use crate::math::Quat;
-use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 
 /// Least variance of a duration, frames².
 const LEAST_DURATION_VARIANCE: f64 = 0.25;

@@ -7,9 +7,9 @@ use super::refinement::refine;
 use super::statistics::{Sample, SharedVariances, Statistics, mean_variances};
 use crate::humanoid::{JOINTS, Proportions};
 use crate::incremental::IncrementalJob;
+use crate::kinematics::rotation_row::{ROTATION_DIMS, RotationRow};
 use crate::math::Quat;
 use crate::parallel::ParallelMap;
-use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::convert::Infallible;
 use thiserror::Error;
 

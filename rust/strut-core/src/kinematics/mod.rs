@@ -1,6 +1,8 @@
 //! Forward and inverse kinematics of the canonical humanoid.
 
 mod forward;
+pub(crate) mod root_path;
+pub(crate) mod rotation_row;
 mod soles;
 mod two_bone_ik;
 

@@ -9,6 +9,12 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
+/// The number at a share, 0 to 1, of ascending numbers, by the nearest rank; 0 without any.
+pub(crate) fn quantile(sorted: &[f32], share: f32) -> f32 {
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((share * last as f32).round() as usize).copied().unwrap_or(0.0)
+}
+
 /// Runs of successive indices below `count` that satisfy a predicate, each as long as possible.
 pub fn runs_where(count: usize, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
     let mut runs: Vec<Range<usize>> = Vec::new();

@@ -8,6 +8,7 @@ use super::options::Options;
 use super::outcome::{FaultyCycle, Refusal};
 use super::timeline::{self, CanonicalTime, Reference};
 use super::{pairing, rest};
+use crate::math::stats::median;
 use crate::parallel::ParallelMap;
 use std::ops::Range;
 
@@ -36,9 +37,7 @@ impl Job<'_> {
     /// Refusals of clips that turn against the direction in which most clips of the action turn.
     pub(super) fn wrong_turns(&self) -> Vec<Option<Refusal>> {
         let turns: Vec<f32> = self.examples.iter().map(|e| e.turn(self.rate_hz)).collect();
-        let mut sorted = turns.clone();
-        sorted.sort_by(f32::total_cmp);
-        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+        let usual = median(turns.iter().map(|&turn| turn.into())).unwrap_or(0.0) as f32;
         let agreeing = turns.iter().filter(|t| **t * usual > 0.0 && t.abs() > USUAL_TURN).count();
         let has_usual = usual.abs() > USUAL_TURN && agreeing as f32 >= USUAL_TURN_SHARE * turns.len() as f32;
         turns

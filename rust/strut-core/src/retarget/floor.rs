@@ -7,6 +7,7 @@ use super::binding::Binding;
 use super::sample::local;
 use crate::humanoid::{Proportions, Role};
 use crate::kinematics::{Sole, Soles};
+use crate::math::stats::quantile;
 use crate::math::{Quat, Vec3};
 use crate::motion::Motion;
 use crate::note::{Note, NoteCode};
@@ -81,11 +82,11 @@ pub(super) fn floor_of(motion: &Motion, binding: &Binding) -> Floor {
     let least = (f64::from(LEAST_REST_SECS) / motion.frame_time_secs).ceil() as usize;
     if at_rest.len() < least.min(soles.len()).max(1) {
         let all = heights(&|_, _| true);
-        return Floor { height: snapped(at_share(&all, 0.0)), is_seen: false, highest_level: 0.0 };
+        return Floor { height: snapped(quantile(&all, 0.0)), is_seen: false, highest_level: 0.0 };
     }
-    let near = at_share(&at_rest, LOWEST_SHARE) + NEAR_LOWEST * scale;
+    let near = quantile(&at_rest, LOWEST_SHARE) + NEAR_LOWEST * scale;
     let on_floor = &at_rest[..at_rest.partition_point(|&height| height <= near)];
-    let height = at_share(on_floor, 0.5);
+    let height = quantile(on_floor, 0.5);
     let shortest = (f64::from(LEVEL_SECS) / motion.frame_time_secs).ceil() as usize;
     let levels = [0, 1].map(|side| highest_level(&soles, &resting, side, shortest));
     let above = levels.into_iter().flatten().fold(height, f32::max) - height;
@@ -101,12 +102,6 @@ fn sorted(values: impl Iterator<Item = f32>) -> Vec<f32> {
     let mut sorted: Vec<f32> = values.filter(|v| v.is_finite()).collect();
     sorted.sort_by(f32::total_cmp);
     sorted
-}
-
-/// The quantile of sorted numbers; 0 for an empty list.
-fn at_share(sorted: &[f32], share: f32) -> f32 {
-    let last = sorted.len().saturating_sub(1);
-    sorted.get((share * last as f32).round() as usize).copied().unwrap_or(0.0)
 }
 
 /// The highest level on which a foot rests for long enough to stand there.

@@ -1,5 +1,6 @@
 //! World transforms of a clip at a few frames, on which binding is based.
 
+use crate::math::stats::median;
 use crate::math::{Quat, Vec3, exp_map};
 use crate::motion::Motion;
 
@@ -101,11 +102,7 @@ fn usual_translation_of_file(motion: &Motion, frames: &[usize], joint: usize) ->
     if frames.is_empty() {
         return offset;
     }
-    let median = |axis: usize| {
-        let mut values: Vec<f32> = frames.iter().map(|&f| motion.translations_at(f)[joint].to_array()[axis]).collect();
-        values.sort_by(f32::total_cmp);
-        values[values.len() / 2]
-    };
-    let median = Vec3::new(median(0), median(1), median(2));
+    let along = |axis: usize| frames.iter().map(move |&f| motion.translations_at(f)[joint].to_array()[axis].into());
+    let median = Vec3::from_array([0, 1, 2].map(|axis| median(along(axis)).unwrap_or_default() as f32));
     if (median - offset).length() <= 0.01 * offset.length() { offset } else { median }
 }

@@ -5,9 +5,9 @@ use super::model::KeyStyleModel;
 use super::pose_space::{DIMS, Row};
 use super::synthesis::{Mode, Synthesis};
 use crate::humanoid::Pose;
+use crate::kinematics::root_path::{RootPath, Support};
 use crate::math::Vec3;
 use crate::math::float_funcs::double;
-use crate::root_path::{RootPath, Support};
 use std::f64::consts::LN_2;
 use std::sync::Arc;
 

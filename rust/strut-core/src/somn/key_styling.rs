@@ -6,7 +6,7 @@ use super::pose_space::{DIMS, Row};
 use super::spline::{Interpolation, Spline};
 use super::synthesis::{Mode, Synthesis};
 use crate::humanoid::HumanoidMotion;
-use crate::root_path::{RootPath, Support};
+use crate::kinematics::root_path::{RootPath, Support};
 use thiserror::Error;
 
 /// Longest motion, seconds.

@@ -1,10 +1,10 @@
 //! Poses as rows of numbers, and back (`docs/methods/somn.md` §2).
 
 use crate::humanoid::{JOINTS, Pose, Proportions};
+use crate::kinematics::root_path::Feet;
+use crate::kinematics::rotation_row::{ROTATION_DIMS, mean_rotations, rotations_of, row_of};
 use crate::kinematics::world_from_local;
 use crate::math::{Quat, Vec3};
-use crate::root_path::Feet;
-use crate::rotation_row::{ROTATION_DIMS, mean_rotations, rotations_of, row_of};
 
 /// Numbers of a pose: an exponential map per joint, and the height of the hips.
 pub const DIMS: usize = ROTATION_DIMS + 1;

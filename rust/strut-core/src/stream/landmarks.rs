@@ -7,9 +7,9 @@
 
 use super::one_euro::{OneEuro, OneEuroSettings};
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::root_path::{RootPath, Support};
 use crate::kinematics::{Limb, world_from_local};
 use crate::math::{Quat, Vec3};
-use crate::root_path::{RootPath, Support};
 
 /// Number of landmarks.
 pub const LANDMARKS: usize = 33;

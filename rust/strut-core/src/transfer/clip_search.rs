@@ -3,7 +3,7 @@
 //!
 //! The result for a frame does not depend on the history either, though the search of a stream uses the history to be
 //! faster. The last frame's distances order the classes, and a class that had no weight is skipped if its distance
-//! certainly exceeds [`greatest_distance`](super::mixture::greatest_distance) of the smallest distance so far. That
+//! certainly exceeds [`greatest_distance`](super::class_weights::greatest_distance) of the smallest distance so far. That
 //! bound grows with the smallest distance, so that the class has no weight by its true distance either; nor can it be
 //! the nearest class, relative to which the others are weighted.
 

@@ -9,8 +9,8 @@
 //! Measured over the 41 clips of `cmu` and `xia` in four styles: acceleration ratio 1.58 → 0.94 and jerk ratio
 //! 3.02 → 1.24, content correlation .83 → .85; in database error no change.
 
+use super::class_weights::known_by_half_at;
 use super::input::Input;
-use super::mixture::known_by_half_at;
 use crate::pose_vector::{PoseRow, ROW};
 use crate::search::Neighbour;
 

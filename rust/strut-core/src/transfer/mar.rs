@@ -1,10 +1,10 @@
 //! Mixture of autoregressive models of one frame: neighbours → classes → styles (Eq. 2–7).
 
 use super::bias::Bias;
+use super::class_weights::{class_weights, greatest_distance, known};
 use super::coherence::{ComplementaryFilter, half_life_secs, taper};
 use super::found::FoundFrame;
 use super::input::Input;
-use super::mixture::{class_weights, greatest_distance, known};
 use super::model::Model;
 use super::options::{Method, Options};
 use super::output::Predicted;

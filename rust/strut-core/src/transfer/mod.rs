@@ -7,6 +7,7 @@
 mod bias;
 mod blend;
 mod body_part;
+mod class_weights;
 mod clip;
 mod clip_footplant;
 mod clip_input;
@@ -25,7 +26,6 @@ mod input_stream;
 mod joint_limits;
 mod lens;
 mod mar;
-mod mixture;
 mod model;
 mod options;
 mod output;
@@ -54,5 +54,6 @@ pub use lens::{
 };
 pub use model::Model;
 pub use options::{MAX_K, Method, Options, OptionsError};
+pub use regression::MAX_FEEDBACK;
 pub use stylizer::Stylizer;
 pub use trained::{PredictedFrame, Predictor, PredictorInput, TrainedMethod, Training};

@@ -5,11 +5,14 @@
 //! freedom are accumulated over all neighbours, in registers.
 
 use super::bias::{Bias, InputStatistics};
-use crate::autoregression::MAX_FEEDBACK;
 use crate::catalogue::Rows;
 use crate::math::lanes::Lane;
 use crate::pose_vector::{LANES, PoseRow, ROW};
 use crate::search::Neighbour;
+
+/// Greatest magnitude of the coefficient of the previous output, also in the global autoregression: with more, errors feed
+/// back faster than they decay.
+pub const MAX_FEEDBACK: f32 = 0.9;
 
 /// Neighbours' rows xₜ and their predecessors xₜ₋₁, in the order in which the sums read them: for each lane of four
 /// degrees of freedom, [xₜ₋₁, xₜ] of all neighbours. The memory is reused.

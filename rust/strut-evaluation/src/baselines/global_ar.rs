@@ -6,9 +6,9 @@
 //! output has a constant tempo.
 
 use super::pairs::Pairs;
-use strut_core::autoregression::MAX_FEEDBACK;
 use strut_core::math::float_funcs::exp;
 use strut_core::pose_vector::{DOFS, PoseRow, ROW};
+use strut_core::transfer::MAX_FEEDBACK;
 use strut_core::transfer::{PredictedFrame, Predictor, PredictorInput};
 
 /// Global autoregression.

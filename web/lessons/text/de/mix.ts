@@ -80,6 +80,6 @@ export const mix: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai und Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Gl. 3–5: die Mischung autoregressiver Modelle.",
-    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. min D ist mindestens 1 mm². Gewichte unter zwei Hunderttausendsteln des größten fallen weg. δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, und doppelt so breit, wo min D 25 cm² ist.",
+    "Die Gewichte berechnet `class_weights` in `rust/strut-core/src/transfer/class_weights.rs`. min D ist mindestens 1 mm². Gewichte unter zwei Hunderttausendsteln des größten fallen weg. δ ist bis zu dreimal so breit, wo die Eingabe unbekannt ist, und doppelt so breit, wo min D 25 cm² ist.",
   ],
 };

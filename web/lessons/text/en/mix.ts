@@ -80,6 +80,6 @@ export const mix: LessonText = {
   },
   sources: [
     "Xia, Wang, Chai and Hodgins, Realtime style transfer for unlabeled heterogeneous human motion, SIGGRAPH 2015, Eq. 3–5: the mixture of autoregressive models.",
-    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/mixture.rs`. min D is at least 1 mm². Weights below two hundred-thousandths of the largest are dropped. δ is widened up to three times where the input is unknown, and twice where min D is 25 cm².",
+    "Weights are computed by `class_weights` in `rust/strut-core/src/transfer/class_weights.rs`. min D is at least 1 mm². Weights below two hundred-thousandths of the largest are dropped. δ is widened up to three times where the input is unknown, and twice where min D is 25 cm².",
   ],
 };

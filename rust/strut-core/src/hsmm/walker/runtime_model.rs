@@ -4,10 +4,10 @@ use super::durations::{Durations, limited, shortest_and_longest, stretched};
 use crate::hsmm::model::{Observation, SIDES, STATES, Side, Stream, StyleMeans, WalkModel};
 use crate::hsmm::statistics::states;
 use crate::humanoid::{JOINTS, Pose, Proportions, Role};
+use crate::kinematics::rotation_row::{ROTATION_DIMS, RotationRow};
 use crate::kinematics::world_from_local;
 use crate::math::lanes::WIDTH;
 use crate::math::{Quat, Vec3};
-use crate::rotation_row::{ROTATION_DIMS, RotationRow};
 use std::ops::RangeInclusive;
 
 /// Distance of the ankles behind the mean of the joints in a standing pose, metres.

@@ -150,11 +150,6 @@ impl Lens {
         self.stylizer.model()
     }
 
-    /// xₜ and xₜ₋₁.
-    pub fn input_rows(&self) -> [&PoseRow; 2] {
-        [&self.now, &self.previous]
-    }
-
     /// Degrees of freedom of every frame of the input.
     pub fn rows(&self) -> Vec<PoseRow> {
         Stream::new(self.model(), &self.input).collect()

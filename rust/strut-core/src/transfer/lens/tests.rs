@@ -1,11 +1,11 @@
 use super::*;
-use crate::autoregression::MAX_FEEDBACK;
 use crate::fixtures::{BENT, NEUTRAL, database, walk};
 use crate::math::float_funcs::exp;
 use crate::math::linear::solve_positive_definite;
 use crate::pose_vector::DOFS;
 use crate::registration::WarpMethod;
-use crate::transfer::mixture::known;
+use crate::transfer::MAX_FEEDBACK;
+use crate::transfer::class_weights::known;
 
 const BENT_STYLE: [f32; 2] = [0.0, 1.0];
 const FIT: FitSettings = FitSettings { dof: 0, k: 40, lambda: 0.1, noise: 0.0, taper: true };

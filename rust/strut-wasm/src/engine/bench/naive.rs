@@ -6,13 +6,13 @@
 
 use crate::common::EngineError;
 use std::sync::Arc;
-use strut_core::autoregression::MAX_FEEDBACK;
 use strut_core::catalogue::{Catalogue, TargetTable};
 use strut_core::database::Database;
 use strut_core::humanoid::JOINTS;
 use strut_core::math::float_funcs::{exp, half_life_share, sin_cos};
 use strut_core::pose_vector::{DOFS, HEADING_RATE, Placement, PoseRow, ROW};
 use strut_core::search::{JOINT_WEIGHTS, WINDOW};
+use strut_core::transfer::MAX_FEEDBACK;
 use strut_core::transfer::Options;
 use strut_formats::strutdb;
 use wasm_bindgen::prelude::wasm_bindgen;

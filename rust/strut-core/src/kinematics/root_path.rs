@@ -1,8 +1,7 @@
 //! The path of the root, derived from the poses: the supporting foot does not slide (`docs/methods/hsmm.md` §11).
 
 use crate::humanoid::{Pose, Proportions};
-use crate::kinematics::Soles;
-use crate::kinematics::{WorldPose, world_from_local};
+use crate::kinematics::{Soles, WorldPose, world_from_local};
 use crate::math::float_funcs::half_life_share;
 use crate::math::{Quat, Vec2, Vec3};
 

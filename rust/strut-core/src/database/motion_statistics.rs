@@ -3,9 +3,9 @@
 //! Performances are compared by the mean position of each joint and its deviation from it. The unit of every statistic is the
 //! spread of the takes of a class, which is unintended variation.
 
+use super::parts::PointCloud;
 use crate::humanoid::JOINTS;
 use crate::math::stats::mean_of;
-use crate::metrics::Points;
 
 /// Coordinates of all joints.
 const COORDINATES: usize = 3 * JOINTS;
@@ -19,7 +19,7 @@ const MIN_SPREAD: f64 = 1e-4;
 pub type MotionStatistics = [f64; STATISTICS];
 
 /// Computes the statistics of a performance, from joint positions without place and heading; 0 without frames.
-pub fn motion_statistics(points: &[Points]) -> MotionStatistics {
+pub fn motion_statistics(points: &[PointCloud]) -> MotionStatistics {
     let share = 1.0 / points.len().max(1) as f64;
     let mut mean = [0.0; COORDINATES];
     for frame in points {
@@ -32,7 +32,7 @@ pub fn motion_statistics(points: &[Points]) -> MotionStatistics {
     std::array::from_fn(|i| if i < COORDINATES { mean[i] } else { variance[i - COORDINATES].sqrt() })
 }
 
-fn each_coordinate(frame: &Points, mut visit: impl FnMut(usize, f64)) {
+fn each_coordinate(frame: &PointCloud, mut visit: impl FnMut(usize, f64)) {
     for (joint, point) in frame.iter().enumerate() {
         for (axis, v) in point.to_array().into_iter().enumerate() {
             visit(3 * joint + axis, f64::from(v));
