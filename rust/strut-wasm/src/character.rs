@@ -1,6 +1,6 @@
 //! Handle of a character: its joint mapping, and the conversion of poses to rotations of its bones.
 
-use crate::common::{EngineError, floats_of, offsets_of, write_floats};
+use crate::common::{EngineError, floats_of, offsets_of, skeleton_of, write_floats};
 use js_sys::Float32Array;
 use strut_core::humanoid::{JOINTS, POSE_FLOATS, Pose, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
@@ -271,21 +271,6 @@ impl Character {
         }
         Ok(&self.out)
     }
-}
-
-/// Builds a skeleton from flat arrays.
-fn skeleton_of(names: Vec<String>, parents: &[i32], offsets: &[f32]) -> Result<Skeleton, EngineError> {
-    let (offsets, rest) = offsets.as_chunks::<3>();
-    if parents.len() != names.len() || offsets.len() != names.len() || !rest.is_empty() {
-        return Err(EngineError::bad_input("every joint needs a name, a parent and an offset"));
-    }
-    let joints = names.into_iter().zip(parents).zip(offsets).map(|((name, parent), offset)| Joint {
-        name,
-        parent: usize::try_from(*parent).ok(),
-        offset: Vec3::from_array(*offset),
-        end: None,
-    });
-    Skeleton::new(joints.collect()).map_err(|e| EngineError::bad_file(e, ""))
 }
 
 /// Reads unit quaternions from a flat array, one per joint.

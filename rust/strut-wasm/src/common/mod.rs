@@ -11,6 +11,8 @@ mod database;
 mod error;
 mod panic;
 mod poses;
+#[cfg(any(feature = "character", feature = "live"))]
+mod skeleton;
 
 pub use bytes::{Bytes, SlicedFile, Slices};
 #[cfg(any(feature = "crowd", feature = "performers"))]
@@ -19,3 +21,5 @@ pub use crowd::{frames_of_crowd, points_of_route, vertices_of_field};
 pub use database::read_database;
 pub use error::{EngineError, sentence};
 pub use poses::{bvh_of, floats_of, offsets_of, poses_of, proportions_of, write_floats};
+#[cfg(any(feature = "character", feature = "live"))]
+pub(crate) use skeleton::skeleton_of;

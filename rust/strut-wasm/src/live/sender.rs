@@ -1,11 +1,10 @@
 //! The format of a sender's numbers, and their conversion to poses.
 
-use crate::common::EngineError;
+use crate::common::{EngineError, skeleton_of};
 use strut_core::humanoid::{POSE_FLOATS, Pose, Proportions};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;
 use strut_core::retarget::{BindError, Binding, CharacterFacts, ReadAs, ToHumanoid};
-use strut_core::skeleton::{Joint, Skeleton};
 use strut_core::stream::{LANDMARKS, Landmark, LandmarkFit};
 use strut_formats::bvh::{self, Bvh, MAX_ABS_VALUE};
 
@@ -62,20 +61,10 @@ impl Sender {
         metres_per_unit: Option<f32>,
         body: &Proportions,
     ) -> Result<Self, EngineError> {
-        let (offsets, rest) = offsets.as_chunks::<3>();
-        if parents.len() != names.len() || offsets.len() != names.len() || !rest.is_empty() {
-            return Err(EngineError::bad_input("every joint needs a name, a parent and an offset"));
-        }
+        let skeleton = skeleton_of(names, parents, offsets)?;
         if metres_per_unit.is_some_and(|unit| !(unit.is_finite() && unit > 0.0)) {
             return Err(EngineError::bad_input("a unit must be a positive number of metres"));
         }
-        let joints = names.into_iter().zip(parents).zip(offsets).map(|((name, parent), offset)| Joint {
-            name,
-            parent: usize::try_from(*parent).ok(),
-            offset: Vec3::from_array(*offset),
-            end: None,
-        });
-        let skeleton = Skeleton::new(joints.collect()).map_err(|e| EngineError::bad_file(e, ""))?;
         let translations: Vec<Vec3> = skeleton.joints().iter().map(|joint| joint.offset).collect();
         let rotations = vec![Quat::IDENTITY; translations.len()];
         let binding = match metres_per_unit {
