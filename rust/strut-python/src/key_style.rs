@@ -2,15 +2,16 @@
 
 use crate::arrays::column;
 use crate::call::watched;
-use crate::corpus::{paths_of, reasons};
+use crate::corpus::paths_of;
 use crate::error::bad_input;
+use crate::model_file::ModelFile;
 use crate::options::number;
 use crate::styled::StyledMotion;
 use numpy::PyArray1;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use strut_core::contact;
 use strut_core::humanoid::POSE_FLOATS;
@@ -19,12 +20,10 @@ use strut_core::somn::{
     Synthesis,
 };
 use strut_formats::{GENERATOR, key_style_model, shown_number};
-use strut_tasks::corpus::RefusedFile;
-use strut_tasks::files::{self, Outputs};
+use strut_tasks::TaskError;
 use strut_tasks::key_styles::{parse_axes, train_key_styles};
 use strut_tasks::recordings::read_recordings;
 use strut_tasks::threads::with_threads;
-use strut_tasks::{Outcome, TaskError};
 
 /// A model of poses as a function of one to three style variables.
 #[pyclass(frozen, module = "strut")]
@@ -32,19 +31,13 @@ pub(crate) struct KeyStyleModel {
     model: Arc<somn::KeyStyleModel>,
     /// Prepared once, since it has a search tree over the recorded styles.
     synthesis: Mutex<Synthesis>,
-    bytes: Vec<u8>,
-    refused: Vec<RefusedFile>,
+    file: ModelFile,
 }
 
 impl KeyStyleModel {
-    fn read(name: &str, bytes: Vec<u8>) -> Outcome<Self> {
-        let model = key_style_model::read(&bytes).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
-        Ok(Self::new(model, bytes, Vec::new()))
-    }
-
-    fn new(model: somn::KeyStyleModel, bytes: Vec<u8>, refused: Vec<RefusedFile>) -> Self {
+    fn new(model: somn::KeyStyleModel, file: ModelFile) -> Self {
         let model = Arc::new(model);
-        Self { synthesis: Mutex::new(Synthesis::new(Arc::clone(&model))), model, bytes, refused }
+        Self { synthesis: Mutex::new(Synthesis::new(Arc::clone(&model))), model, file }
     }
 
     /// Waits for the synthesis. It is whole after a panic, too: every call sets what it reads.
@@ -71,14 +64,9 @@ impl KeyStyleModel {
 impl KeyStyleModel {
     /// Opens a file by its path, or from its bytes.
     #[staticmethod]
-    fn open(py: Python<'_>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
-        if let Ok(bytes) = source.cast::<PyBytes>() {
-            let bytes = bytes.as_bytes().to_owned();
-            return watched(py, None, |_| Self::read("the model", bytes));
-        }
-        let path: PathBuf = source.extract()?;
-        let most = key_style_model::KIND.max_bytes;
-        watched(py, None, |_| Self::read(&path.display().to_string(), files::read(&path, most)?))
+    fn open(source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (model, file) = ModelFile::open(source, key_style_model::KIND, key_style_model::read)?;
+        Ok(Self::new(model, file))
     }
 
     /// Trains a model on BVH files, folders and archives, as `strut train-key-style` does. `axes` are one to three
@@ -115,23 +103,19 @@ impl KeyStyleModel {
                 let options = Options { components, seed, learning };
                 let model = train_key_styles(&recordings, &axes, options, on_progress)?;
                 let bytes = key_style_model::write(&model, GENERATOR);
-                Ok(Self::new(model, bytes, refused))
+                Ok(Self::new(model, ModelFile::new(bytes, refused)))
             })?
         })
     }
 
     /// Writes the file.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        watched(py, None, |_| {
-            let mut outputs = Outputs::default();
-            outputs.stage(&path, &self.bytes)?;
-            outputs.commit()
-        })
+        self.file.save(py, &path)
     }
 
     /// The bytes of the file.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &self.bytes)
+        self.file.to_bytes(py)
     }
 
     /// The style variables.
@@ -143,7 +127,7 @@ impl KeyStyleModel {
     /// The reasons why files were not used, by path.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        reasons(py, &self.refused)
+        self.file.refused(py)
     }
 
     /// Returns the pose of a style, given as one number per axis in its unit. It has 87 numbers in the layout of

@@ -14,6 +14,7 @@ mod evaluate;
 mod key_style;
 mod many;
 mod metrics;
+mod model_file;
 mod motion;
 mod options;
 mod plan;

@@ -2,25 +2,23 @@
 
 use crate::arrays::{array_of, column, flags};
 use crate::call::watched;
-use crate::corpus::{paths_of, pattern_of, reasons};
+use crate::corpus::{paths_of, pattern_of};
 use crate::error::{bad_input, exception};
+use crate::model_file::ModelFile;
 use crate::options::{number, styles};
 use crate::styled::StyledMotion;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use strut_core::hsmm::{self, RATE_HZ, RuntimeWalkModel};
 use strut_core::math::Vec3;
 use strut_formats::{GENERATOR, walk_model};
-use strut_tasks::corpus::RefusedFile;
-use strut_tasks::files::{self, Outputs};
 use strut_tasks::threads::with_threads;
 use strut_tasks::walk::{Gait, Transition, WalkOrder};
 use strut_tasks::walks::train_walks;
 use strut_tasks::weights::StyleWeights;
-use strut_tasks::{Outcome, TaskError};
 
 /// Greatest number of frames of one call of a walker: ten minutes.
 const MAX_FRAMES: usize = 30 * 600;
@@ -30,19 +28,13 @@ const MAX_FRAMES: usize = 30 * 600;
 pub(crate) struct WalkModel {
     model: hsmm::WalkModel,
     runtime: Arc<RuntimeWalkModel>,
-    bytes: Vec<u8>,
-    refused: Vec<RefusedFile>,
+    file: ModelFile,
 }
 
 impl WalkModel {
-    fn new(model: hsmm::WalkModel, bytes: Vec<u8>, refused: Vec<RefusedFile>) -> Self {
+    fn new(model: hsmm::WalkModel, file: ModelFile) -> Self {
         let runtime = Arc::new(RuntimeWalkModel::new(&model));
-        Self { model, runtime, bytes, refused }
-    }
-
-    fn read(name: &str, bytes: Vec<u8>) -> Outcome<Self> {
-        let model = walk_model::read(&bytes).map_err(|reason| TaskError::in_file(Path::new(name), reason))?;
-        Ok(Self::new(model, bytes, Vec::new()))
+        Self { model, runtime, file }
     }
 }
 
@@ -50,14 +42,9 @@ impl WalkModel {
 impl WalkModel {
     /// Opens a file by its path, or from its bytes.
     #[staticmethod]
-    fn open(py: Python<'_>, source: &Bound<'_, PyAny>) -> PyResult<Self> {
-        if let Ok(bytes) = source.cast::<PyBytes>() {
-            let bytes = bytes.as_bytes().to_owned();
-            return watched(py, None, |_| Self::read("the model", bytes));
-        }
-        let path: PathBuf = source.extract()?;
-        let most = walk_model::KIND.max_bytes;
-        watched(py, None, |_| Self::read(&path.display().to_string(), files::read(&path, most)?))
+    fn open(source: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (model, file) = ModelFile::open(source, walk_model::KIND, walk_model::read)?;
+        Ok(Self::new(model, file))
     }
 
     /// Trains a model on labelled walks: BVH files, folders and archives, as `strut train-walk` does.
@@ -78,23 +65,19 @@ impl WalkModel {
                 let trained = train_walks(&inputs, pattern.as_ref(), labels.as_deref(), &mut refused, on_progress);
                 let model = trained?.0;
                 let bytes = walk_model::write(&model, GENERATOR);
-                Ok(Self::new(model, bytes, refused))
+                Ok(Self::new(model, ModelFile::new(bytes, refused)))
             })?
         })
     }
 
     /// Writes the file.
     fn save(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        watched(py, None, |_| {
-            let mut outputs = Outputs::default();
-            outputs.stage(&path, &self.bytes)?;
-            outputs.commit()
-        })
+        self.file.save(py, &path)
     }
 
     /// The bytes of the file.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &self.bytes)
+        self.file.to_bytes(py)
     }
 
     /// Names of the styles.
@@ -106,7 +89,7 @@ impl WalkModel {
     /// The reasons why files were not used, by path.
     #[getter]
     fn refused<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        reasons(py, &self.refused)
+        self.file.refused(py)
     }
 
     /// Synthesises a walk in a style or a mixture, as `strut walk` does. A transition is a triple: the styles after it,
