@@ -7,12 +7,15 @@ use std::path::{Path, PathBuf};
 /// Clips that tests read, as `SET/NAME.bvh`, sorted. An additional file in the folder changes no test.
 const CLIPS: &str = include_str!("clips.txt");
 
-/// Folder of real motion capture: `$STRUT_MOCAP`, else `shared/data` beside the repository. If it is missing, prints
-/// that the test is skipped.
+/// Folder of real motion capture: `$STRUT_MOCAP`, which must exist, else `shared/data` beside the repository. If that is
+/// missing, prints that the test is skipped.
 pub(crate) fn folder() -> Option<PathBuf> {
     let beside = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
-    let folder = std::env::var_os("STRUT_MOCAP").map_or(beside, PathBuf::from);
+    let given = std::env::var_os("STRUT_MOCAP").map(PathBuf::from);
+    let is_given = given.is_some();
+    let folder = given.unwrap_or(beside);
     if !folder.is_dir() {
+        assert!(!is_given, "STRUT_MOCAP is {}, which is not a folder", folder.display());
         skip("no real motion capture; set STRUT_MOCAP to its folder");
         return None;
     }

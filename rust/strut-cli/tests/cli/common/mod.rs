@@ -1,7 +1,6 @@
 //! Running of the command, and test files.
-#![allow(dead_code)] // Each test file uses a part of it.
 
-#[path = "../../../strut-formats/tests/mocap/mod.rs"]
+#[path = "../../../../strut-formats/tests/mocap/mod.rs"]
 pub(crate) mod mocap;
 
 use std::path::Path;

@@ -1,9 +1,7 @@
 //! The memory for opening a database is known before it is opened.
 
-mod common;
-
+use crate::common::{mocap, strut_ok};
 use allocation_counter::measure;
-use common::{mocap, strut_ok};
 use std::path::PathBuf;
 use strut_core::catalogue::CatalogueSize;
 use strut_core::database::Database;

@@ -2,11 +2,10 @@
 //! (`STRUT_MOCAP`): for a sample of frames, or with `STRUT_ALL_CLIPS=1` and half an hour for 10 000 of them at three
 //! sizes and 1 000 at a fourth.
 
-mod common;
-#[path = "../../strut-core/benches/grown/mod.rs"]
+#[path = "../../../strut-core/benches/grown/mod.rs"]
 mod grown;
 
-use common::{all_clips, mocap, strut_ok};
+use crate::common::{all_clips, mocap, strut_ok};
 use rayon::prelude::*;
 use std::fs;
 use strut_core::search::{Index, Metric, Neighbours, Scratch};

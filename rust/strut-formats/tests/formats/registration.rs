@@ -1,9 +1,7 @@
 //! Registration of real motion capture: contacts, gait cycles, label errors, pace and the moments of an action are found.
 
-#[path = "mocap/labelled.rs"]
-mod labelled;
-mod mocap;
-
+use crate::labelled;
+use crate::mocap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;

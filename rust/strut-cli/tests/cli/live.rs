@@ -1,9 +1,7 @@
 //! `strut live` over loopback: a performer, an unreliable network, and a receiver. Tests wait for conditions and do not
 //! depend on the speed of the computer.
 
-mod common;
-
-use common::{assert_refused, body_of, demo_database, demo_walk, mocap, read_bvh, strut};
+use crate::common::{assert_refused, body_of, demo_database, demo_walk, mocap, read_bvh, strut};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::net::{SocketAddr, UdpSocket};
@@ -440,7 +438,7 @@ fn mean_and_p99(mut errors: Vec<f64>) -> [f64; 2] {
     [mean, errors[(0.99 * (errors.len() - 1) as f64).ceil() as usize]]
 }
 
-/// Prints the table of `docs/live.md`: `cargo test -p strut-motion-cli --test live buffer -- --nocapture`.
+/// Prints the table of `docs/live.md`: `cargo test -p strut-motion-cli --test cli live::the_buffer -- --nocapture`.
 #[test]
 fn the_buffer_shows_most_of_what_is_late_in_its_place() {
     let motions = performances();

@@ -1,8 +1,6 @@
 //! `strut drive` on the built-in motions.
 
-mod common;
-
-use common::{assert_refused, demo_database, strut_ok};
+use crate::common::{assert_refused, demo_database, strut_ok};
 use std::fmt::Write;
 use std::fs;
 use strut_core::math::float_funcs::sin_cos;

@@ -1,8 +1,6 @@
 //! The commands on valid input: the built-in motions.
 
-mod common;
-
-use common::{assert_refused, demo_database, demo_walk, names, strut, strut_ok};
+use crate::common::{assert_refused, demo_database, demo_walk, names, strut, strut_ok};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,6 @@
 //! Walk synthesis on real motion capture, if it is present (`STRUT_MOCAP`).
 
-mod common;
-
-use common::{assert_refused, mocap, strut, strut_ok};
+use crate::common::{assert_refused, mocap, strut, strut_ok};
 use std::path::Path;
 use std::sync::Arc;
 use strut_core::hsmm::{LabelledClip, Options, RuntimeWalkModel, Track, WalkModel, Walker, train};

@@ -1,8 +1,6 @@
 //! Invalid files: the command prints one sentence, exits with 1 and writes nothing.
 
-mod common;
-
-use common::{assert_refused, demo_database, demo_walk, strut};
+use crate::common::{assert_refused, demo_database, demo_walk, strut};
 use std::fs::{self, File};
 use std::path::Path;
 

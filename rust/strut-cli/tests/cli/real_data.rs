@@ -1,8 +1,6 @@
 //! Acceptance criteria on real motion capture, if it is present (`STRUT_MOCAP`).
 
-mod common;
-
-use common::{all_clips, body_of, mocap, read_bvh, strut_ok};
+use crate::common::{all_clips, body_of, mocap, read_bvh, strut_ok};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
@@ -160,7 +158,7 @@ fn what_is_read_wrongly_is_noted_and_no_recording_is() {
     let Some(mocap) = mocap::folder() else { return };
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    fs::write(at.join("demo.strutdb"), common::demo_database()).unwrap();
+    fs::write(at.join("demo.strutdb"), crate::common::demo_database()).unwrap();
     fs::create_dir(at.join("in")).unwrap();
     for set in ["bandai-namco-1", "bandai-namco-2", "xia", "cmu"] {
         for clip in mocap::clips_of(&mocap, set).iter().step_by(41) {

@@ -1,9 +1,7 @@
 //! A body is read as the same body if its file starts at the chest, the head or the spine.
 
-mod mocap;
-mod performances;
-
-use performances::apart;
+use crate::mocap;
+use crate::performances::apart;
 use strut_core::humanoid::{HumanoidMotion, Proportions, Role};
 use strut_core::math::{Quat, Vec3};
 use strut_core::motion::Motion;

@@ -1,8 +1,6 @@
 //! `strut evaluate` on the built-in motions, which need no data.
 
-mod common;
-
-use common::{strut, strut_ok};
+use crate::common::{strut, strut_ok};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

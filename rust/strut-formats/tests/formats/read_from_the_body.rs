@@ -1,7 +1,6 @@
 //! The same performance in another file gives the same motion: every clip with another floor, up axis, sides and position.
 
-mod mocap;
-
+use crate::mocap;
 use std::path::Path;
 use strut_core::humanoid::{HumanoidMotion, Proportions};
 use strut_core::kinematics::world_from_local;

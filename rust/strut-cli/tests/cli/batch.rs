@@ -1,8 +1,6 @@
 //! `strut stylize-batch`: every job is done once, even after interruptions.
 
-mod common;
-
-use common::{assert_refused, demo_database, demo_walk, strut, strut_ok};
+use crate::common::{assert_refused, demo_database, demo_walk, strut, strut_ok};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

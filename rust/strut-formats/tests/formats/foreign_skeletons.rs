@@ -1,10 +1,8 @@
 //! A performance on the skeletons of other programs is read as the same performance; a skeleton that is not human is
 //! rejected.
 
-mod mocap;
-mod performances;
-
-use performances::apart;
+use crate::mocap;
+use crate::performances::apart;
 use std::path::{Path, PathBuf};
 use strut_core::humanoid::{HumanoidMotion, JOINTS, Proportions, Role};
 use strut_core::math::{Quat, Vec3};

@@ -2,9 +2,7 @@
 //! clip and style, or all with `STRUT_ALL_CLIPS=1`. The clips are processed as in `strut stylize`, except for the text
 //! of the file.
 
-mod common;
-
-use common::{all_clips, mocap, read_bvh, strut_ok};
+use crate::common::{all_clips, mocap, read_bvh, strut_ok};
 use rayon::prelude::*;
 use std::fs;
 use std::ops::ControlFlow;

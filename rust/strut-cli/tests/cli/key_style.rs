@@ -1,9 +1,7 @@
 //! Key-styling: the commands on the built-in walk, and held-out errors on real motion capture, if it is present
 //! (`STRUT_MOCAP`).
 
-mod common;
-
-use common::{assert_refused, body_of, demo_walk, mocap, read_bvh, strut_ok};
+use crate::common::{assert_refused, body_of, demo_walk, mocap, read_bvh, strut_ok};
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;

@@ -1,7 +1,6 @@
 //! Real motion capture, if it is present: every clip is read and is unchanged after the conversion to a motion and back.
 
-mod mocap;
-
+use crate::mocap;
 use strut_formats::bvh;
 
 #[test]
