@@ -1,6 +1,5 @@
 //! `strut add-style`: adds a style to a database from one clip.
 
-use crate::failure::{Failure, Outcome};
 use crate::print::{print, print_warnings};
 use std::path::PathBuf;
 use strut_core::database::build::add_style_of;
@@ -12,6 +11,7 @@ use strut_tasks::clip::{read_clip, read_database};
 use strut_tasks::files::Outputs;
 use strut_tasks::suggestion::unknown;
 use strut_tasks::threads::ThreadPool;
+use strut_tasks::{Outcome, TaskError};
 
 /// Make a single clip a style of a database
 ///
@@ -45,11 +45,11 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let clip = Entry { path, labels, licence: String::new() }.source_clip(&clip, &db.proportions);
     let index_of = |name: &String| {
         let index = db.actions.iter().position(|known| known == name);
-        index.map(|index| index as u16).ok_or_else(|| Failure::new(unknown("action", name, &db.actions)))
+        index.map(|index| index as u16).ok_or_else(|| TaskError::new(unknown("action", name, &db.actions)))
     };
     let action = args.action.as_ref().map(index_of).transpose()?;
     let added = add_style_of(&db, &clip, action, &registration::Options::default(), &ThreadPool)
-        .map_err(|reason| Failure::in_file(&args.input, reason))?;
+        .map_err(|reason| TaskError::in_file(&args.input, reason))?;
     let mut outputs = Outputs::default();
     let plan = Index::build(&added.database).plan();
     outputs.stage(&args.output, &strutdb::write(&added.database, &plan, strut_formats::GENERATOR))?;

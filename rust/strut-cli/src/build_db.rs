@@ -1,7 +1,7 @@
 //! `strut build-db`: builds a database from labelled clips.
 
 use crate::annotation::CanonicalContact;
-use crate::failure::{Failure, Outcome};
+use crate::label_args::LabelArgs;
 use crate::manners::{self, BimodalEntry};
 use crate::print::{print, print_notes, print_warnings};
 use crate::progress::Bar;
@@ -14,17 +14,18 @@ use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::database::build::{self, BuildOptions, BuildReport};
 use strut_core::database::{Database, residuals};
-use strut_core::registration::{self, Method, WarpMethod};
+use strut_core::math::stats::median;
+use strut_core::registration::{self, Method};
 use strut_core::search::Index;
-use strut_formats::corpus::Pattern;
 use strut_formats::strutdb;
-use strut_tasks::OnProgress;
 use strut_tasks::corpus::{self, ReadClips, RefusedFile};
 use strut_tasks::counted;
+use strut_tasks::evaluate::Registration;
 use strut_tasks::files::Outputs;
 use strut_tasks::gather::gather;
 use strut_tasks::note_report::NoteReport;
 use strut_tasks::threads::ThreadPool;
+use strut_tasks::{OnProgress, Outcome, TaskError};
 
 /// Output of `--json`.
 const JSON_HELP: &str = "\
@@ -55,13 +56,8 @@ pub(crate) struct Args {
     /// The database to write
     #[arg(short, long, value_name = "DB")]
     output: PathBuf,
-    /// Pattern of the labels in file names: {action}, {style}, {take}; any other {name} is ignored [default:
-    /// {action}_{style}_{take}.bvh]
-    #[arg(long, value_name = "P")]
-    pattern: Option<Pattern>,
-    /// A table of labels with the columns file,action,style[,take]; it replaces the labels in file names
-    #[arg(long, value_name = "CSV")]
-    labels: Option<PathBuf>,
+    #[command(flatten)]
+    labels: LabelArgs,
     /// The neutral style [default: 'neutral' or 'normal', else the first style]
     #[arg(long, value_name = "NAME")]
     neutral: Option<String>,
@@ -84,42 +80,21 @@ pub(crate) struct Args {
 /// Smallest number of clips for which a class has its own median residual: an extreme style is farther from all others.
 const MIN_CLASS_CLIPS: usize = 3;
 
-/// How clips are warped onto each other.
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Registration {
-    /// Dynamic time warping
-    Dtw,
-    /// Iterative motion warping
-    Imw,
-    /// Linear time between foot strikes: the baseline
-    Linear,
-}
-
-impl From<Registration> for WarpMethod {
-    fn from(registration: Registration) -> Self {
-        match registration {
-            Registration::Dtw => Self::Dtw,
-            Registration::Imw => Self::Imw,
-            Registration::Linear => Self::Linear,
-        }
-    }
-}
-
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.json.as_deref(), args.report.as_deref()].into_iter().flatten())?;
     if !build::RATES_HZ.contains(&args.rate) {
-        return Err(Failure::usage(build::BuildError::Rate(args.rate)));
+        return Err(TaskError::usage(build::BuildError::Rate(args.rate)));
     }
     let begin = Instant::now();
     let sources = gather(&args.inputs)?;
     let mut refused = Vec::new();
-    let labelled = corpus::label(&sources, args.pattern.as_ref(), args.labels.as_deref(), &mut refused)?;
+    let labelled = corpus::label(&sources, args.labels.pattern.as_ref(), args.labels.labels.as_deref(), &mut refused)?;
     let reading = args.reading.reading()?;
     let read = |on_progress: &OnProgress<'_>| {
         corpus::read_clips(args.neutral.as_deref(), &reading, labelled, &mut refused, on_progress)
     };
     let ReadClips { clips, notes } = Bar::watching(read)?;
-    let registration = registration::Options { warp: args.registration.into(), ..registration::Options::default() };
+    let registration = registration::Options { warp: args.registration.warp(), ..registration::Options::default() };
     let options = BuildOptions { rate_hz: args.rate, neutral: args.neutral.clone(), registration };
     let (db, report) = {
         let bar = Bar::new("preparing", clips.len());
@@ -127,7 +102,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
             bar.show(p.stage.name(), p.done, p.total);
             ControlFlow::Continue(())
         };
-        build::build(&clips, &options, &ThreadPool, &mut progress).map_err(Failure::new)?
+        build::build(&clips, &options, &ThreadPool, &mut progress).map_err(TaskError::new)?
     };
     let bytes = strutdb::write(&db, &Index::build(&db).plan(), strut_formats::GENERATOR);
     let files: HashMap<&str, &str> = clips.iter().map(|c| (c.name.as_str(), c.source.as_str())).collect();
@@ -369,16 +344,14 @@ impl Residuals {
     /// Returns a clip's residual relative to the median of its class, or of its action if the class is small.
     fn ratio(&self, db: &Database, clip: usize) -> f32 {
         let here = &db.clips[clip];
-        let sorted = |same_style: bool| {
+        let peers = |same_style: bool| {
             let peers = db.clips.iter().zip(&self.cm);
-            let peers = peers.filter(|(c, _)| c.action == here.action && (!same_style || c.style == here.style));
-            let mut cm: Vec<f32> = peers.map(|(_, cm)| *cm).collect();
-            cm.sort_by(f32::total_cmp);
-            cm
+            let peers = peers.filter(move |(c, _)| c.action == here.action && (!same_style || c.style == here.style));
+            peers.map(|(_, cm)| f64::from(*cm))
         };
-        let of_class = sorted(true);
-        let peers = if of_class.len() >= MIN_CLASS_CLIPS { of_class } else { sorted(false) };
-        self.cm[clip] / peers[peers.len() / 2].max(1e-6)
+        let is_large = peers(true).count() >= MIN_CLASS_CLIPS;
+        let usual = median(peers(is_large)).unwrap_or_default() as f32;
+        self.cm[clip] / usual.max(1e-6)
     }
 }
 

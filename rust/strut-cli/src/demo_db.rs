@@ -1,15 +1,14 @@
 //! `strut demo-db`: writes the built-in motions to files.
 
 use crate::demo_report;
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use std::path::PathBuf;
 use strut_core::search::Index;
 use strut_formats::bvh::{self, Bvh};
 use strut_formats::strutdb;
-use strut_tasks::TaskError;
 use strut_tasks::counted;
 use strut_tasks::files::Outputs;
+use strut_tasks::{Outcome, TaskError};
 
 /// Write the built-in procedural database
 #[derive(clap::Args)]
@@ -33,7 +32,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([Some(args.output.as_path()), args.report.as_deref()].into_iter().flatten())?;
-    let db = if args.page { strut_demo::database() } else { strut_demo::full_database() }.map_err(Failure::new)?;
+    let db = if args.page { strut_demo::database() } else { strut_demo::full_database() }.map_err(TaskError::new)?;
     let mut outputs = Outputs::default();
     let mut clips = 0;
     if let Some(folder) = &args.bvh {
@@ -42,7 +41,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         std::fs::create_dir_all(folder).map_err(|e| TaskError::io(folder, &e))?;
         for clip in motions {
             let path = folder.join(format!("{}_{}_{:03}.bvh", clip.action, clip.style, clip.take));
-            let file = Bvh::from_humanoid(&clip.motion).map_err(|e| Failure::in_file(&path, e))?;
+            let file = Bvh::from_humanoid(&clip.motion).map_err(|e| TaskError::in_file(&path, e))?;
             outputs.stage(&path, &bvh::write(&file))?;
             clips += 1;
         }

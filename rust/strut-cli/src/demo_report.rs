@@ -1,6 +1,5 @@
 //! The report `docs/demo-motions.md`: description and measurements of the built-in motions.
 
-use crate::failure::{Failure, Outcome};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -13,6 +12,7 @@ use strut_demo::{
     Action, FULL_RATE_HZ, Passage, Performance, PlannedClip, STYLES, Script, Style, TABLE_1, WALKING_BANDS, perform,
 };
 use strut_tasks::clip::read_clip;
+use strut_tasks::{Outcome, TaskError};
 
 /// Numbers of the recorded actions in the file names of `xia/`.
 const RECORDED: [(&str, &str); 5] = [("walk", "01"), ("run", "13"), ("jump", "16"), ("punch", "18"), ("kick", "22")];
@@ -196,7 +196,7 @@ fn quality(out: &mut String, clips: &[PlannedClip], recordings: Option<&Path>) -
         let ratio = match (recordings, number) {
             (Some(folder), Some((_, number))) => {
                 let path = folder.join(format!("xia/neutral_{number}_000.bvh"));
-                let recorded = recorded(&path)?.resampled(FULL_RATE_HZ).map_err(|e| Failure::in_file(&path, e))?;
+                let recorded = recorded(&path)?.resampled(FULL_RATE_HZ).map_err(|e| TaskError::in_file(&path, e))?;
                 format!("{:.2}", jerk / metrics::mean_jerk(&recorded))
             }
             _ => "–".to_owned(),

@@ -3,7 +3,6 @@
 mod figures;
 mod orders;
 
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use figures::{Log, report};
 use orders::Orders;
@@ -19,6 +18,7 @@ use strut_tasks::clip::read_contents;
 use strut_tasks::counted;
 use strut_tasks::files::Outputs;
 use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
 
 /// Longest drive, seconds.
 const MAX_SECS: f32 = 600.0;
@@ -62,7 +62,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     check(args)?;
     let contents = read_contents(&args.db)?;
-    let in_db = |reason: String| Failure::in_file(&args.db, reason);
+    let in_db = |reason: String| TaskError::in_file(&args.db, reason);
     let (clips, note) = driving_clips(&contents.database).map_err(in_db)?;
     let clips = Arc::new(clips);
     if let Some(note) = &note {
@@ -74,9 +74,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
     // The input is in the database's neutral style if all clips are from the database.
     let input_style = note.is_none().then_some(model.catalogue().neutral);
     let options = Options { input_style, ..Options::default() };
-    let mut stylizer = Stylizer::new(Arc::clone(&model), options).map_err(Failure::new)?;
+    let mut stylizer = Stylizer::new(Arc::clone(&model), options).map_err(TaskError::new)?;
     if let Some(style) = &args.style {
-        stylizer.set_styles(&style.of(model.catalogue()).map_err(in_db)?).map_err(Failure::new)?;
+        stylizer.set_styles(&style.of(model.catalogue()).map_err(in_db)?).map_err(TaskError::new)?;
     }
     let rate_hz = model.catalogue().rate_hz;
     let Driven { log, styled, arrived } = drive(&mut driver, stylizer, &orders, args.secs, rate_hz);
@@ -89,7 +89,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let neutral = HumanoidMotion { proportions, rate_hz, poses: log.poses };
     for (target, motion) in [(Some(&args.output), &finished), (args.input_out.as_ref(), &neutral)] {
         let Some(target) = target else { continue };
-        outputs.stage(target, &bvh::write(&Bvh::from_humanoid(motion).map_err(Failure::new)?))?;
+        outputs.stage(target, &bvh::write(&Bvh::from_humanoid(motion).map_err(TaskError::new)?))?;
     }
     outputs.stage_json(args.json.as_deref(), &report)?;
     outputs.commit()?;
@@ -108,10 +108,12 @@ fn check(args: &Args) -> Outcome {
     let targets = [Some(&args.output), args.input_out.as_ref(), args.json.as_ref()];
     Outputs::check(targets.into_iter().flatten().map(PathBuf::as_path))?;
     if !(0.0..=2.0).contains(&args.gait) {
-        return Err(Failure::usage(format_args!("the gait is {}; 0 (stand) to 2 (run) was expected", args.gait)));
+        return Err(TaskError::usage(format_args!("the gait is {}; 0 (stand) to 2 (run) was expected", args.gait)));
     }
     if let Some(secs) = args.secs.filter(|secs| !(*secs > 0.0 && *secs <= MAX_SECS)) {
-        return Err(Failure::usage(format_args!("--secs is {secs}; more than 0 to {MAX_SECS} seconds were expected")));
+        return Err(TaskError::usage(format_args!(
+            "--secs is {secs}; more than 0 to {MAX_SECS} seconds were expected"
+        )));
     }
     Ok(())
 }

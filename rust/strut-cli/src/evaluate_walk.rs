@@ -4,7 +4,6 @@ mod halves;
 mod intensity;
 mod mixture;
 
-use crate::failure::{Failure, Outcome};
 use crate::print::{print_warnings, write_or_print};
 use mixture::{STEPS, weights};
 use std::collections::BTreeSet;
@@ -27,6 +26,7 @@ use strut_tasks::files::Outputs;
 use strut_tasks::progress::unwatched;
 use strut_tasks::threads::ThreadPool;
 use strut_tasks::walks::{Walk, read_walks};
+use strut_tasks::{Outcome, TaskError};
 
 /// Numbers of steps of the measured transitions.
 const BETWEEN: [u32; 4] = [0, 2, 4, 6];
@@ -59,18 +59,18 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let (body, walks) = read_walks(&args.inputs, args.pattern.as_ref(), None, &mut refused, &unwatched)?;
     let (tests, rest): (Vec<&Walk>, Vec<&Walk>) = walks.iter().partition(|w| args.held_out.contains(&w.take));
     if tests.is_empty() || rest.is_empty() {
-        return Err(Failure::new("--held-out leaves no walk for training or for testing; other takes were expected"));
+        return Err(TaskError::new("--held-out leaves no walk for training or for testing; other takes were expected"));
     }
     let styles: BTreeSet<&str> = rest.iter().map(|walk| walk.style.as_str()).collect();
     if styles.len() < 2 {
         let found = names(&args.inputs);
-        return Err(Failure::new(format_args!("{found}: walks of at least two styles were expected for training")));
+        return Err(TaskError::new(format_args!("{found}: walks of at least two styles were expected for training")));
     }
     let clips: Vec<LabelledClip> = rest.iter().map(|w| LabelledClip { style: &w.style, track: &w.track }).collect();
     let begin = Instant::now();
-    let refined = train(&body, &clips, Options { refined: true }, &ThreadPool).map_err(Failure::new)?;
+    let refined = train(&body, &clips, Options { refined: true }, &ThreadPool).map_err(TaskError::new)?;
     let seconds = begin.elapsed().as_secs_f64();
-    let plain = train(&body, &clips, Options { refined: false }, &ThreadPool).map_err(Failure::new)?;
+    let plain = train(&body, &clips, Options { refined: false }, &ThreadPool).map_err(TaskError::new)?;
 
     let mut text = String::from("# Walk synthesis\n\n");
     // Writing to a string cannot fail.
@@ -90,22 +90,22 @@ pub(crate) fn run(args: &Args) -> Outcome {
         inputs => read_walks(inputs, args.pattern.as_ref(), None, &mut refused, &unwatched)?.1,
     };
     if !takes.is_empty() {
-        halves::write(&mut text, &names(&args.halves), (&body, &clips), &takes).map_err(Failure::new)?;
+        halves::write(&mut text, &names(&args.halves), (&body, &clips), &takes).map_err(TaskError::new)?;
     }
     let runtime = Arc::new(RuntimeWalkModel::new(&refined));
     let plain_runtime = Arc::new(RuntimeWalkModel::new(&plain));
-    linearity(&mut text, [(&plain, &plain_runtime), (&refined, &runtime)]).map_err(Failure::new)?;
+    linearity(&mut text, [(&plain, &plain_runtime), (&refined, &runtime)]).map_err(TaskError::new)?;
     text.push_str(intensity::INTRODUCTION);
     let _ = writeln!(text, "### {} styles\n", refined.styles.len());
-    intensity::write(&mut text, &refined, &runtime).map_err(Failure::new)?;
+    intensity::write(&mut text, &refined, &runtime).map_err(TaskError::new)?;
     if !takes.is_empty() {
-        let more = halves::with_first_takes((&body, &clips), &takes).map_err(Failure::new)?;
+        let more = halves::with_first_takes((&body, &clips), &takes).map_err(TaskError::new)?;
         let _ = writeln!(text, "### {} styles: with the first takes of {}\n", more.styles.len(), names(&args.halves));
-        intensity::write(&mut text, &more, &Arc::new(RuntimeWalkModel::new(&more))).map_err(Failure::new)?;
+        intensity::write(&mut text, &more, &Arc::new(RuntimeWalkModel::new(&more))).map_err(TaskError::new)?;
     }
-    transitions(&mut text, &refined, &runtime).map_err(Failure::new)?;
+    transitions(&mut text, &refined, &runtime).map_err(TaskError::new)?;
     contexts(&mut text, &plain, &walks);
-    horizon(&mut text, &refined, &runtime, &tests).map_err(Failure::new)?;
+    horizon(&mut text, &refined, &runtime, &tests).map_err(TaskError::new)?;
     let _ = writeln!(
         text,
         "## Cost\n\n{:.1} µs per frame, natively, including the root and the joint limits.",

@@ -1,6 +1,5 @@
 //! `strut inspect`: prints the contents of a file.
 
-use crate::failure::{Failure, Outcome};
 use crate::manners::{self, BimodalEntry};
 use crate::print::print;
 use crate::read_args::ReadArgs;
@@ -19,6 +18,7 @@ use strut_formats::strutdb::{self, ClipInfo, SkeletonInfo};
 use strut_tasks::counted;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::note_report::NoteReport;
+use strut_tasks::{Outcome, TaskError};
 
 /// Output of `--json`.
 const JSON_HELP: &str = "\
@@ -63,15 +63,16 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let bytes = files::read(&args.file, if is_database { strutdb::KIND.max_bytes } else { bvh::MAX_BYTES })?;
     // A safetensors header begins after its eight length bytes.
     let (json, text) = if is_database || bytes.get(8) == Some(&b'{') {
-        let report = database_report(path, &bytes).map_err(|e| Failure::in_file(&args.file, e))?;
+        let report = database_report(path, &bytes).map_err(|e| TaskError::in_file(&args.file, e))?;
         (serde_json::to_vec_pretty(&report), report.text())
     } else {
-        let report = bvh_report(path, &bytes, &args.reading.reading()?).map_err(|e| Failure::in_file(&args.file, e))?;
+        let report =
+            bvh_report(path, &bytes, &args.reading.reading()?).map_err(|e| TaskError::in_file(&args.file, e))?;
         (serde_json::to_vec_pretty(&report), report.text())
     };
     if let Some(target) = &args.json {
         let mut outputs = Outputs::default();
-        outputs.stage(target, &json.map_err(Failure::new)?)?;
+        outputs.stage(target, &json.map_err(TaskError::new)?)?;
         outputs.commit()?;
     }
     print(&text);

@@ -1,6 +1,5 @@
 //! `strut key-style`: makes a BVH file from a few styles over time.
 
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,6 +8,7 @@ use strut_formats::bvh::{self, Bvh};
 use strut_formats::{key_style_model, style_keys};
 use strut_tasks::counted;
 use strut_tasks::files::{self, Outputs};
+use strut_tasks::{Outcome, TaskError};
 
 /// Greatest size of a table of keys, bytes.
 const MAX_TABLE_BYTES: usize = 16 << 20;
@@ -38,8 +38,8 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check([args.output.as_path()])?;
     let file = files::read(&args.model, key_style_model::KIND.max_bytes)?;
-    let model = key_style_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
-    let in_keys = |e: &dyn std::fmt::Display| Failure::in_file(&args.keys, e);
+    let model = key_style_model::read(&file).map_err(|e| TaskError::in_file(&args.model, e))?;
+    let in_keys = |e: &dyn std::fmt::Display| TaskError::in_file(&args.keys, e);
     let keys = style_keys::parse(&files::read(&args.keys, MAX_TABLE_BYTES)?, &model.axes).map_err(|e| in_keys(&e))?;
     let interpolation =
         if args.interpolation == "monotone" { Interpolation::Monotone } else { Interpolation::CatmullRom };
@@ -47,7 +47,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let mut synthesis = Synthesis::new(Arc::new(model));
     let styling = KeyStyling::new(&keys, interpolation, &mut synthesis, mode).map_err(|e| in_keys(&e))?;
     let motion = styling.motion(&mut synthesis, Method::KeyStyle);
-    let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
+    let bvh = Bvh::from_humanoid(&motion).map_err(TaskError::new)?;
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bvh::write(&bvh))?;
     outputs.commit()?;

@@ -8,7 +8,6 @@ mod sender;
 mod session;
 mod stop;
 
-use crate::failure::{Failure, Outcome};
 use crate::model::read_model;
 use crate::print::{print, print_warnings};
 use address::Address;
@@ -28,6 +27,7 @@ use strut_formats::bvh::{self, Bvh};
 use strut_tasks::files::Outputs;
 use strut_tasks::search::Search;
 use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
 
 /// Default ports of VMC programs: of performers and of avatars.
 const PERFORMER_PORT: u16 = 39_539;
@@ -121,7 +121,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     match (&args.send, &args.db) {
         (Some(file), _) => sender::send(file, &mut Output::open(&args.targets())?, args.secs),
         (None, Some(db)) => style(args, db),
-        (None, None) => Err(Failure::usage("--db or --send was expected")),
+        (None, None) => Err(TaskError::usage("--db or --send was expected")),
     }
 }
 
@@ -133,13 +133,15 @@ fn check(args: &Args) -> Outcome {
         address.check(args.allow_network)?;
     }
     if let Some(same) = targets.iter().find(|target| args.send.is_none() && source.hears(target)) {
-        return Err(Failure::usage(format_args!("--in and --out are both {same}; Strut would receive its own output")));
+        return Err(TaskError::usage(format_args!(
+            "--in and --out are both {same}; Strut would receive its own output"
+        )));
     }
     if let Some(secs) = args.secs.filter(|secs| !(*secs > 0.0 && secs.is_finite())) {
-        return Err(Failure::usage(format_args!("--secs is {secs}; more than 0 was expected")));
+        return Err(TaskError::usage(format_args!("--secs is {secs}; more than 0 was expected")));
     }
     if let Some(secs) = args.calibrate.filter(|secs| !(*secs > 0.0 && *secs <= MAX_CALIBRATION_SECS)) {
-        return Err(Failure::usage(format_args!(
+        return Err(TaskError::usage(format_args!(
             "--calibrate is {secs}; more than 0 to {MAX_CALIBRATION_SECS} seconds were expected"
         )));
     }
@@ -148,17 +150,17 @@ fn check(args: &Args) -> Outcome {
 
 fn style(args: &Args, db: &Path) -> Outcome {
     let model = Arc::new(read_model(db, Search::Exact)?);
-    let mut stylizer = Stylizer::new(Arc::clone(&model), Options::default()).map_err(Failure::new)?;
+    let mut stylizer = Stylizer::new(Arc::clone(&model), Options::default()).map_err(TaskError::new)?;
     let mut weights = vec![0.0; model.catalogue().styles.len()];
     if let Some(style) = &args.style {
-        weights = style.of(model.catalogue()).map_err(|reason| Failure::in_file(db, reason))?;
-        stylizer.set_styles(&weights).map_err(Failure::new)?;
+        weights = style.of(model.catalogue()).map_err(|reason| TaskError::in_file(db, reason))?;
+        stylizer.set_styles(&weights).map_err(TaskError::new)?;
     }
     let place = match args.place {
         PlaceName::Follow => Place::Follow,
         PlaceName::Free => Place::Free,
     };
-    let live = LiveStylizer::new(stylizer, place).map_err(Failure::new)?;
+    let live = LiveStylizer::new(stylizer, place).map_err(TaskError::new)?;
     let records = args.record.is_some() || args.record_input.is_some();
     let settings = Settings { delay: args.buffer, calibrate_secs: args.calibrate, records };
     let mut session = Session::new(model, live, weights, settings);
@@ -216,7 +218,7 @@ fn finish(args: &Args, session: &Session) -> Outcome {
     let recorded = session.recorded();
     for (target, poses) in [&args.record, &args.record_input].into_iter().zip([&recorded.styled, &recorded.input]) {
         let Some(target) = target else { continue };
-        outputs.stage(target, &bvh_of(session, poses).map_err(|reason| Failure::in_file(target, reason))?)?;
+        outputs.stage(target, &bvh_of(session, poses).map_err(|reason| TaskError::in_file(target, reason))?)?;
     }
     outputs.stage_json(args.json.as_deref(), &figures)?;
     outputs.commit()?;

@@ -15,11 +15,10 @@ mod demo_db;
 mod demo_report;
 mod drive;
 mod evaluate;
-mod evaluate_key_style;
 mod evaluate_walk;
-mod failure;
 mod inspect;
 mod key_style;
+mod label_args;
 mod live;
 mod manners;
 mod model;
@@ -35,9 +34,9 @@ mod train_walk;
 mod walk;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use failure::Outcome;
 use std::io::Write;
 use std::process::ExitCode;
+use strut_tasks::{Code, Outcome};
 
 #[derive(Parser)]
 #[command(name = "strut", version, about = "Motion style transfer for BVH files", max_term_width = 110)]
@@ -63,7 +62,6 @@ enum Command {
     EvaluateWalk(evaluate_walk::Args),
     TrainKeyStyle(train_key_style::Args),
     KeyStyle(key_style::Args),
-    EvaluateKeyStyle(evaluate_key_style::Args),
     /// Print every command and option as JSON
     #[command(hide = true)]
     Reference,
@@ -86,18 +84,26 @@ fn run(args: Args) -> Outcome {
         Command::EvaluateWalk(args) => evaluate_walk::run(&args),
         Command::TrainKeyStyle(args) => train_key_style::run(&args),
         Command::KeyStyle(args) => key_style::run(&args),
-        Command::EvaluateKeyStyle(args) => evaluate_key_style::run(&args),
         Command::Reference => reference::run(&mut Args::command()),
+    }
+}
+
+fn exit_code(code: Code) -> u8 {
+    match code {
+        Code::Usage => 2,
+        // As shells expect after Ctrl-C.
+        Code::Cancelled => 130,
+        _ => 1,
     }
 }
 
 fn main() -> ExitCode {
     match run(Args::parse()) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
+        Err(error) => {
             // Nothing can be done if stderr is closed.
-            let _ = writeln!(std::io::stderr(), "error: {failure}");
-            failure.exit_code.into()
+            let _ = writeln!(std::io::stderr(), "error: {error}");
+            exit_code(error.code).into()
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Opening of databases.
 
-use crate::failure::Outcome;
 use crate::print::print_warnings;
 use std::path::Path;
 use strut_core::transfer::Model;
+use strut_tasks::Outcome;
 use strut_tasks::clip::{Opened, read_contents};
 use strut_tasks::search::Search;
 

@@ -1,8 +1,8 @@
 //! Printing.
 
-use crate::failure::Outcome;
 use std::io::{self, Write};
 use std::path::Path;
+use strut_tasks::Outcome;
 use strut_tasks::files::Outputs;
 use strut_tasks::note_report::NoteReport;
 
@@ -20,7 +20,7 @@ pub(crate) fn write_or_print(target: Option<&Path>, text: &str) -> Outcome {
     };
     let mut outputs = Outputs::default();
     outputs.stage(target, text.as_bytes())?;
-    Ok(outputs.commit()?)
+    outputs.commit()
 }
 
 /// Prints notes on a file to stderr, where users see them even if a program reads the text.

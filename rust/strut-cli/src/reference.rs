@@ -1,10 +1,10 @@
 //! `strut reference`: prints every command and option as JSON. The documentation generates its page from it
 //! (`scripts/docs/reference/`).
 
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use clap::{Arg, Command};
 use serde::Serialize;
+use strut_tasks::{Outcome, TaskError};
 
 /// A command.
 #[derive(Serialize)]
@@ -37,7 +37,7 @@ pub(crate) fn run(root: &mut Command) -> Outcome {
     root.build();
     let shown = root.get_subcommands_mut().filter(|c| !c.is_hide_set() && c.get_name() != "help");
     let entries: Vec<_> = shown.map(command_entry).collect();
-    print(&format!("{}\n", serde_json::to_string_pretty(&entries).map_err(Failure::new)?));
+    print(&format!("{}\n", serde_json::to_string_pretty(&entries).map_err(TaskError::new)?));
     Ok(())
 }
 

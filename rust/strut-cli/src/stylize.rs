@@ -1,6 +1,5 @@
 //! `strut stylize`: styles BVH files.
 
-use crate::failure::{Failure, Outcome};
 use crate::model::read_model;
 use crate::print::{print, print_notes};
 use crate::progress::Bar;
@@ -15,7 +14,6 @@ use std::sync::Arc;
 use strut_core::transfer::Model;
 use strut_formats::bvh;
 use strut_formats::corpus::Clip;
-use strut_tasks::TaskError;
 use strut_tasks::files::{self, Outputs};
 use strut_tasks::gather::{self, Source, gather};
 use strut_tasks::note_report::NoteReport;
@@ -23,6 +21,7 @@ use strut_tasks::progress::unwatched;
 use strut_tasks::stylize::{Spread, StyleSettings, Styled, Styling, TraceLog};
 use strut_tasks::threads::{check_threads, map_until_failure};
 use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
 
 /// Style BVH files
 ///
@@ -71,7 +70,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 fn use_threads(threads: Option<NonZero<usize>>) -> Outcome {
     let Some(threads) = threads else { return Ok(()) };
     check_threads(threads.get())?;
-    rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(Failure::new)
+    rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(TaskError::new)
 }
 
 fn style_one(args: &Args, settings: &StyleSettings, input: &Path) -> Outcome {
@@ -145,7 +144,7 @@ fn text(target: &Path, clip: &Clip, styled: &Styled, styling: &Styling) -> Strin
 /// Styles all inputs, or none if one cannot be styled.
 fn style_several(args: &Args, settings: &StyleSettings) -> Outcome {
     if args.trace.is_some() {
-        return Err(Failure::usage("--trace is for a single input"));
+        return Err(TaskError::usage("--trace is for a single input"));
     }
     let folder = &args.output;
     let sources = gather(&args.input)?;
@@ -177,12 +176,12 @@ fn style_into(
     folder: &Path,
 ) -> Outcome<Vec<(String, StyledReport)>> {
     if !folder.is_dir() {
-        return Err(Failure::in_file(folder, "a folder for the outputs of several inputs was expected"));
+        return Err(TaskError::in_file(folder, "a folder for the outputs of several inputs was expected"));
     }
     let targets: Vec<PathBuf> = sources.iter().map(|s| folder.join(s.file_name())).collect();
     Outputs::check(targets.iter().chain(&args.json).map(PathBuf::as_path))?;
     if let Some(target) = sources.iter().zip(&targets).find_map(|(s, target)| s.is_at(target).then_some(target)) {
-        return Err(Failure::in_file(target, "this is an input; another folder was expected"));
+        return Err(TaskError::in_file(target, "this is an input; another folder was expected"));
     }
     let model = Arc::new(read_model(&args.db, settings.search)?);
     let styling = styling_of(args, settings, &model)?;
@@ -202,6 +201,6 @@ fn style_into(
     // One clip at a time per thread, since clips differ in length.
     let pairs: Vec<(&Source, &PathBuf)> = sources.iter().zip(&targets).collect();
     let styled = map_until_failure(&pairs, style)?;
-    let commit = |(outputs, said): (Outputs, _)| outputs.commit().map(|()| said).map_err(Failure::from);
+    let commit = |(outputs, said): (Outputs, _)| outputs.commit().map(|()| said);
     styled.into_iter().map(commit).collect()
 }

@@ -1,6 +1,5 @@
 //! `strut stylize-batch`: many clips in many styles, exactly once each.
 
-use crate::failure::{Failure, Outcome};
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 use crate::read_args::ReadArgs;
@@ -15,6 +14,7 @@ use strut_tasks::batch::{BatchReport, BatchRequest, Retry, Shard, Status, Varian
 use strut_tasks::files::Outputs;
 use strut_tasks::stylize::StyleSettings;
 use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
 
 /// Greatest number of printed problems; the manifest has all.
 const MOST_PRINTED: usize = 10;
@@ -103,7 +103,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         retry: args.retry,
         verify: args.verify,
     };
-    ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed)).map_err(Failure::new)?;
+    ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed)).map_err(TaskError::new)?;
     let report = Bar::watching(|on_progress| {
         run_batch(&request, &|progress| {
             if STOPPED.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { on_progress(progress) }
@@ -121,10 +121,10 @@ fn variants(args: &Args) -> Outcome<Vec<Variant>> {
     let reading = args.reading.reading()?;
     let settings = |styles| Ok(StyleSettings { reading: reading.clone(), ..args.options.settings(styles)? });
     if let Some(table) = &args.variants {
-        return Ok(read_variants(table, settings)?);
+        return read_variants(table, settings);
     }
     let typed = args.style.as_deref().unwrap_or_default();
-    let styles: StyleWeights = typed.parse().map_err(Failure::usage)?;
+    let styles: StyleWeights = typed.parse().map_err(TaskError::usage)?;
     Ok(vec![Variant::of_styles(typed, settings(styles)?)?])
 }
 
@@ -154,7 +154,7 @@ fn problems(report: &BatchReport) -> String {
 /// Returns an error if the outcome is not as requested.
 fn verdict(args: &Args, report: &BatchReport) -> Outcome {
     let BatchReport { jobs, skipped, failed, .. } = report;
-    let fail = |reason: String| Err(Failure::in_file(&args.output, reason));
+    let fail = |reason: String| Err(TaskError::in_file(&args.output, reason));
     if *failed > 0 {
         return fail(format!("{failed} of {jobs} jobs failed; repeat them with --retry failed"));
     }

@@ -1,6 +1,5 @@
 //! `strut train-key-style`: trains a map from a few style variables to poses.
 
-use crate::failure::Outcome;
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 use serde::Serialize;
@@ -8,6 +7,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 use strut_core::somn::{EM_RIDGE, KeyStyleModel, Learning, MAX_COMPONENTS, Measure, Options, SEED};
 use strut_formats::key_style_model;
+use strut_tasks::Outcome;
 use strut_tasks::corpus::{self, RefusedFile};
 use strut_tasks::counted;
 use strut_tasks::files::Outputs;

@@ -1,13 +1,13 @@
 //! `strut train-walk`: trains a walk model on labelled walks.
 
-use crate::failure::Outcome;
+use crate::label_args::LabelArgs;
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
-use strut_formats::corpus::Pattern;
 use strut_formats::walk_model;
+use strut_tasks::Outcome;
 use strut_tasks::corpus::{self, RefusedFile};
 use strut_tasks::counted;
 use strut_tasks::files::Outputs;
@@ -25,13 +25,8 @@ pub(crate) struct Args {
     /// The model to write
     #[arg(short, long, value_name = "M")]
     output: PathBuf,
-    /// Pattern of the labels in file names: {action}, {style}, {take}; any other {name} is ignored [default:
-    /// {action}_{style}_{take}.bvh]
-    #[arg(long, value_name = "P")]
-    pattern: Option<Pattern>,
-    /// A table of labels with the columns file,action,style[,take]; it replaces the labels in file names
-    #[arg(long, value_name = "CSV")]
-    labels: Option<PathBuf>,
+    #[command(flatten)]
+    labels: LabelArgs,
     /// Write a report as JSON: {model, seconds, styles: [{style, clips, steps, `step_secs`}], refused: [{file, reason}]}
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -58,7 +53,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let begin = Instant::now();
     let mut refused = Vec::new();
     let (model, walks) = Bar::watching(|on_progress| {
-        train_walks(&args.inputs, args.pattern.as_ref(), args.labels.as_deref(), &mut refused, on_progress)
+        train_walks(
+            &args.inputs,
+            args.labels.pattern.as_ref(),
+            args.labels.labels.as_deref(),
+            &mut refused,
+            on_progress,
+        )
     })?;
     let bytes = walk_model::write(&model, strut_formats::GENERATOR);
 

@@ -1,6 +1,5 @@
 //! `strut walk`: synthesises a walk and writes a BVH file.
 
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,6 +11,7 @@ use strut_tasks::files::{self, Outputs};
 use strut_tasks::progress::unwatched;
 use strut_tasks::walk::{Gait, MAX_STEPS, Transition, WalkOrder};
 use strut_tasks::weights::StyleWeights;
+use strut_tasks::{Outcome, TaskError};
 
 /// Synthesise a walk in a style or a mixture of styles
 ///
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     // Checked before the model is read.
     gait.check()?;
     let file = files::read(&args.model, walk_model::KIND.max_bytes)?;
-    let model = walk_model::read(&file).map_err(|e| Failure::in_file(&args.model, e))?;
+    let model = walk_model::read(&file).map_err(|e| TaskError::in_file(&args.model, e))?;
     let order = WalkOrder {
         styles: args.style.clone(),
         steps: args.steps,
@@ -66,7 +66,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
         stop: args.stop,
     };
     let motion = order.walk(&model, Arc::new(RuntimeWalkModel::new(&model)), &unwatched)?.motion;
-    let bvh = Bvh::from_humanoid(&motion).map_err(Failure::new)?;
+    let bvh = Bvh::from_humanoid(&motion).map_err(TaskError::new)?;
     let mut outputs = Outputs::default();
     outputs.stage(&args.output, &bvh::write(&bvh))?;
     outputs.commit()?;

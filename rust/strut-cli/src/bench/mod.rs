@@ -5,7 +5,6 @@ mod recall;
 mod table;
 mod yardstick;
 
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use crate::progress::Bar;
 use measure::{Mode, Row, Run};
@@ -22,6 +21,7 @@ use strut_demo::benchmark::{self, LEAST_FRAMES, PAPER_FRAMES, Query};
 use strut_formats::strutdb::{self, Contents};
 use strut_tasks::clip::read_database;
 use strut_tasks::files::Outputs;
+use strut_tasks::{Outcome, TaskError};
 use yardstick::{Comparison, Yardstick};
 
 /// Measure how long a frame takes
@@ -62,7 +62,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Outputs::check(args.json.as_deref())?;
     let wrong = args.frames.iter().find(|n| !(LEAST_FRAMES..=MAX_FRAMES).contains(n));
     if let Some(n) = wrong {
-        return Err(Failure::usage(format!("--frames is {n}; {LEAST_FRAMES} to {MAX_FRAMES} was expected")));
+        return Err(TaskError::usage(format!("--frames is {n}; {LEAST_FRAMES} to {MAX_FRAMES} was expected")));
     }
     let mut report = Report { machine: machine(), rows: Vec::new(), recall: Vec::new(), gpu: Vec::new() };
     print(&format!("{}, one thread\n", report.machine));
@@ -70,17 +70,17 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let yardstick = yardstick.as_ref();
     if let Some(path) = &args.db {
         let (database, queries) = benchmark::hold_out(&read_database(path)?)
-            .ok_or_else(|| Failure::in_file(path, "no class has two clips, of which one could be held out"))?;
+            .ok_or_else(|| TaskError::in_file(path, "no class has two clips, of which one could be held out"))?;
         measure_on(database, &queries, yardstick, &mut report);
     } else {
         let queries = benchmark::queries();
         for &frames in &args.frames {
-            measure_on(benchmark::database(frames).map_err(Failure::new)?, &queries, yardstick, &mut report);
+            measure_on(benchmark::database(frames).map_err(TaskError::new)?, &queries, yardstick, &mut report);
         }
     }
     let mut outputs = Outputs::default();
     outputs.stage_json(args.json.as_deref(), &report)?;
-    Ok(outputs.commit()?)
+    outputs.commit()
 }
 
 /// Measures a database, prints the tables and adds their rows.

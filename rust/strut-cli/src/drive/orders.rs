@@ -1,12 +1,12 @@
 //! Paths and controls of a character: the CSV files of `strut drive`.
 
-use crate::failure::{Failure, Outcome};
 use std::path::Path;
 use strut_core::driving::{Control, Driver, Move};
 use strut_core::math::Vec2;
 use strut_core::math::float_funcs::sin_cos;
 use strut_formats::quotation;
 use strut_tasks::files;
+use strut_tasks::{Outcome, TaskError};
 
 /// Greatest size of a file, bytes.
 const MAX_BYTES: usize = 16 << 20;
@@ -28,7 +28,7 @@ impl Orders {
         match (path, controls) {
             (Some(file), _) => read_path(file, gait),
             (_, Some(file)) => read_log(file),
-            _ => Err(Failure::usage("--path or --controls was expected")),
+            _ => Err(TaskError::usage("--path or --controls was expected")),
         }
     }
 
@@ -74,7 +74,7 @@ fn read_path(file: &Path, gait: f32) -> Outcome<Orders> {
     let points: Vec<Vec2> =
         table.rows.iter().map(|(row, _)| Vec2::new(row[0].unwrap_or(0.0), row[1].unwrap_or(0.0))).collect();
     if strut_core::driving::Path::new(&points).is_none() {
-        return Err(Failure::in_file(file, "the path has fewer than two distinct points; two or more were expected"));
+        return Err(TaskError::in_file(file, "the path has fewer than two distinct points; two or more were expected"));
     }
     let mut length = 0.0;
     let mut gaits = Vec::new();
@@ -95,7 +95,7 @@ fn read_log(file: &Path) -> Outcome<Orders> {
             let names = Move::ALL.map(Move::name).join(", ");
             let unknown =
                 || format!("line {}: the action is '{}'; one of {names} was expected", i + 2, quotation(action, 40));
-            Some(Move::named(action).ok_or_else(|| Failure::in_file(file, unknown()))?)
+            Some(Move::named(action).ok_or_else(|| TaskError::in_file(file, unknown()))?)
         };
         let [time, gait, heading] = [row[0], row[1], row[2]].map(Option::unwrap_or_default);
         // Heading 0 is +Z, and a positive turn is to the left, towards +X.
@@ -104,10 +104,10 @@ fn read_log(file: &Path) -> Outcome<Orders> {
         log.push((time, Control { wish, gait, face: row[3].map(f32::to_radians), action }));
     }
     if !log.is_sorted_by_key(|(time, _)| *time) {
-        return Err(Failure::in_file(file, "the times do not increase from line to line"));
+        return Err(TaskError::in_file(file, "the times do not increase from line to line"));
     }
     if log.is_empty() {
-        return Err(Failure::in_file(file, "there are no controls; at least one line was expected"));
+        return Err(TaskError::in_file(file, "there are no controls; at least one line was expected"));
     }
     Ok(Orders::Log(log))
 }
@@ -120,7 +120,7 @@ struct Table {
 impl Table {
     fn read(file: &Path, needed: &[&str], optional: &[&str], text: Option<&str>) -> Outcome<Self> {
         let bytes = files::read(file, MAX_BYTES)?;
-        let fail = |line: u64, reason: String| Failure::in_file(file, format!("line {line}: {reason}"));
+        let fail = |line: u64, reason: String| TaskError::in_file(file, format!("line {line}: {reason}"));
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(bytes.as_slice());
         let headers = reader.headers().map_err(|error| fail(1, error.to_string()))?.clone();
         let may_be: Vec<&str> = optional.iter().chain(&text).copied().collect();

@@ -2,19 +2,20 @@
 
 mod args;
 
-use crate::failure::{Failure, Outcome};
 use crate::print::{print, print_warnings};
 use crate::progress::Bar;
 pub(crate) use args::Args;
-use strut_tasks::evaluate::{Protocol, evaluate};
+use strut_tasks::evaluate::{Protocol, Request, evaluate};
 use strut_tasks::files::Outputs;
+use strut_tasks::{Outcome, TaskError};
 
 pub(crate) fn run(args: &Args) -> Outcome {
-    Outputs::check([args.json.as_deref(), args.curves.as_deref()].into_iter().flatten())?;
-    if args.progress && args.protocol == Protocol::OffDatabase {
-        return Err(Failure::usage("--progress needs --protocol loo"));
+    Outputs::check([args.request.json.as_deref(), args.curves.as_deref()].into_iter().flatten())?;
+    if args.progress && args.request.protocol == Protocol::OffDatabase {
+        return Err(TaskError::usage("--progress needs --protocol loo"));
     }
-    let evaluation = Bar::watching(|on_progress| evaluate(&args.request(command_line()), on_progress))?;
+    let request = Request { wants_curves: args.curves.is_some(), command: command_line(), ..args.request.clone() };
+    let evaluation = Bar::watching(|on_progress| evaluate(&request, on_progress))?;
     for clip in &evaluation.left_out {
         print_warnings(&format!("warning: left out {}: {}\n", clip.file, clip.reason));
     }
@@ -22,9 +23,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
         print_warnings(&format!("warning: {note}\n"));
     }
     let mut outputs = Outputs::default();
-    outputs.stage_json(args.json.as_deref(), &evaluation.report)?;
+    outputs.stage_json(args.request.json.as_deref(), &evaluation.report)?;
     if let (Some(target), Some(curves)) = (&args.curves, &evaluation.curves) {
-        outputs.stage(target, &serde_json::to_vec(curves).map_err(Failure::new)?)?;
+        outputs.stage(target, &serde_json::to_vec(curves).map_err(TaskError::new)?)?;
     }
     outputs.commit()?;
     print(&if args.progress { evaluation.report.progress_markdown() } else { evaluation.report.markdown() });

@@ -1,9 +1,9 @@
 //! Addresses: `127.0.0.1:39539`, `localhost:39539`, or a port of this computer.
 
-use crate::failure::{Failure, Outcome};
 use std::fmt::{self, Display};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::str::FromStr;
+use strut_tasks::{Outcome, TaskError};
 
 /// A UDP address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ impl Address {
         if allow_network || self.0.ip().is_loopback() {
             return Ok(());
         }
-        Err(Failure::usage(format_args!("{self} is not a local address; add --allow-network to use it")))
+        Err(TaskError::usage(format_args!("{self} is not a local address; add --allow-network to use it")))
     }
 }
 

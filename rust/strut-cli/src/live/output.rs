@@ -1,9 +1,9 @@
 //! Outgoing packets.
 
 use super::address::Address;
-use crate::failure::{Failure, Outcome};
 use std::fmt::{self, Display};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, UdpSocket};
+use strut_tasks::{Outcome, TaskError};
 
 /// Sends packets to one or more addresses.
 pub(super) struct Output {
@@ -21,9 +21,9 @@ impl Output {
                 (IpAddr::V6(_), false) => Ipv6Addr::UNSPECIFIED.into(),
             };
             if address.0.port() == 0 {
-                return Err(Failure::usage(format_args!("{address} has no port to send to")));
+                return Err(TaskError::usage(format_args!("{address} has no port to send to")));
             }
-            let socket = UdpSocket::bind((from, 0)).map_err(|e| Failure::new(format_args!("{address}: {e}")))?;
+            let socket = UdpSocket::bind((from, 0)).map_err(|e| TaskError::new(format_args!("{address}: {e}")))?;
             Ok((socket, *address))
         };
         Ok(Self { targets: targets.iter().map(open).collect::<Outcome<_>>()? })

@@ -1,13 +1,13 @@
 //! Incoming packets. A separate thread receives them, so that the arrival time is exact regardless of other work.
 
 use super::address::Address;
-use crate::failure::{Failure, Outcome};
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, UdpSocket};
 use std::sync::mpsc::{self, RecvTimeoutError, TrySendError};
 use std::thread;
 use std::time::{Duration, Instant};
 use strut_formats::vmc::MAX_PACKET_BYTES;
+use strut_tasks::{Outcome, TaskError};
 
 /// Greatest number of waiting packets; more are dropped.
 const MOST_WAITING: usize = 1024;
@@ -51,10 +51,10 @@ impl Receiver {
     pub(super) fn listen(address: &Address) -> Outcome<Self> {
         let fail = |error: io::Error| match error.kind() {
             ErrorKind::AddrInUse => {
-                Failure::new(format_args!("another program listens on {address}; choose another port with --in"))
+                TaskError::new(format_args!("another program listens on {address}; choose another port with --in"))
             }
-            ErrorKind::AddrNotAvailable => Failure::new(format_args!("this computer has no address {address}")),
-            _ => Failure::new(format_args!("{address}: {error}")),
+            ErrorKind::AddrNotAvailable => TaskError::new(format_args!("this computer has no address {address}")),
+            _ => TaskError::new(format_args!("{address}: {error}")),
         };
         let socket = UdpSocket::bind(address.0).map_err(fail)?;
         let address = socket.local_addr().map_err(fail)?;
@@ -90,7 +90,7 @@ impl Receiver {
         match self.packets.recv_timeout(within) {
             Ok(packet) => Ok(Some(packet)),
             Err(RecvTimeoutError::Timeout) => Ok(None),
-            Err(RecvTimeoutError::Disconnected) => Err(Failure::new("the thread that listens has ended")),
+            Err(RecvTimeoutError::Disconnected) => Err(TaskError::new("the thread that listens has ended")),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use super::output::Output;
 use super::stop;
-use crate::failure::{Failure, Outcome};
 use crate::print::print;
 use std::path::Path;
 use std::thread;
@@ -10,6 +9,7 @@ use std::time::{Duration, Instant};
 use strut_core::retarget::to_humanoid;
 use strut_formats::vmc::{self, Frame, Message, Performer};
 use strut_tasks::clip::read_clip;
+use strut_tasks::{Outcome, TaskError};
 
 /// Greatest frame rate.
 const MAX_RATE_HZ: f32 = 60.0;
@@ -19,7 +19,7 @@ pub(super) fn send(file: &Path, output: &mut Output, secs: Option<f64>) -> Outco
     let clip = read_clip(file)?;
     let mut motion = to_humanoid(&clip.motion, &clip.binding, &clip.binding.proportions);
     if motion.rate_hz > MAX_RATE_HZ {
-        motion = motion.resampled(MAX_RATE_HZ).map_err(|reason| Failure::in_file(file, reason))?;
+        motion = motion.resampled(MAX_RATE_HZ).map_err(|reason| TaskError::in_file(file, reason))?;
     }
     let performer = Performer::of_body(&motion.proportions);
     let stopped = stop::on_signals()?;

@@ -1,6 +1,7 @@
 //! Values of the arguments of `strut evaluate`.
 
 use serde::{Deserialize, Serialize};
+use strut_core::registration::WarpMethod;
 use strut_core::transfer::BodyPart;
 use strut_evaluation::quality::Mode;
 
@@ -49,8 +50,19 @@ pub enum Registration {
     Dtw,
     /// Iterative motion warping.
     Imw,
-    /// Linear time between strikes.
+    /// Linear time between foot strikes: the baseline.
     Linear,
+}
+
+impl Registration {
+    /// Returns the core's value.
+    pub fn warp(self) -> WarpMethod {
+        match self {
+            Self::Dtw => WarpMethod::Dtw,
+            Self::Imw => WarpMethod::Imw,
+            Self::Linear => WarpMethod::Linear,
+        }
+    }
 }
 
 /// Part of the body that takes the target style.

@@ -82,9 +82,9 @@ pub fn evaluate(request: &Request, on_progress: &OnProgress<'_>) -> Outcome<Eval
     let left_out = Mutex::new(left_out);
     let inputs = if request.inputs.is_empty() { Vec::new() } else { gather(&request.inputs)? };
     // The digest is needed only for a checkpoint.
-    let data = if request.results.is_some() { digest_of(&clips, &inputs) } else { String::new() };
+    let data = if request.json.is_some() { digest_of(&clips, &inputs) } else { String::new() };
     let work = Work { command: request.command.clone(), data };
-    let checkpoint = Checkpoint::open(request.results.as_deref(), work)?;
+    let checkpoint = Checkpoint::open(request.json.as_deref(), work)?;
     let samples: Vec<Sample> = match request.protocol {
         Protocol::Loo => cross_validation::run(request, &grid, &clips, &checkpoint, on_progress)?,
         Protocol::OffDatabase => {

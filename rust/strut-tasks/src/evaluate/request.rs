@@ -37,63 +37,97 @@ impl Protocol {
 }
 
 /// Request of an evaluation. All combinations of the values in lists are measured.
+// The comments of the fields are the command's help.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct Request {
-    /// The clips: a folder of BVH files.
+    /// The clips: a folder of .bvh files
+    #[cfg_attr(feature = "clap", arg(long, value_name = "DIR"))]
     pub data: PathBuf,
-    /// Pattern of the labels in file names; the usual patterns are tried if `None`.
+    /// Pattern of the labels in file names [default: common patterns are tried]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "P"))]
     pub pattern: Option<Pattern>,
-    /// The style of the inputs, which is the neutral style of the databases.
+    /// The style of the inputs, which is the neutral style of the databases
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub source: String,
-    /// Actions of the inputs and of the databases; all if empty.
+    /// Actions of the inputs and of the databases [default: all]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A,B", value_delimiter = ','))]
     pub actions: Vec<String>,
-    /// Actions of the databases, if they differ from those of the inputs.
+    /// Actions of the databases [default: those of the inputs]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A,B", value_delimiter = ','))]
     pub database_actions: Vec<String>,
-    /// Styles to predict; all but the source if empty.
+    /// Styles to predict [default: all but the source]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "S,T", value_delimiter = ','))]
     pub targets: Vec<String>,
-    /// Methods by name.
+    /// Methods to compare
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, value_name = "M,…", value_delimiter = ',', default_value = "nn,knn,lar,mar")
+    )]
     pub methods: Vec<String>,
-    /// Labels of the input that the engine is given.
+    /// Labels of the input that the engine knows
+    #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', default_value = "none"))]
     pub labels: Vec<Labels>,
-    /// Whether takes are held out, or inputs are not from the database.
+    /// The protocol
+    #[cfg_attr(feature = "clap", arg(long, default_value = "loo"))]
     pub protocol: Protocol,
-    /// For inputs that are not from the database: files and folders to style.
+    /// off-database: .bvh files and folders to style
+    #[cfg_attr(feature = "clap", arg(long, value_name = "INPUT", value_delimiter = ','))]
     pub inputs: Vec<PathBuf>,
-    /// Whether clips are styled as a whole or frame by frame.
+    /// Whether clips are styled as a whole or frame by frame
+    #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', default_value = "offline"))]
     pub mode: Vec<PassMode>,
-    /// How the databases are registered.
+    /// How the databases are registered
+    #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', default_value = "dtw"))]
     pub registration: Vec<Registration>,
-    /// Greatest number of takes of each target class in a database; 0 for all.
+    /// Largest number of takes of each target class in a database, 0 for all; results are means of three random draws
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", value_delimiter = ',', default_value = "0"))]
     pub takes: Vec<usize>,
-    /// Number of frames of a search window.
+    /// Frames of a search window
+    #[cfg_attr(feature = "clap", arg(long, value_name = "S", value_delimiter = ',', default_values_t = [WINDOW]))]
     pub window: Vec<usize>,
-    /// Search methods for the neighbours.
+    /// How neighbours are found: exact, or kdtree:M for M candidates of a kd-tree in each class
+    #[cfg_attr(feature = "clap", arg(long, value_name = "SEARCH", value_delimiter = ',', default_value = "exact"))]
     pub search: Vec<Search>,
-    /// Number of neighbours in each class.
+    /// K: number of neighbours (most similar examples) in each class
+    #[cfg_attr(feature = "clap", arg(short, value_delimiter = ',', default_values_t = [Options::DEFAULT.k]))]
     pub k: Vec<usize>,
-    /// Ridge regularisation of the regressions, as a share of K: more is smoother, less shows more detail of the style.
+    /// Ridge regularisation of the regressions, as a share of K: more is smoother, less shows more detail of the style
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.lambda]))]
     pub lambda: Vec<f32>,
-    /// Share of the bias that is kept in the output, 0 to 1; bias is the part of the input that no example explains.
+    /// Share of the bias that is kept in the output, 0 to 1; bias is the part of the input that no example explains
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.rho]))]
     pub rho: Vec<f32>,
-    /// How much of the style's tempo is used: 0 to 1.
+    /// Tempo of walks and runs: 0 keeps the input's tempo, 1 uses the style's
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.tempo]))]
     pub tempo: Vec<f32>,
-    /// Tolerance of the bias, in standard deviations of the neighbours: input within it has no bias.
+    /// Tolerance of the bias, in standard deviations of the neighbours: input within it has no bias; inf for no bias
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.kappa]))]
     pub kappa: Vec<f32>,
-    /// How slowly the weight of a class decreases with its distance from the input.
+    /// How slowly the weight of a class decreases with its distance from the input
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_values_t = [Options::DEFAULT.delta]))]
     pub delta: Vec<f32>,
-    /// Whether the output is smoothed where the database has no similar motion.
+    /// Whether the output is smoothed where the database has no similar motion
+    #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', default_value = "on"))]
     pub coherence: Vec<Switch>,
-    /// Weight of the target style.
+    /// Weight of the target style: 0 is neutral, more than 1 exaggerates
+    #[cfg_attr(feature = "clap", arg(long, value_name = "F", value_delimiter = ',', default_value = "1"))]
     pub intensity: Vec<f32>,
-    /// Part of the body that takes the target style.
+    /// Part of the body that takes the target style; the rest is neutral
+    #[cfg_attr(feature = "clap", arg(long, value_delimiter = ',', default_value = "whole"))]
     pub part: Vec<Part>,
-    /// For cross-validation: number of folds, counted from the first; 0 for all.
+    /// loo: number of folds, the first ones; 0 for all
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t = 0))]
     pub folds: usize,
-    /// For cross-validation: whether the curves of the first fold are requested.
+    /// Write the results as JSON
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    pub json: Option<PathBuf>,
+    /// Whether the curves of the first fold are requested.
+    #[cfg_attr(feature = "clap", arg(skip))]
     pub wants_curves: bool,
-    /// File of the results. An interrupted run resumes from a checkpoint next to it.
-    pub results: Option<PathBuf>,
-    /// The command line. It is recorded with the results; a run resumes only if it is the same.
+    /// The command line. It is recorded with the results. An interrupted run resumes from a checkpoint next to the file of the
+    /// results only if it is the same.
+    #[cfg_attr(feature = "clap", arg(skip))]
     pub command: String,
 }
 
@@ -155,7 +189,7 @@ impl Request {
             part: vec![Part::Whole],
             folds: 0,
             wants_curves: false,
-            results: None,
+            json: None,
             command: String::new(),
         }
     }

@@ -12,7 +12,7 @@ use strut_core::catalogue::Catalogue;
 use strut_core::database::Database;
 use strut_core::database::build::BuildOptions;
 use strut_core::humanoid::HumanoidMotion;
-use strut_core::registration::{self, WarpMethod};
+use strut_core::registration;
 use strut_core::search::{Index, MAX_WINDOW};
 use strut_core::transfer::{MAX_WEIGHT, Model, Options, Stylizer};
 use strut_evaluation::baselines::method_named;
@@ -33,12 +33,7 @@ pub(super) struct Build {
 impl Build {
     /// Returns the core's build options.
     pub(super) fn options(self, source: &str) -> BuildOptions {
-        let warp = match self.registration {
-            Registration::Dtw => WarpMethod::Dtw,
-            Registration::Imw => WarpMethod::Imw,
-            Registration::Linear => WarpMethod::Linear,
-        };
-        let registration = registration::Options { warp, ..registration::Options::default() };
+        let registration = registration::Options { warp: self.registration.warp(), ..registration::Options::default() };
         BuildOptions { neutral: Some(source.to_owned()), registration, ..BuildOptions::default() }
     }
 

@@ -5,14 +5,15 @@ use crate::search::Search;
 use crate::suggestion::unknown;
 use crate::weights::{PartWeights, StyleWeights};
 use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
 use std::fmt::Display;
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 use strut_core::retarget::{ReadAs, UpAxis};
-use strut_core::transfer::{Model, Options, Stylizer};
+use strut_core::transfer::{Method, Model, Options, Stylizer};
 use strut_evaluation::baselines::method_named;
-use strut_formats::joints::{JointAssignment, Reading};
+use strut_formats::joints::Reading;
 use strut_formats::quotation;
 
 /// Names that [`method_named`] accepts.
@@ -40,8 +41,8 @@ impl FromStr for Switch {
     }
 }
 
-/// Settings of the styling: the options of `strut stylize` apart from files.
-#[derive(Clone, Debug)]
+/// Settings of the styling: the options of `strut stylize` apart from files. Equal settings have equal serialised forms.
+#[derive(Clone, Debug, Serialize)]
 pub struct StyleSettings {
     /// Styles with their weights.
     pub styles: StyleWeights,
@@ -54,46 +55,30 @@ pub struct StyleSettings {
     /// Search method for the neighbours.
     pub search: Search,
     /// Explicit reading options of the inputs, which override those that are detected.
+    #[serde(serialize_with = "serialize_reading")]
     pub reading: Reading,
     /// All other options. The labels in them come from the names above.
+    #[serde(with = "SerializedOptions")]
     pub options: Options,
 }
 
-/// Serialised form of the settings, equal for equal settings.
-#[derive(Serialize)]
-struct Canonical<'a> {
-    styles: &'a StyleWeights,
-    parts: &'a [PartWeights],
-    action: &'a Option<String>,
-    input_style: &'a Option<String>,
-    search: Search,
-    reading: CanonicalReading<'a>,
-    options: CanonicalOptions,
+/// Serialises reading options field by field, without the joints of [`ReadAs`], which are not used here.
+fn serialize_reading<S: Serializer>(Reading { joints, read_as }: &Reading, to: S) -> Result<S::Ok, S::Error> {
+    let ReadAs { joints: _, metres_per_unit, up, floor_metres, swap_sides, mirrored } = read_as;
+    let mut fields = to.serialize_struct("Reading", 6)?;
+    fields.serialize_field("joints", joints)?;
+    fields.serialize_field("metres_per_unit", metres_per_unit)?;
+    fields.serialize_field("up", &up.map(UpAxis::name))?;
+    fields.serialize_field("floor_metres", floor_metres)?;
+    fields.serialize_field("swap_sides", swap_sides)?;
+    fields.serialize_field("mirrored", mirrored)?;
+    fields.end()
 }
 
-/// Serialised form of [`Reading`], field by field.
+/// Serialised form of [`Options`]. Only κ may be a number that JSON lacks: infinity is `null`.
 #[derive(Serialize)]
-struct CanonicalReading<'a> {
-    joints: Option<&'a JointAssignment>,
-    metres_per_unit: Option<f32>,
-    up: Option<&'static str>,
-    floor_metres: Option<f32>,
-    swap_sides: bool,
-    mirrored: Option<bool>,
-}
-
-impl<'a> From<&'a Reading> for CanonicalReading<'a> {
-    fn from(Reading { joints, read_as }: &'a Reading) -> Self {
-        // The joints are not used here.
-        let ReadAs { joints: _, metres_per_unit, up, floor_metres, swap_sides, mirrored } = *read_as;
-        let up = up.map(UpAxis::name);
-        Self { joints: joints.as_ref(), metres_per_unit, up, floor_metres, swap_sides, mirrored }
-    }
-}
-
-/// Serialised form of [`Options`], field by field. Only κ may be a number that JSON lacks: infinity is `null`.
-#[derive(Serialize)]
-struct CanonicalOptions {
+#[serde(remote = "Options")]
+struct SerializedOptions {
     k: usize,
     delta: f32,
     least_weight: f32,
@@ -106,43 +91,13 @@ struct CanonicalOptions {
     footplant: bool,
     action: Option<u16>,
     input_style: Option<u16>,
-    method: &'static str,
+    #[serde(serialize_with = "serialize_method")]
+    method: Method,
 }
 
-impl From<&Options> for CanonicalOptions {
-    fn from(options: &Options) -> Self {
-        let &Options {
-            k,
-            delta,
-            least_weight,
-            lambda,
-            kappa,
-            rho,
-            tempo,
-            coherence,
-            timing,
-            footplant,
-            action,
-            input_style,
-            method,
-        } = options;
-        let method = method.name();
-        Self {
-            k,
-            delta,
-            least_weight,
-            lambda,
-            kappa,
-            rho,
-            tempo,
-            coherence,
-            timing,
-            footplant,
-            action,
-            input_style,
-            method,
-        }
-    }
+#[allow(clippy::trivially_copy_pass_by_ref)] // The signature that serde expects.
+fn serialize_method<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(method.name())
 }
 
 impl StyleSettings {
@@ -250,16 +205,14 @@ impl StyleSettings {
     /// # Errors
     /// None in practice.
     pub fn canonical(&self) -> Outcome<String> {
-        let Self { styles, parts, action, input_style, search, reading, options } = self;
-        let (reading, options) = (reading.into(), options.into());
-        let canonical = Canonical { styles, parts, action, input_style, search: *search, reading, options };
-        serde_json::to_string(&canonical).map_err(|e| TaskError::of(crate::Code::Fault, e))
+        serde_json::to_string(self).map_err(|e| TaskError::of(crate::Code::Fault, e))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use strut_formats::joints::JointAssignment;
 
     fn settings() -> StyleSettings {
         StyleSettings::new("old".parse().unwrap())
@@ -273,10 +226,7 @@ mod tests {
             settings.set(name, value).unwrap();
         }
         let Options { k, rho, timing, method, .. } = settings.options;
-        assert_eq!(
-            (k, rho, timing, method, settings.parts.len()),
-            (20, 0.5, false, strut_core::transfer::Method::Knn, 1)
-        );
+        assert_eq!((k, rho, timing, method, settings.parts.len()), (20, 0.5, false, Method::Knn, 1));
         for (name, value, expected) in [
             ("q", "1", "there is no option 'q'"),
             ("k", "many", "k is 'many': "),

@@ -3,13 +3,13 @@
 use super::super::measure::{Row, ms_since};
 use super::super::recall::{self, K};
 use super::super::table::{PAPER_SEARCH_MS, short};
-use crate::failure::Outcome;
 use crate::print::print;
 use serde::Serialize;
 use std::fmt::Write;
 use std::time::Instant;
 use strut_core::search::{Index, QueryWindow};
 use strut_gpu::{Adapter, Context, GpuError, Searcher};
+use strut_tasks::Outcome;
 
 /// Number of queries per batch in mode `batch`.
 const BATCH: usize = 256;

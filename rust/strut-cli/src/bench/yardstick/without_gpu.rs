@@ -1,9 +1,9 @@
 //! Stub of the comparison without the feature `gpu`.
 
 use super::super::measure::Row;
-use crate::failure::{Failure, Outcome};
 use serde::Serialize;
 use strut_core::search::{Index, QueryWindow};
+use strut_tasks::{Outcome, TaskError};
 
 /// Has no values.
 pub(in crate::bench) enum Yardstick {}
@@ -15,7 +15,7 @@ pub(in crate::bench) enum Comparison {}
 impl Yardstick {
     /// Returns an error that explains how to build the command with the feature.
     pub(in crate::bench) fn open() -> Outcome<Option<Self>> {
-        Err(Failure::new(
+        Err(TaskError::new(
             "this strut was built without GPU support; build it with `npm run bench -- --gpu` or `cargo build \
              --release -p strut-motion-cli --features gpu`",
         ))

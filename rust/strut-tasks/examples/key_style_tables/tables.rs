@@ -1,7 +1,6 @@
 //! Errors, jumps, control, support and cost (`docs/methods/somn.md` §7 and §9).
 
 use super::data::DataSet;
-use crate::failure::{Failure, Outcome};
 use std::fmt::Write;
 use std::sync::Arc;
 use std::time::Instant;
@@ -10,6 +9,7 @@ use strut_core::somn::{
     Style, Synthesis, train,
 };
 use strut_evaluation::key_style::{Baseline, Observed, largest_change, pose_error, third_difference};
+use strut_tasks::{Outcome, TaskError};
 
 /// Number of polylines to drag along, polylines per draw, recorded styles on each, and frames between two of these
 /// styles.
@@ -118,7 +118,7 @@ pub(super) fn baselines(text: &mut String, sets: &[DataSet]) -> Outcome {
          | data | mean | linear | nearest | kernel 0.15 | kernel 0.3 |\n| --- | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for set in sets {
-        let model = set.train(Learning::Em { ridge: 0.0 }, 1, 0).map_err(Failure::new)?;
+        let model = set.train(Learning::Em { ridge: 0.0 }, 1, 0).map_err(TaskError::new)?;
         let test = observed(&model, &set.test);
         let mut linear = Synthesis::new(Arc::new(model.clone()));
         let of = |baseline: Baseline| mean_error(&model, &test, |style| baseline.row(&model, style));
@@ -324,7 +324,7 @@ pub(super) fn cost(text: &mut String, sets: &[&DataSet]) -> Outcome {
     for set in sets {
         let all: Vec<&Recording> = set.training.iter().chain(&set.test).collect();
         let begin = Instant::now();
-        let model = Arc::new(train(&all, &set.axes, Options::default()).map_err(Failure::new)?);
+        let model = Arc::new(train(&all, &set.axes, Options::default()).map_err(TaskError::new)?);
         let secs = begin.elapsed().as_secs_f64();
         let bytes = strut_formats::key_style_model::write(&model, strut_formats::GENERATOR).len();
         let mut character = DragCharacter::new(Arc::clone(&model));

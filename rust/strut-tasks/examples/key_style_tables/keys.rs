@@ -3,7 +3,6 @@
 
 use super::data::DataSet;
 use super::tables::{AS_LEARNT, nearest, observed, roughness};
-use crate::failure::Outcome;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -13,6 +12,7 @@ use strut_core::math::float_funcs::double;
 use strut_core::metrics::foot_skate;
 use strut_core::somn::{DragCharacter, Interpolation, Key, KeyStyling, Method, Mode, RATE_HZ, Row, Style, Synthesis};
 use strut_evaluation::key_style::{Observed, pose_error};
+use strut_tasks::Outcome;
 
 /// Distances between keys, frames.
 const EVERY: [usize; 6] = [4, 8, 10, 12, 15, 20];

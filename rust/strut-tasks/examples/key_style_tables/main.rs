@@ -1,22 +1,25 @@
-//! `strut evaluate-key-style`: errors of key-style models on held-out poses.
+//! The tables of `docs/key-style.md`: errors of key-style models on held-out poses. The clips and the published numbers are
+//! those of one paper's prototype, so this is no command of `strut`:
+//! `cargo run --release -p strut-motion-tasks --example key_style_tables -- DATA -o ../docs/key-style.md`.
+#![forbid(unsafe_code)]
 
 mod data;
 mod keys;
 mod tables;
 
-use crate::failure::{Failure, Outcome};
-use crate::print::write_or_print;
+use clap::Parser;
 use data::{ALL, DataSet};
 use std::fmt::Write;
 use std::path::PathBuf;
 use strut_tasks::files::Outputs;
+use strut_tasks::{Outcome, TaskError};
 
 /// Measure key-styling on clips that were not used in training
 ///
 /// DATA is a folder that contains bandai-namco-1 and bandai-namco-2, or these two folders. The prototype was measured on
 /// the same clips.
-#[derive(clap::Args)]
-pub(crate) struct Args {
+#[derive(Parser)]
+struct Args {
     /// Folders of clips
     #[arg(required = true, value_name = "DATA")]
     data: Vec<PathBuf>,
@@ -31,18 +34,19 @@ pub(crate) struct Args {
     output: Option<PathBuf>,
 }
 
-pub(crate) fn run(args: &Args) -> Outcome {
+fn main() -> Outcome {
+    let args = Args::parse();
     Outputs::check(args.output.as_deref())?;
     let sets = args.sets.iter().map(|name| {
         let known: Vec<&str> = ALL.iter().map(|set| set.name).collect();
         let set = ALL.iter().find(|set| set.name == *name);
-        let set = set.ok_or_else(|| Failure::new(strut_tasks::suggestion::unknown("data set", name, &known)))?;
+        let set = set.ok_or_else(|| TaskError::new(strut_tasks::suggestion::unknown("data set", name, &known)))?;
         DataSet::read(set, &args.data)
     });
     let sets = sets.collect::<Outcome<Vec<_>>>()?;
     let mut text = String::from("# Key-styling\n\n");
     text.push_str(
-        "Written by `strut evaluate-key-style` on clips of bandai-namco-1 and bandai-namco-2, with 16 components. \
+        "Written by `strut-tasks/examples/key_style_tables` on clips of bandai-namco-1 and bandai-namco-2, with 16 components. \
          Errors are measured on held-out poses, which the models were not trained on. *Error* is the mean angle \
          between the joints, and their mean distance with both hips at the same position. The results of the \
          prototype are in *italics*.\n\n",
@@ -79,5 +83,13 @@ pub(crate) fn run(args: &Args) -> Outcome {
         keys::circle(&mut text, walk)?;
     }
     tables::cost(&mut text, &shown)?;
-    write_or_print(args.output.as_deref(), &text)
+    match &args.output {
+        None => print!("{text}"),
+        Some(output) => {
+            let mut outputs = Outputs::default();
+            outputs.stage(output, text.as_bytes())?;
+            outputs.commit()?;
+        }
+    }
+    Ok(())
 }

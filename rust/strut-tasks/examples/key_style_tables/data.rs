@@ -1,10 +1,10 @@
 //! The prototype's clips, and the held-out part of them (`docs/methods/somn.md` §2).
 
-use crate::failure::{Failure, Outcome};
 use std::path::PathBuf;
 use strut_core::somn::{KeyStyleModel, Learning, Measure, Options, Recording, SEED, TrainError, train};
 use strut_tasks::progress::unwatched;
 use strut_tasks::recordings::read_recordings;
+use strut_tasks::{Outcome, TaskError};
 
 /// Number of components of all models.
 const COMPONENTS: usize = 16;
@@ -124,16 +124,16 @@ impl DataSet {
         let find = |name: &String| {
             let places = folders.iter().flat_map(|folder| [folder.join(plan.folder).join(name), folder.join(name)]);
             let mut places = places.filter(|path| path.is_file());
-            places.next().ok_or_else(|| Failure::new(format_args!("{name}: this file is not in the given folders")))
+            places.next().ok_or_else(|| TaskError::new(format_args!("{name}: this file is not in the given folders")))
         };
         let mut paths = names.iter().map(find).collect::<Outcome<Vec<_>>>()?;
         paths.dedup();
         let mut refused = Vec::new();
         let recordings = read_recordings(&paths, &mut refused, &unwatched)?;
         if let Some(first) = refused.first() {
-            return Err(Failure::new(format_args!("{}: {}", first.file, first.reason)));
+            return Err(TaskError::new(format_args!("{}: {}", first.file, first.reason)));
         }
-        let axes = Measure::parse_list(plan.axes).map_err(Failure::new)?;
+        let axes = Measure::parse_list(plan.axes).map_err(TaskError::new)?;
         let (training, test) = match plan.held {
             Held::Clips { first, of } => {
                 let (test, training): (Vec<_>, Vec<_>) =
@@ -154,12 +154,12 @@ impl DataSet {
 
     /// Trains the displayed model: as the page and the command do, but with 16 components.
     pub(super) fn model(&self) -> Outcome<KeyStyleModel> {
-        self.train(Learning::Som, COMPONENTS, SEED).map_err(Failure::new)
+        self.train(Learning::Som, COMPONENTS, SEED).map_err(TaskError::new)
     }
 
     /// Trains one model per seed.
     pub(super) fn models(&self, learning: Learning, seeds: u64) -> Outcome<Vec<KeyStyleModel>> {
-        (0..seeds).map(|seed| self.train(learning, COMPONENTS, seed).map_err(Failure::new)).collect()
+        (0..seeds).map(|seed| self.train(learning, COMPONENTS, seed).map_err(TaskError::new)).collect()
     }
 }
 
