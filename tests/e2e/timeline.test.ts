@@ -116,6 +116,82 @@ describe("a range", () => {
   });
 });
 
+describe("trim handles", () => {
+  const handle = (name: string) => page.getByRole("slider", { name });
+  const range = async () => (await state()).range;
+  const last = async () => Number(await page.locator(".scrub input").getAttribute("max"));
+
+  it("are dragged, show the frame at them, and are one step of undo each", async () => {
+    await visit(page, PAUSED);
+    await settledPose(page);
+    const box = await rows();
+    const start = (await handle("Start of the trim").boundingBox())!;
+    const from = { x: start.x + start.width / 2, y: start.y + start.height / 2 };
+    await drag(page, from, { x: from.x + 0.25 * box.width, y: from.y });
+    await eventually(range).toBeDefined();
+    const first = (await range())!.first;
+    expect(first / (await last())).toBeCloseTo(0.25, 1);
+    expect((await range())!.last).toBe(await last());
+    await eventually(async () => (await state()).frame).toBe(first);
+    await eventually(() => page.url()).toContain(`range=${first}-`);
+    await eventually(() => page.locator(".time").textContent()).toMatch(/ s kept$/);
+    const end = await middleOf(handle("End of the trim"));
+    await drag(page, end, { x: end.x - 0.5 * box.width, y: end.y });
+    await eventually(async () => (await range())!.last).toBeLessThan(0.6 * (await last()));
+    await screenshot(page, "trim");
+    await page.keyboard.press("Control+z");
+    await eventually(range).toEqual({ first, last: await last() });
+    await page.keyboard.press("Control+z");
+    await eventually(range).toBeUndefined();
+    await page.keyboard.press("Control+Shift+z");
+    await eventually(range).toEqual({ first, last: await last() });
+    await handle("Start of the trim").dblclick();
+    await eventually(range).toBeUndefined();
+  });
+
+  it("are moved with keys, and never past each other", async () => {
+    await visit(page, `${PAUSED}&range=100-200`);
+    const end = handle("End of the trim");
+    await end.press("Shift+ArrowLeft");
+    await end.press("ArrowRight");
+    await eventually(range).toEqual({ first: 100, last: 191 });
+    await eventually(() => end.getAttribute("aria-valuetext")).toBe("3.18 seconds");
+    await eventually(async () => (await state()).frame).toBe(191);
+    await handle("Start of the trim").press("End");
+    await eventually(range).toEqual({ first: 190, last: 191 });
+    await handle("Start of the trim").press("Home");
+    await end.press("Delete");
+    await eventually(range).toBeUndefined();
+  });
+
+  it("give back what they were with Escape", async () => {
+    await visit(page, `${PAUSED}&range=100-200`);
+    await settledPose(page);
+    const { x, y } = await middleOf(handle("End of the trim"));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 80, y);
+    await eventually(async () => (await range())!.last).toBeGreaterThan(210);
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    await eventually(range).toEqual({ first: 100, last: 200 });
+  });
+
+  it("are on the scrubber of a narrow screen, with an area for fingers", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await visit(page, `${PAUSED}&range=100-300`);
+    const end = page.locator(".scrub").getByRole("slider", { name: "End of the trim" });
+    const scrub = (await page.locator(".scrub").boundingBox())!;
+    const { x, y } = await middleOf(end);
+    await drag(page, { x, y }, { x: x + 0.3 * scrub.width, y });
+    await eventually(async () => (await range())!.last).toBeGreaterThan(400);
+    await screenshot(page, "trim-narrow");
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await visit(page, PAUSED);
+    await eventually(range).toBeUndefined();
+  });
+});
+
 describe("a curve", () => {
   it("is of any degree of freedom, and the pointer over it moves the character there and back", async () => {
     await visit(page, PAUSED);

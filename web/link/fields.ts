@@ -63,8 +63,9 @@ export function optional<T>(
   key: string,
   encode: (value: T) => string,
   decode: (text: string) => T | undefined,
+  undoable = false,
 ): Field<T | undefined> {
-  return { key, initial: undefined, undoable: false, encode: (value) => (value ? encode(value) : ""), decode };
+  return { key, initial: undefined, undoable, encode: (value) => (value ? encode(value) : ""), decode };
 }
 
 /** A list. */

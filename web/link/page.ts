@@ -44,5 +44,5 @@ export const PAGE_FIELDS: Fields<PageState> = {
   frame: number("frame", 0, { min: 0, max: 1e7, digits: 2 }, false),
   speed: number("speed", 1, { min: SPEEDS[0], max: 4, digits: 2 }, false),
   loop: flag("loop", true, false),
-  range: optional("range", encodeRange, decodeRange),
+  range: optional("range", encodeRange, decodeRange, true),
 };

@@ -154,7 +154,7 @@ export class Workspace {
   /** Opens a clip of the open database and stores it as the state's input. Returns whether it is open. */
   async chooseClip(clip: number): Promise<boolean> {
     const name = await this.session.openClip(clip);
-    if (name !== undefined) this.#store.edit({ input: name, reading: this.session.reading });
+    if (name !== undefined) this.#store.edit({ input: name, reading: this.session.reading, range: undefined });
     return name !== undefined;
   }
 
@@ -192,9 +192,11 @@ export class Workspace {
     const name = await this.session.openFile(fileName, bytes, { exact, reading }, refused);
     if (name === undefined) return;
     if (reading) this.#rememberReading();
-    this.#store.edit({ input: name, reading: this.session.reading, ...this.#beginning });
+    const awaited = name === this.#awaited?.input ? this.#awaited : undefined;
+    const { range } = awaited ? this.#store.state : {};
+    this.#store.edit({ input: name, reading: this.session.reading, ...this.#beginning, range });
     // The link is complete now: its own frame is shown.
-    if (name === this.#awaited?.input && !this.#store.state.playing) this.playhead.goTo(this.#awaited.frame);
+    if (awaited && !this.#store.state.playing) this.playhead.goTo(awaited.frame);
     this.#awaited = undefined;
   }
 
@@ -325,9 +327,9 @@ export class Workspace {
     this.#store.adopt({ input: this.#openInput, reading: session.reading });
   }
 
-  /** Another input starts at its beginning, also while paused. */
+  /** Another input starts at its beginning, also while paused, and is played whole. */
   get #beginning(): Partial<AppState> {
-    return this.#store.state.playing ? {} : { frame: 0 };
+    return { range: undefined, ...(this.#store.state.playing ? {} : { frame: 0 }) };
   }
 
   /** The open input, as named in the state. */

@@ -7,6 +7,7 @@ import type { Store } from "../../state/store";
 import { addKey, otherSide } from "../../state/style_settings";
 import type { KeyTable } from "../../view";
 import type { StylePanel } from "./style_panel";
+import { type Edge, trimOf, withEdge } from "./timeline/trim";
 
 /** The next mode, cyclically. */
 const after = <T>(mode: T, modes: readonly T[]): T => modes[(modes.indexOf(mode) + 1) % modes.length]!;
@@ -23,11 +24,13 @@ export function keysWithoutTime(keys: KeyTable): KeyTable {
 }
 
 export function keysOf(store: Store, session: Session, playhead: Playhead, style: StylePanel) {
-  /** Sets the begin or end of the range to the playhead. */
-  const cutRange = (edge: "first" | "last"): void => {
+  /** Moves an end of the trim to the playhead; beyond the other end it does nothing. */
+  const cutRange = (edge: Edge): void => {
     const frames = session.input?.frames ?? 2;
-    const range = { first: 0, last: frames - 1, ...store.state.range, [edge]: Math.round(playhead.at) };
-    if (range.first < range.last) store.edit({ range });
+    const { first, last } = trimOf(store.state.range, frames);
+    const at = Math.round(playhead.at);
+    if (edge === "first" ? at < last : at > first)
+      store.edit({ range: withEdge(store.state.range, edge, playhead.at, frames) });
   };
   const ofStyle = (number: number) => () => style.polygon.takeAllOf(style.vertices[number - 1] ?? "");
   return {

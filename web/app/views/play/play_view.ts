@@ -28,6 +28,7 @@ import { Tabs } from "./tabs";
 import { plantedStretches } from "./timeline/curves";
 import { Timeline } from "./timeline/timeline";
 import { TrackKeys } from "./timeline/track_keys";
+import type { TrimListeners } from "./timeline/trim_handles";
 import { Transport } from "./transport";
 import { ViewportPanel } from "./viewport_panel";
 
@@ -109,12 +110,17 @@ class PlayView implements View {
     );
     this.#model = new ModelPanel(store);
     this.#tabs = new Tabs((tab) => store.edit({ tab }));
-    const scrub = { onScrub: (frame: number) => playhead.scrub(frame), onScrubEnd: () => playhead.endScrub() };
+    const time: TrimListeners = {
+      onScrub: (frame) => playhead.scrub(frame),
+      onScrubEnd: () => playhead.endScrub(),
+      onRange: (range) => store.edit({ range }, "range"),
+      ...store.gestureListeners,
+    };
     this.#transport = new Transport(store, {
       onPlay: () => playhead.togglePlay(),
       onFrame: (by) => playhead.step(by),
       onKey: () => this.#keys.k(),
-      ...scrub,
+      ...time,
     });
     this.#trackKeys = new TrackKeys({
       onChoose: (key) => {
@@ -131,9 +137,8 @@ class PlayView implements View {
     });
     this.#timeline = new Timeline(
       {
-        ...scrub,
+        ...time,
         onHover: (frame) => playhead.preview(frame),
-        onRange: (range) => store.edit({ range }),
         onCurve: (curve) => store.edit({ curve }),
         onAtlas: () => this.keys.a(),
       },

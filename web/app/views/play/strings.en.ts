@@ -149,6 +149,16 @@ export const play = {
     of: (duration: string) => `of ${duration} s`,
   },
 
+  trim: {
+    edge: { first: "Start of the trim", last: "End of the trim" },
+    at: (secs: string) => `${secs} seconds`,
+    why: {
+      first: (secs: string) => `Playback starts at ${secs} s. Drag to trim; double-click to start at the beginning.`,
+      last: (secs: string) => `Playback ends at ${secs} s. Drag to trim; double-click to end with the clip.`,
+    },
+    kept: (secs: string) => `${secs} s kept`,
+  },
+
   timeline: {
     curve: "Joint of the curve",
     curveGroups: { angles: "Angles", freedoms: "Degrees of freedom" },
@@ -197,7 +207,7 @@ export const play = {
       ["← →", "previous or next frame"],
       ["Home End", "first or last frame"],
       ["L", "loop"],
-      ["I O", "start or end of playback here; U plays all"],
+      ["I O", "trim: start or end here; U plays the whole clip"],
       ["K", "style key here: styles change from key to key"],
       ["G", "ghost of the input: beside, overlaid, off"],
       ["T", "motion trail: lines, onion skin, off"],

@@ -277,17 +277,18 @@ export function paintMoving(
   paintReadOut(c, axis, data, hover, unit, colours);
 }
 
-/** Dims everything outside the range. */
+/** Veils the rows outside the range, between the two rulers. */
 function paintRange(c: CanvasRenderingContext2D, axis: Axis, range: FrameRange, colours: Colours): void {
   const [from, to] = [axis.x(range.first), axis.x(range.last)];
-  c.globalAlpha = 0.62;
+  const height = axis.timing.bottom - ROWS.ruler;
+  c.globalAlpha = 0.7;
   c.fillStyle = colours.panel;
-  c.fillRect(0, 0, from, axis.height);
-  c.fillRect(to, 0, axis.width - to, axis.height);
+  c.fillRect(0, ROWS.ruler, from, height);
+  c.fillRect(to, ROWS.ruler, axis.width - to, height);
   c.globalAlpha = 1;
-  c.fillStyle = colours.ink2;
+  c.fillStyle = colours.ink;
   c.fillRect(from, ROWS.ruler - 1, to - from, 2);
-  for (const edge of [from, to]) c.fillRect(edge - 1, ROWS.ruler - 6, 2, 11);
+  for (const edge of [from, to]) c.fillRect(edge - 0.5, ROWS.ruler, 1, height);
 }
 
 /** The examples of a frame as points: the larger the weight, the larger and more opaque. */

@@ -28,6 +28,8 @@ import {
 } from "./curves";
 import { exampleCurves } from "./examples";
 import { Axis, describeBand, paintMoving, paintStill, ROWS, type TimelineData } from "./paint";
+import { trimBetween } from "./trim";
+import { TrimHandles, type TrimListeners } from "./trim_handles";
 
 /** Minimum span of the curve row, degrees: a still joint remains a flat line. */
 const MIN_SPAN = 20;
@@ -42,13 +44,10 @@ const FLAG_PX = 9;
 /** In main memory: a canvas on the GPU would wait for the 3-D picture. */
 const IN_MEMORY: CanvasRenderingContext2DSettings = { willReadFrequently: true };
 
-export interface TimelineListeners {
-  /** Called when the playhead was moved to an input frame. */
-  onScrub: (frame: number) => void;
-  onScrubEnd: () => void;
+/** Called when the playhead moves, and when the trim changes. */
+export interface TimelineListeners extends TrimListeners {
   /** Called when the pointer is over an input frame, or has left. */
   onHover: (frame: number | undefined) => void;
-  onRange: (range: FrameRange | undefined) => void;
   onCurve: (name: string) => void;
   /** Called when the atlas under the rows is to open or close. */
   onAtlas: () => void;
@@ -60,6 +59,7 @@ export class Timeline {
   readonly #still = html("canvas", { class: "timeline-layer" });
   readonly #moving = html("canvas", { class: "timeline-layer" });
   readonly #rows: HTMLElement;
+  readonly #handles: TrimHandles;
   readonly #listening = new AbortController();
   readonly #observer = new ResizeObserver(() => this.#repaint());
   readonly #menu: HTMLSelectElement;
@@ -110,6 +110,7 @@ export class Timeline {
       this.#still,
       this.#moving,
     );
+    this.#handles = new TrimHandles(listeners, this);
     this.element = html(
       "div",
       { class: "timeline" },
@@ -144,7 +145,7 @@ export class Timeline {
           strings.play.timeline.timing,
         ),
       ),
-      html("div", { class: "timeline-stage" }, this.#rows, keys),
+      html("div", { class: "timeline-stage" }, this.#rows, this.#handles.element, keys),
     );
     // Created now, while the GPU is idle: creating a canvas waits for it.
     for (const canvas of [this.#still, this.#moving]) prepareCanvas(canvas, 1, 1, 1, IN_MEMORY);
@@ -155,6 +156,7 @@ export class Timeline {
   /** Shows another input; the styled rows stay empty until its analysis arrives. */
   set input(input: InputInfo) {
     this.#input = input;
+    this.#handles.input = input;
     this.#analysis = undefined;
     this.#examples = undefined;
     this.#rebuild();
@@ -199,12 +201,18 @@ export class Timeline {
   /** The part of the input that is played. */
   set range(range: FrameRange | undefined) {
     this.#range = range;
+    this.#handles.range = range;
     this.#paintMoving();
   }
 
   /** X position of an input frame in the rows, CSS pixels. */
   x(frame: number): number {
     return this.#axis.x(frame) * this.#zoom;
+  }
+
+  /** Position of an input frame from the left of the rows, a length of CSS. */
+  left(frame: number): string {
+    return `${this.x(frame).toFixed(1)}px`;
   }
 
   /** Input frame at an X position in the page. */
@@ -272,6 +280,7 @@ export class Timeline {
     const still = prepareCanvas(this.#still, width, height, this.#zoom, IN_MEMORY);
     paintStill(still, this.#axis, this.#data, this.#colours);
     this.#paintMoving();
+    this.#handles.layOut();
     this.onLayout?.();
   }
 
@@ -296,32 +305,39 @@ export class Timeline {
     });
     rows.addEventListener("pointerleave", () => this.#hoverAt(undefined));
     rows.addEventListener("dblclick", (event) => {
-      if (this.#inRuler(event)) this.#listeners.onRange(undefined);
+      if (!this.#inRuler(event)) return;
+      this.#listeners.onRange(undefined);
+      this.#listeners.onSettle();
     });
   }
 
   /** A press moves the playhead, which follows; a press in the ruler away from the playhead begins a range. */
   #beginDrag(press: PointerEvent): Drag | undefined {
-    if (!this.#data) return undefined;
+    const { frames } = this.#data ?? {};
+    if (frames === undefined) return undefined;
     const listeners = this.#listeners;
     const { left } = this.#rows.getBoundingClientRect();
-    const [frameBefore, rangeBefore] = [this.#frame, this.#range];
+    const frameBefore = this.#frame;
     const onFlag = Math.abs(press.clientX - left - this.x(frameBefore)) < FLAG_PX;
     const selects = this.#inRuler(press) && !onFlag;
     const from = this.frameAt(press.clientX);
+    listeners.onSettle();
     this.#hoverAt(undefined);
     listeners.onScrub(from);
     return {
       move: ({ clientX }) => {
         const at = this.frameAt(clientX);
         if (!selects) listeners.onScrub(at);
-        else if (Math.abs(clientX - press.clientX) > SELECT_PX) listeners.onRange(rangeBetween(from, at));
+        else if (Math.abs(clientX - press.clientX) > SELECT_PX) listeners.onRange(trimBetween(from, at, frames));
       },
       cancel: () => {
         listeners.onScrub(frameBefore);
-        if (selects) listeners.onRange(rangeBefore);
+        listeners.onCancel();
       },
-      end: () => listeners.onScrubEnd(),
+      end: () => {
+        listeners.onSettle();
+        listeners.onScrubEnd();
+      },
     };
   }
 
@@ -355,10 +371,4 @@ export class Timeline {
     const text = describeBand(this.#data?.examples, Math.round(frame), unitOf(CURVES[this.#curve]!));
     return text && `${capitalised(text)}.`;
   }
-}
-
-/** The range between two frames, at least two frames long. */
-function rangeBetween(a: number, b: number): FrameRange {
-  const [first, last] = [Math.round(Math.min(a, b)), Math.round(Math.max(a, b))];
-  return { first, last: Math.max(last, first + 1) };
 }
