@@ -97,7 +97,7 @@ async function styleLongClip(browser, url) {
   const file = join(folder, "long.bvh");
   writeFileSync(file, await longClip(page));
   await page.waitForTimeout(SETTLING_MS);
-  await page.locator(".drop-overlay input[type=file]").setInputFiles(file);
+  await page.locator(".drop-overlay input[multiple]").setInputFiles(file);
   await page.waitForFunction(() => window.strut.analysed === false);
   await page.waitForFunction(() => window.strut.analysed, undefined, { timeout: 120_000 });
   const until = await page.evaluate(() => performance.now());

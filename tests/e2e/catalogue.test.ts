@@ -4,7 +4,8 @@ import { basename } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { walksIn } from "../clips";
-import { closePage, eventually, launchBrowser, openPage, screenshot, serveSite } from "./browser";
+import { axeFaults } from "./axe";
+import { closePage, eventually, inputName, launchBrowser, openPage, screenshot, serveSite } from "./browser";
 
 const STYLES = ["neutral", "old", "proud"] as const;
 /** A host from which the page may fetch; the network is not used. */
@@ -27,8 +28,8 @@ afterAll(async () => {
   await site.close();
 });
 
-/** Opens a page whose catalogue has one set. */
-async function open(): Promise<Page> {
+/** Opens a view of a page whose catalogue has one set. */
+async function open(view = "Data"): Promise<Page> {
   Object.assign(host, { reachable: true, limit: Number.POSITIVE_INFINITY, asked: 0, changed: "" });
   const page = await openPage(browser, site.url, { size: { width: 1440, height: 900 } });
   const set = {
@@ -56,7 +57,7 @@ async function open(): Promise<Page> {
       headers: { "Access-Control-Allow-Origin": "*" },
     });
   });
-  await page.getByRole("link", { name: "Data" }).click();
+  await page.getByRole("link", { name: view, exact: true }).click();
   return page;
 }
 
@@ -118,6 +119,58 @@ describe("a public data set", () => {
     await eventually(() => note(page)).toBe(
       "raw.githubusercontent.com cannot be reached, or does not allow other pages to read its files. Get the files from https://example.org/set and drop them here.",
     );
+    await closePage(page);
+  });
+});
+
+describe("a recorded motion", () => {
+  const dialog = (page: Page) => page.getByRole("dialog", { name: "Try recorded motion" });
+  const offer = (page: Page) => page.getByRole("button", { name: "Try recorded motion…" }).click();
+  const status = (page: Page) => dialog(page).locator(".recorded-status").textContent();
+
+  it("is one clip of a set, with its licence beside it, and becomes the input", async () => {
+    const page = await open("Play");
+    await offer(page);
+    await eventually(() => dialog(page).locator("li").textContent()).toContain("CC BY-NC 4.0. Credit it.");
+    expect(host.asked, "nothing is fetched before").toBe(0);
+    const clip = dialog(page).getByLabel("Clip of Small set");
+    await eventually(() => clip.locator("option:checked").textContent()).toBe("walk, neutral 1");
+    expect(await axeFaults(page)).toEqual([]);
+    await clip.selectOption({ label: "walk, old 2" });
+    await dialog(page).getByRole("button", { name: "Try: Small set" }).click();
+    await eventually(() => inputName(page)).toBe("walk_old_2");
+    expect(host.asked, "the clip alone").toBe(1);
+    await eventually(() => page.locator(".toast").textContent()).toContain("Cite it as: Nobody, 2026.");
+    await eventually(() => page.locator(".file-bar .file-name").textContent()).toBe("walk_old_2");
+    // It is on this device now.
+    host.reachable = false;
+    await page.getByLabel("Input motion").selectOption({ label: "neutral run" });
+    await offer(page);
+    await clip.selectOption({ label: "walk, old 2" });
+    await dialog(page).getByRole("button", { name: "Try: Small set" }).click();
+    await eventually(() => inputName(page)).toBe("walk_old_2");
+    await closePage(page);
+  });
+
+  it("can be cancelled, and says why it cannot be had", async () => {
+    const page = await open("Play");
+    host.limit = 0;
+    await offer(page);
+    await dialog(page).getByRole("button", { name: "Try: Small set" }).click();
+    await eventually(() => dialog(page).locator(".progress").textContent()).toContain(
+      "Downloading walk_neutral_1.bvh.",
+    );
+    await dialog(page).locator(".progress").getByRole("button", { name: "Cancel" }).click();
+    await eventually(() => dialog(page).locator(".progress").isVisible()).toBe(false);
+    expect(await status(page)).toBe("");
+    Object.assign(host, { limit: Number.POSITIVE_INFINITY, reachable: false });
+    await dialog(page).getByRole("button", { name: "Try: Small set" }).click();
+    await eventually(() => status(page)).toContain("raw.githubusercontent.com cannot be reached");
+    await page.context().setOffline(true);
+    await dialog(page).getByRole("button", { name: "Try: Small set" }).click();
+    await eventually(() => status(page)).toContain("There is no network connection.");
+    await page.keyboard.press("Escape");
+    await eventually(() => dialog(page).count()).toBe(0);
     await closePage(page);
   });
 });

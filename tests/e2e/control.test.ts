@@ -119,6 +119,22 @@ describe("the intensity", () => {
 });
 
 describe("the model", () => {
+  const advanced = () => page.locator(".section.model summary");
+
+  it("has its knobs folded away, says how many settings were changed, and remembers the fold", async () => {
+    await visit(page, PAUSED);
+    const knob = () => page.getByRole("slider", { name: "Neighbours" }).isVisible();
+    await eventually(() => advanced().textContent()).toBe("Advanced6 knobs, none changed");
+    expect(await knob()).toBe(false);
+    await visit(page, `${PAUSED}&k=80&method=lar`);
+    await eventually(() => advanced().textContent()).toBe("Advanced2 settings changed");
+    await advanced().press("Enter");
+    await eventually(knob).toBe(true);
+    await page.reload();
+    await eventually(knob).toBe(true);
+    await page.waitForFunction(() => window.strut?.frame !== undefined);
+  });
+
   it("takes another method at once", async () => {
     await visit(page, `${PAUSED}&rho=0`);
     const mar = await settledPose(page);

@@ -61,6 +61,60 @@ describe("a BVH of another tool", () => {
       for (const [axis, value] of offset.entries()) expect(value).toBeCloseTo(offsets(walk)[i]![axis]!, 2);
   });
 
+  it("has a bar with its length, its rate and its trim", async () => {
+    await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
+    await eventually(() => inputName(page)).toBe("mine");
+    const bar = page.getByRole("region", { name: "This file" });
+    const [from, to] = [bar.getByLabel("Trim from, seconds"), bar.getByLabel("Trim to, seconds")];
+    const { secs, rate, frames } = await page.evaluate(() => {
+      const facts = document.querySelector(".file-facts")!.textContent!;
+      const [, secs, rate] = /^([\d.]+) s · ([\d.]+) Hz$/.exec(facts) ?? [];
+      const frames = Number(document.querySelector<HTMLInputElement>(".scrub input")!.max) + 1;
+      return { secs: Number(secs), rate: Number(rate), frames };
+    });
+    expect(secs).toBeCloseTo(frames / 60, 1);
+    expect(rate).toBe(Math.round(100 / Number(/Frame Time: (\S+)/.exec(walk)![1])) / 100);
+    const range = () => page.evaluate(() => window.strut.state.range);
+    await from.fill("0.5");
+    await from.press("Enter");
+    await eventually(range).toEqual({ first: 30, last: frames - 1 });
+    await to.fill("999");
+    await to.press("Enter");
+    await to.fill("1.5");
+    await to.press("Enter");
+    await eventually(range).toEqual({ first: 30, last: 90 });
+    await eventually(() => bar.textContent()).toContain("1.00 s kept");
+    await from.fill("");
+    await from.press("Enter");
+    expect(await from.inputValue()).toBe("0.50");
+    await page.getByRole("button", { name: "Undo" }).click();
+    await eventually(range).toEqual({ first: 30, last: frames - 1 });
+    await bar.getByRole("button", { name: "Whole clip" }).click();
+    await eventually(range).toBeUndefined();
+    // A trim belongs to its input.
+    await from.fill("0.5");
+    await from.press("Enter");
+    await page.getByLabel("Input motion").selectOption({ label: "neutral run" });
+    await eventually(range).toBeUndefined();
+    await eventually(() => bar.isVisible()).toBe(false);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await eventually(range).toEqual({ first: 30, last: frames - 1 });
+    await eventually(() => inputName(page)).toBe("mine");
+  });
+
+  it("is chosen as a style beside the polygon", async () => {
+    await visit(page, "play=0&frame=60&styles=proud:1,old:0,depressed:0");
+    const [chooser] = await Promise.all([
+      page.waitForEvent("filechooser"),
+      page.getByRole("button", { name: "Add a style" }).click(),
+    ]);
+    await chooser.setFiles({ name: "tired.bvh", mimeType: "text/plain", buffer: Buffer.from(walk) });
+    const dialog = page.getByRole("dialog", { name: "A new style" });
+    await eventually(() => dialog.isVisible()).toBe(true);
+    await page.keyboard.press("Escape");
+    await eventually(() => dialog.count()).toBe(0);
+  });
+
   it("is taken out of the inputs, and undo brings it back", async () => {
     await visit(page, "play=0&frame=60&input=mine&styles=proud:1,old:0,depressed:0");
     await eventually(() => inputName(page)).toBe("mine");

@@ -13,6 +13,7 @@ declare const window: { strut: StrutHook };
 const WIDE = { width: 1440, height: 900 };
 const NARROW = { width: 390, height: 844 };
 const HEADING = "How this file was read";
+const OPENER = "How it was read";
 
 let page: Page;
 
@@ -94,7 +95,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await control("Up axis").selectOption("y");
     await eventually(reading).toEqual({ up: "y" });
     await eventually(() => source("Up axis")).toBe("set by you");
-    await eventually(() => opener().textContent()).toBe(HEADING);
+    await eventually(() => opener().textContent()).toBe(OPENER);
     await eventually(() => panel().getByText("Saved for every file with this skeleton.").isVisible()).toBe(true);
   });
 
@@ -118,7 +119,7 @@ describe.skipIf(casesAbsent)("a file of another program", () => {
     await drop("A20_ground_-93");
     await eventually(() => control("Floor, centimetres").inputValue()).toMatch(/^-9[234]/);
     await eventually(() => source("Floor")).toBe("measured");
-    await eventually(() => opener().textContent()).toBe(HEADING);
+    await eventually(() => opener().textContent()).toBe(OPENER);
     await visit(page, "play=0&frame=40&input=A20_ground_-93");
     const before = await hips();
     const floor = control("Floor, centimetres");

@@ -154,6 +154,7 @@ describe("the URL", () => {
     await visit(page, "play=0&frame=75");
     await page.locator(".vertex-dot").first().dblclick();
     await page.getByRole("slider", { name: "Intensity" }).fill("0.7");
+    await page.getByText("Advanced", { exact: true }).click();
     await page.getByRole("slider", { name: "Neighbours" }).press("ArrowUp");
     await page.getByRole("switch", { name: "Footplant" }).click();
     await page.getByRole("radio", { name: "Side" }).check({ force: true });

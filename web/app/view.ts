@@ -68,6 +68,10 @@ export interface ViewHost {
   readAs(reading: FileReading): Promise<boolean>;
   /** Opens the browser's file dialog for a motion or a database. */
   chooseFile(): void;
+  /** Opens the browser's file dialog for a clip that becomes a style of the open database. */
+  chooseStyle(): void;
+  /** Offers clips of public data sets, and opens those that the user downloads as inputs. */
+  tryRecorded(): Promise<void>;
   /** Makes a motion the input of Play, and shows Play; `exact` are the poses from which its file was written. */
   playMotion(name: string, bytes: ArrayBuffer, exact?: ExactPoses): Promise<void>;
 }

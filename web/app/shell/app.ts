@@ -281,6 +281,8 @@ export class App {
       showPlay: () => this.#store.edit({ view: "play" }),
       readAs: (reading) => this.#workspace.readAs(reading),
       chooseFile: () => this.#drop.choose(),
+      chooseStyle: () => this.#drop.chooseStyle(),
+      tryRecorded: () => this.#attempt(() => this.#tryRecorded()),
       playMotion: async (name, bytes, exact) => {
         this.#store.edit({ view: "play" });
         await this.#workspace.takeMotion(name, bytes, exact);
@@ -396,6 +398,18 @@ export class App {
       if (viewEntry(this.#store.state.view).takes || isSaid) await this.#showClips(files);
       else (await this.#loadMotions()).take(files);
     });
+  }
+
+  /** Offers clips of public data sets as inputs. */
+  async #tryRecorded(): Promise<void> {
+    const { askForRecorded } = await import("../views/data/recorded_dialog");
+    const chosen = await askForRecorded();
+    if (chosen === "data") this.#store.edit({ view: "data" });
+    else if (chosen) {
+      const { file, citation } = chosen;
+      await this.#workspace.takeFile(file);
+      this.#toasts.note(strings.data.sets.cite(citation));
+    }
   }
 
   #loadMotions(): Promise<Motions> {

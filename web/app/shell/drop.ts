@@ -111,6 +111,13 @@ export class DropZone {
     "aria-label": strings.page.drop.file,
   });
 
+  readonly #stylePicker = html("input", {
+    type: "file",
+    accept: ".bvh",
+    hidden: true,
+    "aria-label": strings.page.drop.styleFile,
+  });
+
   readonly #listeners: FileListeners;
   readonly #ready: Promise<void>;
 
@@ -120,7 +127,7 @@ export class DropZone {
    */
   constructor(listeners: FileListeners, ready: Promise<void>, signal: AbortSignal) {
     [this.#listeners, this.#ready] = [listeners, ready];
-    this.element.append(this.#target, this.#picker);
+    this.element.append(this.#target, this.#picker, this.#stylePicker);
     // When the pointer moves between two elements, dragenter fires before dragleave: only the outermost dragleave
     // leaves the page.
     let depth = 0;
@@ -172,10 +179,11 @@ export class DropZone {
       },
       { signal },
     );
-    this.#picker.addEventListener("change", () => {
-      this.take(this.#picker.files ?? []);
-      this.#picker.value = "";
-    });
+    for (const picker of [this.#picker, this.#stylePicker])
+      picker.addEventListener("change", () => {
+        void this.#take(filesOfDialog(picker.files ?? []), picker === this.#stylePicker);
+        picker.value = "";
+      });
   }
 
   #showTarget(target: Element | undefined): void {
@@ -201,5 +209,10 @@ export class DropZone {
   /** Opens the browser's file dialog. */
   choose(): void {
     this.#picker.click();
+  }
+
+  /** Opens the browser's file dialog for a clip that becomes a style. */
+  chooseStyle(): void {
+    this.#stylePicker.click();
   }
 }

@@ -93,6 +93,7 @@ export const page = {
     projectAlone: "A project was dropped with other files. Drop only the project: it contains its own files.",
     unreadable: (name: string) => `“${name}” could not be read. Drop it again.`,
     style: "Drop a walk here to make it a style.",
+    styleFile: "Clip that becomes a style",
     choose: "Choose joints…",
     oneUnreadable: "A file could not be read. Drop it again.",
   },

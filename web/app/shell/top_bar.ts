@@ -91,7 +91,7 @@ export class TopBar {
     menu.append(menuEmbed, menuTheme, menuHelp);
     for (const item of [...items, menuEmbed, menuTheme, menuHelp])
       item.addEventListener("click", () => menu.hidePopover());
-    const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", class: "menu-button" });
+    const menuButton = button(strings.page.bar.menu, () => {}, { icon: "menu", label: true, class: "menu-button" });
     menuButton.setAttribute("popovertarget", "menu");
     this.#undo = [undo, menuUndo];
     this.#redo = [redo, menuRedo];

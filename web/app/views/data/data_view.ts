@@ -10,6 +10,7 @@ import type { UndoRedo } from "../../state/history";
 import { strings } from "../../strings/strings";
 import { filesOfDialog } from "../../ui/dropped_files";
 import { askForRoles } from "../../ui/roles_dialog";
+import { showScrollCue } from "../../ui/scroll_cue";
 import { capitalised, errorText, numberWord } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
 import { BuildPanel } from "./build_panel";
@@ -165,6 +166,7 @@ class DatabaseView implements View {
       this.#databasesPanel.element,
       this.#catalogue.element,
     );
+    showScrollCue(panels, this.#host.signal);
     return html("main", { class: "view data" }, empty, this.#clipsPanel.element, panels, this.#files, this.#folder);
   }
 

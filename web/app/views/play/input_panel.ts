@@ -17,10 +17,8 @@ interface InputListeners {
   /** Called when a clip of the open database is selected, by its index. */
   onClip: (clip: number) => void;
   onFile: () => void;
-  /** Called when the open dropped file is to be removed. */
-  onRemove: () => void;
-  /** Called when the panel with the file's reading is to be opened or closed. */
-  onReading: () => void;
+  /** Called when the public data sets are to be shown. */
+  onRecorded: () => void;
 }
 
 export class InputPanel {
@@ -31,10 +29,7 @@ export class InputPanel {
   readonly #barBox = html("div", { class: "weight-bar" }, this.#bar);
   // Not a live region: while a motion plays it changes all the time.
   readonly #weight = html("span", { class: "value" });
-  readonly #remove: HTMLButtonElement;
   readonly #note = html("p", { class: "caption input-note" });
-  /** Opens the panel that shows how the input's file was read. */
-  readonly howRead: HTMLButtonElement;
   #notes: readonly Note[] = [];
   /** Notes on the styled motion. */
   #ofStyled: readonly Note[] = [];
@@ -53,29 +48,20 @@ export class InputPanel {
       if (clip === undefined) listeners.onChoose(value);
       else listeners.onClip(clip);
     });
-    const file = button(strings.play.input.drop, listeners.onFile, { icon: "drop", label: true, class: "outlined" });
-    file.title = strings.play.input.dropWhy;
-    this.#remove = button(strings.play.input.remove, listeners.onRemove, { icon: "remove", class: "outlined" });
-    this.#remove.hidden = true;
-    this.howRead = button(strings.play.input.howRead, listeners.onReading, { label: true, class: "outlined how-read" });
-    this.howRead.setAttribute("aria-haspopup", "dialog");
-    this.howRead.hidden = true;
-    this.reading = false;
+    const { open, openWhy, recorded, recordedWhy } = strings.play.input;
+    const file = button(open, listeners.onFile, { icon: "folder", label: true, class: "outlined" });
+    file.title = openWhy;
+    const sets = button(recorded, listeners.onRecorded, { label: true, class: "plain" });
+    sets.title = recordedWhy;
     this.element = html(
       "section",
       { class: "section input", "aria-labelledby": "input-heading" },
       ...top,
-      html(
-        "div",
-        { class: "section-heading" },
-        html("h2", { id: "input-heading" }, strings.play.input.heading),
-        this.howRead,
-      ),
+      html("div", { class: "section-heading" }, html("h2", { id: "input-heading" }, strings.play.input.heading), sets),
       html(
         "div",
         { class: "input-row" },
         html("div", { class: "select outlined" }, this.#select, icon("chevron")),
-        this.#remove,
         file,
       ),
       html(
@@ -103,7 +89,6 @@ export class InputPanel {
       ...group(strings.play.input.dropped, library.dropped),
     );
     this.#select.value = chosen;
-    this.#remove.hidden = !library.isDropped(chosen);
   }
 
   #clips({ clips }: InputLibrary, databaseName: string): HTMLElement[] {
@@ -119,7 +104,6 @@ export class InputPanel {
     this.#ofStyled = [];
     this.#likeness = undefined;
     this.#showNotes();
-    this.#showGuesses(input);
     this.#readAt = 0;
   }
 
@@ -143,21 +127,6 @@ export class InputPanel {
     const text = [...guess, ...notes.map((note) => note.text)].join(" ");
     setText(this.#note, text);
     this.#note.title = text;
-  }
-
-  /** Whether the panel with the file's reading is open. */
-  set reading(open: boolean) {
-    setAttributes(this.howRead, { "aria-expanded": String(open) });
-  }
-
-  /** Shows the number of guesses that the user can correct; without guesses only the text. */
-  #showGuesses({ reading, note }: InputInfo): void {
-    const { howRead, guesses } = strings.play.input;
-    this.howRead.hidden = !reading;
-    this.howRead.title = note;
-    const count = reading?.guesses.length ?? 0;
-    this.howRead.classList.toggle("guessed", count > 0);
-    this.howRead.lastElementChild?.replaceChildren(count > 0 ? guesses(count) : howRead);
   }
 
   /** Shows the class with the largest weight in the newest frame, at most every {@link READING_MS}. */

@@ -1,4 +1,7 @@
-/** The Model panel: parameters of the regression, switches of the stages after it, and labels of the input. */
+/**
+ * The Model panel: switches of the stages after the regression; folded away its method, its parameters, and labels of the
+ * input.
+ */
 
 import { type DatabaseInfo, METHODS, type Method } from "../../../client/protocol";
 import { PLAY_RANGES } from "../../../link/play";
@@ -10,6 +13,7 @@ import { html } from "../../../ui/dom";
 import { type AppState, FIELDS } from "../../state/state";
 import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
+import { Fold } from "../../ui/fold";
 import { spoken } from "../../ui/words";
 
 type KnobField = "k" | "lambda" | "rho" | "kappa" | "delta" | "tempo";
@@ -29,8 +33,12 @@ const TOGGLES = ["timing", "footplant", "coherence"] as const;
 /** Labels of the input that the user may set. */
 const LABELS = ["action", "inputStyle"] as const;
 
+/** The fields that are folded away. */
+const ADVANCED = [...KNOBS.map(({ field }) => field), "method", ...LABELS] as const;
 /** All fields of this panel. */
-const FIELDS_HERE = [...KNOBS.map(({ field }) => field), ...TOGGLES, "method", ...LABELS] as const;
+const FIELDS_HERE = [...TOGGLES, ...ADVANCED] as const;
+/** Key in localStorage: whether the advanced settings are open. */
+const FOLD_KEY = "strut.advanced";
 
 export class ModelPanel {
   readonly element: HTMLElement;
@@ -48,6 +56,7 @@ export class ModelPanel {
     }),
   }));
   readonly #reset: HTMLButtonElement;
+  readonly #advanced: Fold;
 
   constructor(store: Store) {
     this.#knobs = KNOBS.map(({ field, symbol, scale }) => ({
@@ -78,8 +87,19 @@ export class ModelPanel {
     const defaults = Object.fromEntries(fields.map((field) => [field, FIELDS[field].initial])) as Partial<AppState>;
     this.#reset = button(strings.play.model.reset, () => store.edit(defaults), { label: true, class: "plain" });
     this.#reset.setAttribute("aria-label", strings.play.model.resetModel);
-    const method = html("div", { class: "select plain-select" }, this.#method, icon("chevron"));
-    method.title = strings.play.model.methodWhy;
+    const row = (name: string, why: string, ...selects: HTMLSelectElement[]) =>
+      html(
+        "div",
+        { class: "row labels", title: why },
+        html("span", { class: "label", "aria-hidden": "true" }, name),
+        ...selects.map((select) => html("div", { class: "select plain-select" }, select, icon("chevron"))),
+      );
+    const { advanced, method, methodWhy, labels } = strings.play.model;
+    this.#advanced = new Fold(advanced.name, FOLD_KEY, [
+      row(method, methodWhy, this.#method),
+      html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
+      row(labels.name, labels.why, ...this.#labels.map(({ select }) => select)),
+    ]);
     this.element = html(
       "section",
       { class: "section model", "aria-labelledby": "model-heading" },
@@ -87,20 +107,10 @@ export class ModelPanel {
         "div",
         { class: "section-heading" },
         html("h2", { id: "model-heading" }, strings.play.model.heading),
-        method,
         this.#reset,
       ),
-      html("div", { class: "knobs" }, ...this.#knobs.map(({ knob }) => knob.element)),
       html("div", { class: "toggles" }, ...this.#toggles.map(({ toggle }) => toggle.element)),
-      html(
-        "div",
-        {
-          class: "row labels",
-          title: strings.play.model.labels.why,
-        },
-        html("span", { class: "label", "aria-hidden": "true" }, strings.play.model.labels.name),
-        ...this.#labels.map(({ select }) => html("div", { class: "select plain-select" }, select, icon("chevron"))),
-      ),
+      this.#advanced.element,
     );
   }
 
@@ -122,6 +132,8 @@ export class ModelPanel {
     for (const { field, toggle } of this.#toggles) toggle.on = state[field];
     this.#method.value = state.method;
     for (const { field, select } of this.#labels) select.value = state[field];
-    this.#reset.disabled = FIELDS_HERE.every((field) => state[field] === FIELDS[field].initial);
+    const isChanged = (field: (typeof FIELDS_HERE)[number]) => state[field] !== FIELDS[field].initial;
+    this.#reset.disabled = !FIELDS_HERE.some(isChanged);
+    this.#advanced.note = strings.play.model.advanced.changed(ADVANCED.filter(isChanged).length);
   }
 }

@@ -11,11 +11,13 @@ import { onSystemTheme } from "../../../ui/theme";
 import type { AppState } from "../../state/state";
 import { chooseKey, chosenKey, keyUnder, moveKey, partOf, removeKey } from "../../state/style_settings";
 import { strings } from "../../strings/strings";
+import { showScrollCue } from "../../ui/scroll_cue";
 import { manner } from "../../ui/words";
 import type { View, ViewHost } from "../../view";
 import type { AtlasPane } from "./atlas/atlas_pane";
 import { AtlasGhosts } from "./atlas_ghosts";
 import type { Driving } from "./drive/driving";
+import { FileBar } from "./file_bar";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
@@ -58,6 +60,7 @@ class PlayView implements View {
   readonly #heading: Heading;
   readonly #style: StylePanel;
   readonly #input: InputPanel;
+  readonly #file: FileBar;
   readonly #model: ModelPanel;
   readonly #tabs: Tabs;
   readonly #transport: Transport;
@@ -86,7 +89,7 @@ class PlayView implements View {
     this.#host = host;
     const { store, session, playhead, progress, signal } = host;
     const frame = () => (session.endless || !session.input ? undefined : playhead.at);
-    this.#style = new StylePanel(store, frame, progress.database.element);
+    this.#style = new StylePanel(store, frame, () => host.chooseStyle(), progress.database.element);
     this.#keys = keysOf(store, session, playhead, this.#style);
     this.#viewport = new ViewportPanel({
       onCamera: (camera) => store.edit({ camera }),
@@ -103,11 +106,15 @@ class PlayView implements View {
         onChoose: (name) => void this.#choose(name),
         onClip: (clip) => void this.#chooseClip(clip),
         onFile: () => host.chooseFile(),
-        onRemove: () => void host.removeInput(),
-        onReading: () => void this.#toggleReading(),
+        onRecorded: () => void host.tryRecorded(),
       },
       [progress.input.element, progress.character.element],
     );
+    this.#file = new FileBar({
+      onReading: () => void this.#toggleReading(),
+      onRange: (range) => store.edit({ range }),
+      onRemove: () => void host.removeInput(),
+    });
     this.#model = new ModelPanel(store);
     this.#tabs = new Tabs((tab) => store.edit({ tab }));
     const time: TrimListeners = {
@@ -223,21 +230,24 @@ class PlayView implements View {
   #compose(): HTMLElement {
     this.#transportElement.append(
       this.#host.progress.analysis.element,
+      this.#file.element,
       this.#transport.element,
       this.#timeline.element,
     );
+    const panels = html(
+      "aside",
+      { class: "panels", "aria-label": strings.play.controls },
+      this.#style.element,
+      this.#input.element,
+      this.#model.element,
+    );
+    showScrollCue(panels, this.#host.signal);
     return html(
       "div",
       { class: "play-view" },
       this.#viewport.element,
       this.#tabs.element,
-      html(
-        "aside",
-        { class: "panels", "aria-label": strings.play.controls },
-        this.#style.element,
-        this.#input.element,
-        this.#model.element,
-      ),
+      panels,
       this.#transportElement,
     );
   }
@@ -410,7 +420,10 @@ class PlayView implements View {
       this.#showTrack(state);
       this.#heading.show();
     }
-    if (!changed || changed.has("range")) this.#timeline.range = state.range;
+    if (!changed || changed.has("range")) {
+      this.#timeline.range = state.range;
+      this.#file.range = state.range;
+    }
     if (!changed || changed.has("curve")) {
       this.#timeline.curve = state.curve;
       this.#host.session.curve = this.#timeline.subject;
@@ -507,7 +520,7 @@ class PlayView implements View {
     this.#showReading(session.input, session.analysis?.notes ?? []);
     this.#reading.takeProgress(this.#host.progress.input.element);
     this.#reading.element.hidden = false;
-    this.#input.reading = true;
+    this.#file.reading = true;
     this.element.classList.add("with-reading");
     this.#reading.element.focus({ preventScroll: true });
   }
@@ -531,9 +544,9 @@ class PlayView implements View {
     const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
     panel.hidden = true;
     this.#input.element.prepend(this.#host.progress.input.element);
-    this.#input.reading = false;
+    this.#file.reading = false;
     this.element.classList.remove("with-reading");
-    if (hadFocus) this.#input.howRead.focus({ preventScroll: true });
+    if (hadFocus) this.#file.howRead.focus({ preventScroll: true });
   }
 
   #onEscape({ key, defaultPrevented }: KeyboardEvent): void {
@@ -552,7 +565,10 @@ class PlayView implements View {
   }
 
   #listInputs(): void {
-    const { library, chosen, databaseSource } = this.#host.session;
+    const { library, chosen, databaseSource, input, endless } = this.#host.session;
+    const file = input && !endless && library.isDropped(chosen) ? { name: chosen, input } : undefined;
+    this.#file.show(file);
+    this.element.classList.toggle("with-file", file !== undefined);
     this.#input.list(library, chosen, databaseSource?.kind === "strutdb" ? databaseSource.name : "");
   }
 }

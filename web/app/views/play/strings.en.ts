@@ -35,6 +35,9 @@ export const play = {
     setting: "Setting",
     settings: "Compare two settings, A and B. B starts as a copy of A (X)",
     random: "Random styles",
+    add: "Style",
+    addName: "Add a style",
+    addWhy: "Make a style from a clip of your own, such as a walk; or drop it on the polygon",
     part: "Body part",
     reset: "Reset",
     resetPart: "Reset the body part",
@@ -59,9 +62,10 @@ export const play = {
   input: {
     heading: "Input",
     motion: "Input motion",
-    drop: "Drop a file",
-    dropWhy:
-      "Drop a motion (BVH, VRMA, GLB, FBX) or a character (GLB, VRM, FBX) anywhere on the page, or choose one here",
+    open: "Open…",
+    openWhy: "Open a motion (BVH, VRMA, GLB, FBX) or a character (GLB, VRM, FBX), or drop it anywhere on the page",
+    recorded: "Try recorded motion…",
+    recordedWhy: "Download clips of public data sets, with their licences",
     readsAs: "Reads as",
     readsAsWhy: "The action and style that the engine recognises, with its confidence",
     readsAsClass: (action: string, style: string) => `${action}, ${style}`,
@@ -71,13 +75,28 @@ export const play = {
     anyStyle: (action: string) => `${action}, any style`,
     drive: "Drive it yourself",
     live: "Live source…",
-    howRead: "How this file was read",
     guesses: (n: number) => (n === 1 ? "1 guess" : `${n} guesses`),
     builtIn: "Built in",
     clipsOf: (database: string) => `Clips of ${database}`,
     dropped: "Dropped here",
-    remove: "Remove this file from the inputs",
     removed: (name: string) => `Removed “${name}”.`,
+  },
+
+  /** The bar about a dropped input. */
+  file: {
+    heading: "This file",
+    facts: (secs: string, rate: string) => `${secs} s · ${rate} Hz`,
+    howRead: "How it was read",
+    trim: "Trim",
+    from: "Trim from, seconds",
+    to: "Trim to, seconds",
+    between: "to",
+    unit: "s",
+    whole: "Whole clip",
+    wholeWhy: "Play the whole clip (U)",
+    trimmed: (from: string, to: string, kept: string) => `${from} to ${to} s, ${kept} s kept`,
+    remove: "Remove",
+    removeWhy: "Remove this file from the inputs",
   },
 
   /** Activity of a driven character in the title. */
@@ -95,6 +114,11 @@ export const play = {
     },
     reset: "Reset",
     resetModel: "Reset the model",
+    advanced: {
+      name: "Advanced",
+      changed: (n: number) =>
+        n === 0 ? "6 knobs, none changed" : n === 1 ? "1 setting changed" : `${n} settings changed`,
+    },
     knobs: {
       k: { name: "Neighbours", description: "K: neighbours of the pose in each class" },
       lambda: {

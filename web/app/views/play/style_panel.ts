@@ -43,8 +43,11 @@ export class StylePanel {
   /** Frame at which the current gesture began during playback: the whole gesture edits one key. */
   #gestureAt: number | undefined;
 
-  /** @param playhead returns the displayed frame of the input; `undefined` without a timeline */
-  constructor(store: Store, playhead: () => number | undefined, top: HTMLElement) {
+  /**
+   * @param playhead returns the displayed frame of the input; `undefined` without a timeline
+   * @param onAdd called when a clip is to be chosen that becomes a style
+   */
+  constructor(store: Store, playhead: () => number | undefined, onAdd: () => void, top: HTMLElement) {
     this.#store = store;
     this.#playhead = playhead;
     const over = (act: () => void) => () => {
@@ -79,7 +82,17 @@ export class StylePanel {
       () => store.edit(otherSide(store.state)),
     );
     this.#side.element.title = strings.play.style.settings;
-    const random = button(strings.play.style.random, () => this.mixByChance(), { icon: "random", keys: "R" });
+    const random = button(strings.play.style.random, () => this.mixByChance(), {
+      icon: "random",
+      label: true,
+      class: "random-styles",
+      keys: "R",
+    });
+    random.setAttribute("aria-label", strings.play.style.random);
+    const { add, addName, addWhy } = strings.play.style;
+    const more = button(add, onAdd, { icon: "add", label: true, class: "outlined add-style" });
+    more.title = addWhy;
+    more.setAttribute("aria-label", addName);
     this.#part.addEventListener("change", () => store.edit({ part: this.#part.value as BodyPart | "" }));
     this.#follow = button(strings.play.style.reset, () => this.#letPartFollow(), { label: true, class: "plain" });
     this.#follow.setAttribute("aria-label", strings.play.style.resetPart);
@@ -99,6 +112,7 @@ export class StylePanel {
         random,
         this.#mode.element,
       ),
+      more,
       this.polygon.element,
       html("div", { class: "polygon-foot" }, this.#caption, top),
       this.#intensity.element,
