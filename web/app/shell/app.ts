@@ -402,7 +402,7 @@ export class App {
 
   /** Offers clips of public data sets as inputs. */
   async #tryRecorded(): Promise<void> {
-    const { askForRecorded } = await import("../views/data/recorded_dialog");
+    const { askForRecorded } = await import("../views/data/recorded/recorded_dialog");
     const chosen = await askForRecorded();
     if (chosen === "data") this.#store.edit({ view: "data" });
     else if (chosen) {

@@ -17,7 +17,7 @@ import type { View, ViewHost } from "../../view";
 import type { AtlasPane } from "./atlas/atlas_pane";
 import { AtlasGhosts } from "./atlas_ghosts";
 import type { Driving } from "./drive/driving";
-import { FileBar } from "./file_bar";
+import type { FileBar } from "./file/file_bar";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
@@ -60,7 +60,6 @@ class PlayView implements View {
   readonly #heading: Heading;
   readonly #style: StylePanel;
   readonly #input: InputPanel;
-  readonly #file: FileBar;
   readonly #model: ModelPanel;
   readonly #tabs: Tabs;
   readonly #transport: Transport;
@@ -76,6 +75,9 @@ class PlayView implements View {
   #driving: Driving | undefined;
   /** The live performance, while there is one, and its code is loaded. */
   #performance: Performance | undefined;
+  /** The bar about a dropped input, once there was one. */
+  #file: FileBar | undefined;
+  #loadingFile: Promise<void> | undefined;
   /** The panel with the reading of the input's file, once it was opened. */
   #reading: ReadingPanel | undefined;
   /** The recognised class of the whole input, once it was analysed. */
@@ -110,11 +112,6 @@ class PlayView implements View {
       },
       [progress.input.element, progress.character.element],
     );
-    this.#file = new FileBar({
-      onReading: () => void this.#toggleReading(),
-      onRange: (range) => store.edit({ range }),
-      onRemove: () => void host.removeInput(),
-    });
     this.#model = new ModelPanel(store);
     this.#tabs = new Tabs((tab) => store.edit({ tab }));
     const time: TrimListeners = {
@@ -230,7 +227,6 @@ class PlayView implements View {
   #compose(): HTMLElement {
     this.#transportElement.append(
       this.#host.progress.analysis.element,
-      this.#file.element,
       this.#transport.element,
       this.#timeline.element,
     );
@@ -422,7 +418,7 @@ class PlayView implements View {
     }
     if (!changed || changed.has("range")) {
       this.#timeline.range = state.range;
-      this.#file.range = state.range;
+      if (this.#file) this.#file.range = state.range;
     }
     if (!changed || changed.has("curve")) {
       this.#timeline.curve = state.curve;
@@ -520,7 +516,7 @@ class PlayView implements View {
     this.#showReading(session.input, session.analysis?.notes ?? []);
     this.#reading.takeProgress(this.#host.progress.input.element);
     this.#reading.element.hidden = false;
-    this.#file.reading = true;
+    if (this.#file) this.#file.reading = true;
     this.element.classList.add("with-reading");
     this.#reading.element.focus({ preventScroll: true });
   }
@@ -544,9 +540,9 @@ class PlayView implements View {
     const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
     panel.hidden = true;
     this.#input.element.prepend(this.#host.progress.input.element);
-    this.#file.reading = false;
+    if (this.#file) this.#file.reading = false;
     this.element.classList.remove("with-reading");
-    if (hadFocus) this.#file.howRead.focus({ preventScroll: true });
+    if (hadFocus) this.#file?.howRead.focus({ preventScroll: true });
   }
 
   #onEscape({ key, defaultPrevented }: KeyboardEvent): void {
@@ -565,10 +561,36 @@ class PlayView implements View {
   }
 
   #listInputs(): void {
-    const { library, chosen, databaseSource, input, endless } = this.#host.session;
-    const file = input && !endless && library.isDropped(chosen) ? { name: chosen, input } : undefined;
-    this.#file.show(file);
-    this.element.classList.toggle("with-file", file !== undefined);
+    const { library, chosen, databaseSource } = this.#host.session;
+    this.#showFile();
     this.#input.list(library, chosen, databaseSource?.kind === "strutdb" ? databaseSource.name : "");
+  }
+
+  /** Shows the bar about a dropped input, whose code is loaded for the first one. */
+  #showFile(): void {
+    const { library, chosen, input, endless } = this.#host.session;
+    const file = input && !endless && library.isDropped(chosen) ? { name: chosen, input } : undefined;
+    if (file && !this.#file) this.#loadingFile ??= this.#loadFileBar();
+    this.#file?.show(file);
+    this.element.classList.toggle("with-file", file !== undefined && this.#file !== undefined);
+  }
+
+  async #loadFileBar(): Promise<void> {
+    try {
+      const { FileBar } = await import("./file/file_bar");
+      if (this.#host.signal.aborted) return;
+      const { store } = this.#host;
+      this.#file = new FileBar({
+        onReading: () => void this.#toggleReading(),
+        onRange: (range) => store.edit({ range }),
+        onRemove: () => void this.#host.removeInput(),
+      });
+      this.#file.range = store.state.range;
+      this.#transport.element.before(this.#file.element);
+      this.#showFile();
+    } catch (error) {
+      this.#loadingFile = undefined;
+      this.#host.toasts.failure(error);
+    }
   }
 }

@@ -75,28 +75,10 @@ export const play = {
     anyStyle: (action: string) => `${action}, any style`,
     drive: "Drive it yourself",
     live: "Live source…",
-    guesses: (n: number) => (n === 1 ? "1 guess" : `${n} guesses`),
     builtIn: "Built in",
     clipsOf: (database: string) => `Clips of ${database}`,
     dropped: "Dropped here",
     removed: (name: string) => `Removed “${name}”.`,
-  },
-
-  /** The bar about a dropped input. */
-  file: {
-    heading: "This file",
-    facts: (secs: string, rate: string) => `${secs} s · ${rate} Hz`,
-    howRead: "How it was read",
-    trim: "Trim",
-    from: "Trim from, seconds",
-    to: "Trim to, seconds",
-    between: "to",
-    unit: "s",
-    whole: "Whole clip",
-    wholeWhy: "Play the whole clip (U)",
-    trimmed: (from: string, to: string, kept: string) => `${from} to ${to} s, ${kept} s kept`,
-    remove: "Remove",
-    removeWhy: "Remove this file from the inputs",
   },
 
   /** Activity of a driven character in the title. */

@@ -1,12 +1,11 @@
 /** The bar about a dropped input: its length and rate, how it was read, its trim, and its removal. */
 import "./file_bar.css";
-import type { FrameRange, InputInfo } from "../../../client/protocol";
-import { button } from "../../../ui/controls/buttons";
-import { formatNumber, html, setAttributes, setText } from "../../../ui/dom";
-import { strings } from "../../strings/strings";
-import { type Edge, trimOf, trimSecs, withEdge } from "./timeline/trim";
-
-const words = strings.play.file;
+import type { FrameRange, InputInfo } from "../../../../client/protocol";
+import { button } from "../../../../ui/controls/buttons";
+import { formatNumber, html, setAttributes, setText } from "../../../../ui/dom";
+import { strings } from "../../../strings/strings";
+import { type Edge, trimOf, trimSecs, withEdge } from "../timeline/trim";
+import { fileWords as words } from "./strings.en";
 
 interface FileListeners {
   /** Called when the panel with the file's reading is to be opened or closed. */
@@ -78,7 +77,7 @@ export class FileBar {
     this.howRead.hidden = !reading;
     this.howRead.title = note;
     this.howRead.classList.toggle("guessed", count > 0);
-    this.howRead.lastElementChild?.replaceChildren(count > 0 ? strings.play.input.guesses(count) : words.howRead);
+    this.howRead.lastElementChild?.replaceChildren(count > 0 ? words.guesses(count) : words.howRead);
     this.#showTrim();
   }
 

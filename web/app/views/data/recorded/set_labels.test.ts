@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { describe, expect, it } from "vitest";
-import { type PublicSet, parseCatalogue } from "./catalogue";
+import { type PublicSet, parseCatalogue } from "../catalogue";
 import { clipsOf, firstClip } from "./set_labels";
 
 const SET: PublicSet = {
@@ -35,7 +35,7 @@ describe("the clips of a public data set", () => {
   });
 
   it("are those of the catalogue, all labelled, and begin with a walk; archives have none", () => {
-    const catalogue = readFileSync(resolve(import.meta.dirname, "../../../../public/catalog.json"), "utf8");
+    const catalogue = readFileSync(resolve(import.meta.dirname, "../../../../../public/catalog.json"), "utf8");
     const sets = parseCatalogue(JSON.parse(catalogue));
     const found = sets.map((set) => ({ id: set.id, clips: clipsOf(set) }));
     expect(found.filter(({ clips }) => clips.length === 0).map(({ id }) => id)).toEqual(["100style", "lafan1"]);

@@ -1,19 +1,18 @@
 /** Offers single clips of the public data sets, with their licences, as inputs of Play. */
 import "./recorded_dialog.css";
-import { isCancellation } from "../../../client/protocol";
-import { button } from "../../../ui/controls/buttons";
-import { icon } from "../../../ui/controls/icons";
-import { html, setText } from "../../../ui/dom";
-import { megabytes } from "../../strings/numerals";
-import { strings } from "../../strings/strings";
-import { askInDialog, dialogActions } from "../../ui/dialog";
-import { ProgressLine } from "../../ui/progress";
-import { capitalised, errorText, spoken } from "../../ui/words";
-import { loadCatalogue, type PublicSet } from "./catalogue";
-import { fetchSet, openCache } from "./set_download";
+import { isCancellation } from "../../../../client/protocol";
+import { button } from "../../../../ui/controls/buttons";
+import { icon } from "../../../../ui/controls/icons";
+import { html, setText } from "../../../../ui/dom";
+import { megabytes } from "../../../strings/numerals";
+import { strings } from "../../../strings/strings";
+import { askInDialog, dialogActions } from "../../../ui/dialog";
+import { ProgressLine } from "../../../ui/progress";
+import { capitalised, errorText, spoken } from "../../../ui/words";
+import { loadCatalogue, type PublicSet } from "../catalogue";
+import { fetchSet, openCache } from "../set_download";
 import { clipsOf, firstClip, type LabelledClip } from "./set_labels";
-
-const words = strings.data.recorded;
+import { recordedWords as words } from "./strings.en";
 
 /** A downloaded clip, and how its set is to be cited; or the wish to get a whole set in Data. */
 type Recorded = { file: File; citation: string } | "data";

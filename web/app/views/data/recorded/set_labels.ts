@@ -1,5 +1,5 @@
 /** Labels of the clips of a public data set, from its catalogue entry. Pure functions. */
-import type { PublicSet, SetFile } from "./catalogue";
+import type { PublicSet, SetFile } from "../catalogue";
 
 /** A clip of a set; its labels are empty if the catalogue has none for it. */
 export interface LabelledClip {
