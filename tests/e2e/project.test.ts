@@ -178,7 +178,7 @@ describe("a project", () => {
     await eventually(async () => (await said()).join()).toContain("Opened “phone.strut”");
     await page.getByRole("button", { name: "Dismiss" }).last().click();
     // The browser's own dialog with the same element was tested above.
-    const input = page.locator(".drop-overlay input");
+    const input = page.locator(".drop-overlay input[multiple]");
     await input.evaluate((element) =>
       element.addEventListener("click", (event) => {
         event.preventDefault();
