@@ -71,13 +71,14 @@ class KeyStyleView extends AnimatedView {
         if (values) store.edit({ keys: withValues(keys, key, values) }, `key-style pad ${key}`);
       },
     });
-    this.#timeline = new Timeline({
-      keys: () => this.#editor.keys,
-      onChoose: (key) => this.#editor.choose(key),
-      onEdit: (keys, gesture, keyChosen) => store.edit({ keys, keyChosen }, gesture),
-      ...store.gestureListeners,
-      onSeek: (secs) => this.#player.seek(secs),
+    this.#player = new Player(store, {
+      prepare: () => this.#prepare(),
+      onFrame: (frame, values, reached) => this.#showFrame(frame, values, reached),
+      onTime: (secs, values) => this.#showTime(secs, values),
+      onJump: () => this.#picture.jump(),
     });
+    this.#editor = new KeyEditor(store, this.#player, () => host.toasts.error(words.tooManyKeys(MAX_KEYS)));
+    this.#timeline = new Timeline(store, this.#editor, (secs) => this.#player.seek(secs));
     this.#recordings = new Recordings((frame) => this.#pick(frame));
     this.#picture = new PicturePanel(this.#trainer, store);
     this.#footer = new Footer(store, {
@@ -91,13 +92,6 @@ class KeyStyleView extends AnimatedView {
       onBvh: () => void this.#export(bvhOf),
       onGlb: () => void this.#export(glbOf),
     });
-    this.#player = new Player(store, {
-      prepare: () => this.#prepare(),
-      onFrame: (frame, values, reached) => this.#showFrame(frame, values, reached),
-      onTime: (secs, values) => this.#showTime(secs, values),
-      onJump: () => this.#picture.jump(),
-    });
-    this.#editor = new KeyEditor(store, this.#player, () => host.toasts.error(words.tooManyKeys(MAX_KEYS)));
     this.element = html(
       "main",
       { class: "view key-style" },

@@ -4,6 +4,7 @@ import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { formatNumber, html } from "../../../ui/dom";
 import { strings } from "../../strings/strings";
+import { askInDialog, dialogActions } from "../../ui/dialog";
 import { capitalised, spoken } from "../../ui/words";
 import { BUILT_IN_SETS, parseSet } from "./sets";
 
@@ -79,27 +80,22 @@ export class SetChooser {
       const secs = html("span", { class: "caption" }, strings.keyStyle.clipSecs(formatNumber(clip.secs, 1)));
       return { box, row: html("label", { class: "dialog-clip" }, box, html("span", {}, spoken(clip.name)), secs) };
     });
-    const take = button(strings.keyStyle.take, () => dialog.close("take"), { label: true, class: "outlined" });
-    const cancel = button(strings.keyStyle.cancel, () => dialog.close(), { label: true });
-    const count = () => {
-      take.disabled = !boxes.some(({ box }) => box.checked);
-    };
-    const dialog = html(
-      "dialog",
-      { class: "help clip-dialog", "aria-label": strings.keyStyle.clips },
-      html("h2", {}, strings.keyStyle.clips),
-      html("p", { class: "caption" }, strings.keyStyle.clipsWhy),
-      html("div", { class: "dialog-clips" }, ...boxes.map(({ row }) => row)),
-      html("div", { class: "dialog-actions" }, cancel, take),
-    );
-    dialog.addEventListener("change", count);
-    count();
-    document.body.append(dialog);
-    dialog.showModal();
+    const asked = askInDialog<string[]>("clip-dialog", strings.keyStyle.clips, (choose, cancel) => {
+      const chosen = () => boxes.flatMap(({ box }) => (box.checked ? [box.value] : []));
+      const take = button(strings.keyStyle.take, () => choose(chosen()), { label: true, class: "outlined" });
+      const list = html("div", { class: "dialog-clips" }, ...boxes.map(({ row }) => row));
+      list.addEventListener("change", () => {
+        take.disabled = chosen().length === 0;
+      });
+      take.disabled = chosen().length === 0;
+      return [
+        html("p", { class: "caption" }, strings.keyStyle.clipsWhy),
+        list,
+        dialogActions(button(strings.keyStyle.cancel, cancel, { label: true }), take),
+      ];
+    });
     boxes.find(({ box }) => box.checked)?.row.scrollIntoView({ block: "center" });
-    await new Promise((resolve) => dialog.addEventListener("close", resolve, { once: true }));
-    const { returnValue } = dialog;
-    dialog.remove();
-    if (returnValue === "take") this.#onClips(boxes.flatMap(({ box }) => (box.checked ? [box.value] : [])));
+    const clips = await asked;
+    if (clips) this.#onClips(clips);
   }
 }

@@ -1,27 +1,20 @@
 /** The timeline of keys: a row for every style variable, keys that can be dragged in time and in value, and the playhead. */
 
 import { formatNumber, html, setText, svg } from "../../../ui/dom";
-import { type Drag, type GestureListeners, listenToDrags } from "../../../ui/drag";
+import { type Drag, listenToDrags } from "../../../ui/drag";
 import { placeIn, setSize, sizeOf } from "../../../ui/drawing";
 import { clampedValueAt, type Extent, pixelOf, type Scale, valueAt } from "../../../ui/scale";
 import type { TimedValue } from "../../state/key_style";
+import type { Store } from "../../state/store";
 import { strings } from "../../strings/strings";
 import { onResize } from "../../ui/resize";
 import { Playhead } from "../synthesis/playhead";
+import type { KeyEditor } from "./key_editor";
 import { MIN_GAP, moveKey, removeKey, withValues } from "./keys";
 import { type Layout, layOut, lineOf, type RowName, RULER_Y, rowGround, rowScale, rulerOf } from "./timeline_rows";
 
 /** Step of an arrow key as a share of the range; the fine one with Shift. */
 const STEP = { coarse: 0.02, fine: 0.004 };
-
-export interface TimelineListeners extends GestureListeners {
-  /** Returns the current keys; the displayed ones may be one display frame old. */
-  keys: () => readonly TimedValue[];
-  onChoose: (key: number) => void;
-  /** Called with new keys. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
-  onEdit: (keys: readonly TimedValue[], gesture: string | undefined, chosen: number) => void;
-  onSeek: (secs: number) => void;
-}
 
 interface TimelineModel {
   rows: readonly RowName[];
@@ -36,7 +29,9 @@ interface TimelineModel {
 
 export class Timeline {
   readonly element = html("div", { class: "keys" });
-  readonly #listeners: TimelineListeners;
+  readonly #store: Store;
+  readonly #editor: KeyEditor;
+  readonly #onSeek: (secs: number) => void;
   readonly #root = svg("svg", { class: "keys-plot", role: "group", "aria-label": strings.keyStyle.timeline });
   readonly #picture = svg("g");
   /** The part before the playhead. */
@@ -48,20 +43,22 @@ export class Timeline {
   #values: readonly number[] = [];
   #readOuts: SVGElement[] = [];
 
-  constructor(listeners: TimelineListeners) {
-    this.#listeners = listeners;
+  constructor(store: Store, editor: KeyEditor, onSeek: (secs: number) => void) {
+    this.#store = store;
+    this.#editor = editor;
+    this.#onSeek = onSeek;
     this.#playhead = new Playhead({
       label: strings.synthesis.time,
       rulerY: RULER_Y,
       step: MIN_GAP,
-      onSeek: listeners.onSeek,
+      onSeek,
     });
     const clip = svg("clipPath", { id: "keys-played" }, this.#played);
     this.#root.append(svg("defs", {}, clip), this.#picture, this.#playhead.element);
     this.element.append(this.#root);
     listenToDrags(this.#root, (press) => this.#begin(press));
     this.#root.addEventListener("keydown", (event) => this.#onKey(event));
-    this.#root.addEventListener("keyup", () => listeners.onSettle());
+    this.#root.addEventListener("keyup", store.gestureListeners.onSettle);
   }
 
   /** Follows the size of the page until `signal` aborts. */
@@ -168,7 +165,8 @@ export class Timeline {
   }
 
   #seeking(press: PointerEvent): Drag {
-    const { onSeek, onSettle } = this.#listeners;
+    const onSeek = this.#onSeek;
+    const { onSettle } = this.#store.gestureListeners;
     const before = this.#secs;
     const seekTo = (event: PointerEvent) => onSeek(clampedValueAt(this.#layout.time, placeIn(this.#root, event).x));
     this.#playhead.focus();
@@ -178,18 +176,18 @@ export class Timeline {
 
   /** A drag of a key in time, and in the value of one variable. */
   #editing(press: PointerEvent, key: number, axis: number): Drag {
-    const { keys, onChoose, onSettle, onCancel } = this.#listeners;
-    const { secs, values } = keys()[key]!;
+    const { onSettle, onCancel } = this.#store.gestureListeners;
+    const { secs, values } = this.#editor.keys[key]!;
     const { x, y } = placeIn(this.#root, press);
     const offset = {
       x: x - pixelOf(this.#layout.time, secs),
       y: y - pixelOf(this.#scale(axis), values[axis]!),
     };
     onSettle();
-    onChoose(key);
+    this.#editor.choose(key);
     return {
       move: (event) => {
-        const present = keys();
+        const present = this.#editor.keys;
         // Undo or other variables may have removed it during the drag.
         if (!present[key]) return;
         const place = placeIn(this.#root, event);
@@ -208,8 +206,9 @@ export class Timeline {
     return withValues(keys, key, keys[key]!.values.with(axis, within));
   }
 
-  #edit(keys: readonly TimedValue[], gesture: string, chosen: number): void {
-    this.#listeners.onEdit(keys, `key-style ${gesture}`, chosen);
+  /** Sets new keys. Edits of one `gesture`, a drag or a run of key presses, are one undo step. */
+  #edit(keys: readonly TimedValue[], gesture: string, keyChosen: number): void {
+    this.#store.edit({ keys, keyChosen }, `key-style ${gesture}`);
   }
 
   #onKey(event: KeyboardEvent): void {
@@ -222,7 +221,8 @@ export class Timeline {
 
   /** Edits a key by the keyboard. Returns whether the pressed key has a function here. */
   #press(key: number, axis: number, { key: pressed, shiftKey }: KeyboardEvent): boolean {
-    const keys = this.#listeners.keys();
+    // The displayed keys may be one display frame old.
+    const { keys } = this.#editor;
     const own = keys[key];
     if (!own) return false;
     const along = { ArrowRight: 1, ArrowLeft: -1 }[pressed] ?? 0;
@@ -234,8 +234,8 @@ export class Timeline {
       const by = up * (shiftKey ? STEP.fine : STEP.coarse) * (max - min);
       this.#edit(this.#withValue(keys, key, axis, own.values[axis]! + by), `value ${key}`, key);
     } else if (pressed === "Delete" || pressed === "Backspace")
-      this.#listeners.onEdit(removeKey(keys, key), undefined, Math.max(0, key - 1));
-    else if (pressed === "Enter" || pressed === " ") this.#listeners.onChoose(key);
+      this.#store.edit({ keys: removeKey(keys, key), keyChosen: Math.max(0, key - 1) });
+    else if (pressed === "Enter" || pressed === " ") this.#editor.choose(key);
     else return false;
     return true;
   }
