@@ -58,6 +58,20 @@ const refusal = (act) =>
       () => "none",
       ({ code }) => code,
     );
+/** Codes of the calls that are cancelled while they open, and the kinds of what is open afterwards. */
+const cancelled = async () => {
+  const abort = new AbortController();
+  const { signal } = abort;
+  const opening = [
+    strut.createStylizer(db, { signal }),
+    strut.createPlayback(motion, db, { signal }),
+    strut.live(db, walk, { signal }),
+  ];
+  const codes = opening.map((call) => refusal(() => call));
+  abort.abort();
+  const settled = await Promise.all(codes);
+  return { codes: settled, open: (await strut.memory()).open.map(({ kind }) => kind) };
+};
 const skeleton = { kind: "joints", names: ["a"], parents: [-1], offsets: [0, 0, 0] };
 console.log(
   JSON.stringify({
@@ -70,6 +84,7 @@ console.log(
     afterwards,
     noBody: await troubleOf({ start: async (sink) => void setTimeout(() => sink.skeleton(skeleton), 20) }),
     nobody: await troubleOf(webSocketPoses("ws://127.0.0.1:1", { format: "json" })),
+    cancelled: await cancelled(),
     refusals: [
       await refusal(() => webSocketPoses("ws://192.168.0.7", { format: "json" })),
       await refusal(() => strut.live(db, walk, { delaySecs: 0.5 })),

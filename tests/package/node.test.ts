@@ -173,6 +173,7 @@ test("a performer is styled as poses arrive, and recorded; what does not work is
     /^(WebSocket is not available here|No sender answers at 127\.0\.0\.1:1; trying again in 1 s)\.$/,
   );
   expect(report.refusals).toEqual(["bad-input", "bad-input", "bad-input"]);
+  expect(report.cancelled).toEqual({ codes: ["cancelled", "cancelled", "cancelled"], open: ["database", "motion"] });
 });
 
 /** Number of poses of the stream: 100,000 take minutes. */
