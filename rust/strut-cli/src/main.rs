@@ -3,6 +3,8 @@
 //! Exit codes: 0 success; 1 failure, with `error: ` and one sentence on stderr and no file written; 2 wrong usage.
 //! Results go to stdout and to the named files. Progress goes to stderr, only if that is a terminal.
 #![forbid(unsafe_code)]
+// Comments of arguments are the help, in which brackets mark what is optional.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 // A batch continues after a job that panics.
 const _: () = assert!(cfg!(panic = "unwind"), "the command must unwind");

@@ -3,7 +3,7 @@
 //! The engine searches on the CPU, which is faster for one character and for a thousand. This crate is for tasks that
 //! need *every* distance, and for comparisons with the search of Xia et al. 2015, which compared all windows on a GPU.
 //! Each kernel is a shader with a CPU twin of the same name. Results are exact: the GPU only finds candidates, with a
-//! margin for its rounding ([`rounding`]).
+//! margin for its rounding (`rounding.rs`).
 #![forbid(unsafe_code)]
 
 mod atlas;

@@ -28,7 +28,7 @@ impl BetweenBodies {
     }
 }
 
-/// Retargets a clip to another canonical body: like [`super::from_humanoid`] followed by [`super::to_humanoid`], but without
+/// Retargets a clip to another canonical body: like [`super::from_humanoid()`] followed by [`super::to_humanoid()`], but without
 /// a skeleton in between.
 pub fn between_bodies(motion: &HumanoidMotion, body: &Proportions) -> HumanoidMotion {
     let retarget = BetweenBodies::new(&motion.proportions, body);

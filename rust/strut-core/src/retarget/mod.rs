@@ -3,7 +3,7 @@
 //! A [`Binding`] holds, once per skeleton, the joint of each role, every joint's rotation in the T-pose, and the body's
 //! size. World rotations by role then transfer exactly; limb inverse kinematics keeps feet and hands at their places, as
 //! in Monzani et al. 2000, which the paper uses. [`ToHumanoid`] and [`FromHumanoid`] work frame by frame without allocation;
-//! [`to_humanoid`] and [`from_humanoid`] convert whole clips.
+//! [`to_humanoid()`] and [`from_humanoid()`] convert whole clips.
 
 mod anatomy;
 mod axes;

@@ -151,7 +151,7 @@ fn by_rows(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
 }
 
-/// Series of all components of all recordings, [recording][component][frame], minus the components' means.
+/// Series of all components of all recordings, `[recording][component][frame]`, minus the components' means.
 fn centred(recordings: &[Recording], shape: Shape) -> Vec<Vec<Vec<f64>>> {
     let Shape { inputs: m, outputs: l, .. } = shape;
     let series = |r: &Recording, c: usize| -> Vec<f64> {

@@ -54,7 +54,7 @@ impl Bvh {
     /// is moved near it.
     ///
     /// # Errors
-    /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not created by [`parse`](super::parse)
+    /// [`BvhError::Skeleton`] or [`BvhError::Motion`] for a document that was not created by [`parse()`](super::parse())
     /// and violates its rules.
     pub fn to_motion(&self) -> Result<Motion, BvhError> {
         let joints = self.joints.iter().map(|j| skeleton::Joint {

@@ -17,7 +17,7 @@ impl Place {
         Self { position, rotation: (self.rotation * place.rotation).normalized() }
     }
 
-    /// The inverse of [`Place::then`].
+    /// The inverse of [`Place::compose`].
     pub fn relative(&self, place: &Self) -> Self {
         let position = self.rotation.inv_mul_vec3(place.position - self.position);
         Self { position, rotation: self.rotation.inv_mul(place.rotation).normalized() }

@@ -1,7 +1,7 @@
 //! Styles many clips in many styles, exactly once each: `strut stylize-batch`.
 //!
-//! A job is an input in a variant. Its [key](key::Digests) identifies everything that its output depends on. A
-//! [manifest](manifest) in the output folder records how each job ended, with its key. A run does the jobs that are not
+//! A job is an input in a variant. Its key identifies everything that its output depends on. A
+//! manifest in the output folder records how each job ended, with its key. A run does the jobs that are not
 //! done yet, so an interrupted batch is continued by starting it again. Outputs are written to temporary files next to
 //! their targets and then renamed.
 

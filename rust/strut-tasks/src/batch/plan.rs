@@ -71,7 +71,7 @@ impl Plan {
     /// Returns the pending jobs, for a driver. From then on no other process may write the manifest.
     ///
     /// # Errors
-    /// Those of [`run`](super::run) before its first job.
+    /// Those of [`run()`](super::run()) before its first job.
     pub fn pending(&self, on_progress: &OnProgress<'_>) -> Outcome<Vec<PlannedJob>> {
         let Self { request, stylings, .. } = self;
         let sources = gather(&request.inputs)?;

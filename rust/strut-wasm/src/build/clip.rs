@@ -80,7 +80,7 @@ impl Clip {
         Ok(offsets_of(&binding.proportions))
     }
 
-    /// Returns the poses on the clip's own body, [`POSE_FLOATS`] numbers each.
+    /// Returns the poses on the clip's own body, `POSE_FLOATS` numbers each.
     ///
     /// # Errors
     /// If the skeleton is not a humanoid.

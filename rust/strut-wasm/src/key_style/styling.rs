@@ -123,7 +123,7 @@ impl Styling {
     /// Returns the poses from 0 to a time, moved by the supporting feet.
     ///
     /// # Errors
-    /// If the time is longer than [`MOST_SECS`], or there is no key.
+    /// If the time is longer than ten minutes, or there is no key.
     pub fn perform(&mut self, secs: f64, method: u8) -> Result<Vec<f32>, EngineError> {
         let poses = self.poses(secs, method)?;
         Ok(floats_of(poses.iter()))
