@@ -1,6 +1,7 @@
 //! A database is unchanged after writing and reading, and every damage is detected.
 
 use proptest::prelude::*;
+use std::sync::OnceLock;
 use strut_core::database::{Clip, Database, DatabaseParts};
 use strut_core::humanoid::{JOINTS, Proportions};
 use strut_core::math::float_funcs::sin;
@@ -52,13 +53,19 @@ fn file_of(db: &Database) -> Vec<u8> {
     strutdb::write(db, &Index::build(db).plan(), "test 1")
 }
 
+/// The file of [`small`], written once: thousands of cases change it.
+fn small_file() -> Vec<u8> {
+    static FILE: OnceLock<Vec<u8>> = OnceLock::new();
+    FILE.get_or_init(|| file_of(&small())).clone()
+}
+
 fn error(bytes: &[u8]) -> String {
     strutdb::read(bytes).expect_err("refused").to_string()
 }
 
 /// The file with a part of its header replaced by text of the same length.
 fn replaced(from: &str, to: &str) -> Vec<u8> {
-    let mut bytes = file_of(&small());
+    let mut bytes = small_file();
     let at = bytes.windows(from.len()).position(|w| w == from.as_bytes()).expect("occurs");
     bytes[at..at + to.len()].copy_from_slice(to.as_bytes());
     bytes
@@ -86,7 +93,7 @@ fn the_plan_of_the_search_index_comes_back_as_it_was() {
 
 #[test]
 fn the_metadata_are_those_of_the_contract() {
-    let file = file_of(&small());
+    let file = small_file();
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
     let json = &header.metadata().as_ref().unwrap()["strut"];
     let metadata: Metadata = serde_json::from_str(json).unwrap();
@@ -155,7 +162,7 @@ fn a_database_that_does_not_fit_is_refused_before_it_is_read() {
 
 /// The small file with changed metadata, and their correct checksum.
 fn checked(change: impl Fn(&str) -> String) -> Vec<u8> {
-    let file = file_of(&small());
+    let file = small_file();
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
     let tensors = safetensors::SafeTensors::deserialize(&file).unwrap();
     with_checksum(&tensors.tensors(), &change(&header.metadata().as_ref().unwrap()["strut"]))
@@ -178,7 +185,7 @@ type Views<'a> = Vec<(String, safetensors::tensor::TensorView<'a>)>;
 
 #[test]
 fn further_tensors_are_ignored_but_missing_ones_named() {
-    let file = file_of(&small());
+    let file = small_file();
     let (_, header) = safetensors::SafeTensors::read_metadata(&file).unwrap();
     let tensors = safetensors::SafeTensors::deserialize(&file).unwrap();
     let with = |change: &dyn Fn(&mut Views)| {
@@ -212,7 +219,7 @@ fn further_tensors_are_ignored_but_missing_ones_named() {
 
 #[test]
 fn damage_is_described_in_a_sentence() {
-    let file = file_of(&small());
+    let file = small_file();
     assert_eq!(
         error(&file[..file.len() / 2]),
         "the file is cut short or damaged: its length does not agree with its header"
@@ -247,7 +254,7 @@ proptest! {
 
     #[test]
     fn every_changed_byte_is_noticed(at: prop::sample::Index, change in 1_u8..) {
-        let mut file = file_of(&small());
+        let mut file = small_file();
         let at = at.index(file.len());
         file[at] ^= change;
         let message = error(&file);
@@ -256,7 +263,7 @@ proptest! {
 
     #[test]
     fn every_cut_is_noticed(length: prop::sample::Index) {
-        let file = file_of(&small());
+        let file = small_file();
         prop_assert!(strutdb::read(&file[..length.index(file.len())]).is_err());
     }
 
