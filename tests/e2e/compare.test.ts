@@ -186,6 +186,9 @@ describe("a narrow screen", () => {
     await eventually(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
     await eventually(() => page.locator(".compare-search-figures").isVisible()).toBe(true);
     await transitionsEnded(page);
+    const first = page.locator(".compare-column-head").first().locator("select");
+    await eventually(() => first.inputValue(), "Strut is the first").toBe("mar");
+    expect(await page.evaluate(() => window.strut.state.columns[0]), "in the link nothing changes").not.toBe("mar");
     await screenshot(page, "compare-narrow");
     await eventually(faults).toEqual([]);
   });

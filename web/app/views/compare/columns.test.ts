@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { type AppState, initialState } from "../../state/state";
 import { otherSide } from "../../state/style_settings";
-import { columnCaption, columnOptions } from "./columns";
+import { columnCaption, columnOptions, shownOrder } from "./columns";
 
 const OLD = [{ name: "old", weight: 1 }];
 const PROUD = [{ name: "proud", weight: 1 }];
@@ -30,5 +30,14 @@ describe("a column", () => {
   it("says what it is", () => {
     expect(columnCaption("input", "neutral walk", state)).toBe("neutral walk, unchanged");
     expect(columnCaption("knn", "neutral walk", state)).toBe("mean of the 60 closest frames");
+  });
+});
+
+describe("the order of the columns", () => {
+  it("is that of the link; on a narrow screen Strut is the first", () => {
+    expect(shownOrder(["input", "nn", "mar", "real"], false)).toEqual([0, 1, 2, 3]);
+    expect(shownOrder(["input", "nn", "mar", "real"], true)).toEqual([2, 0, 1, 3]);
+    expect(shownOrder(["mar", "nn"], true)).toEqual([0, 1]);
+    expect(shownOrder(["input", "nn"], true)).toEqual([0, 1]);
   });
 });

@@ -12,6 +12,16 @@ export type ColumnName = (typeof COLUMN_NAMES)[number];
 /** Fewest columns. */
 export const MIN_COLUMNS = 1;
 
+/**
+ * Indices of the columns in the order of display. On a narrow screen, which shows one or two at once, the method of Strut is
+ * the first.
+ */
+export function shownOrder(names: readonly ColumnName[], narrow: boolean): number[] {
+  const order = names.map((_, i) => i);
+  const strut = names.indexOf("mar");
+  return narrow && strut > 0 ? [strut, ...order.filter((i) => i !== strut)] : order;
+}
+
 /** The contents of a column in one line. */
 export function columnCaption(column: ColumnName, input: string, { k }: AppState): string {
   const { captions } = strings.compare;

@@ -9,6 +9,7 @@ import type { Session } from "../../../player/session";
 import { button } from "../../../ui/controls/buttons";
 import { icon } from "../../../ui/controls/icons";
 import { html, setText } from "../../../ui/dom";
+import { isNarrow, NARROW } from "../../../ui/media";
 import { allOf } from "../../../ui/polygon/selection";
 import { isDark, onSystemTheme } from "../../../ui/theme";
 import { SideBySideViewer } from "../../../viewer/side_by_side_viewer";
@@ -32,6 +33,7 @@ import {
   MIN_COLUMNS,
   type MotionRequest,
   motionRequest,
+  shownOrder,
 } from "./columns";
 import { type ColumnMotion, figuresAt, type MeasuredMotion } from "./figures";
 import { SearchMeasurement } from "./search_measurement";
@@ -150,6 +152,7 @@ class CompareView extends AnimatedView {
 
   protected appear(signal: AbortSignal): void {
     onSystemTheme(() => this.refresh(), signal);
+    matchMedia(NARROW).addEventListener("change", () => this.refresh(), { signal });
     this.host.store.subscribe(() => this.refresh(), signal);
     this.#motions.resume();
     this.#frame = this.host.playhead.at;
@@ -251,10 +254,11 @@ class CompareView extends AnimatedView {
 
   #showColumns(names: readonly ColumnName[], state: Readonly<AppState>): void {
     const { store } = this.host;
-    if (names.join() !== this.#columns.map((column) => column.name).join()) {
-      this.#columns = names.map(
-        (name, i) =>
-          new CompareColumn(name, i + 1, names.length > MIN_COLUMNS, {
+    const order = shownOrder(names, isNarrow());
+    if (order.map((i) => names[i]).join() !== this.#columns.map((column) => column.name).join()) {
+      this.#columns = order.map(
+        (i, place) =>
+          new CompareColumn(names[i]!, place + 1, names.length > MIN_COLUMNS, {
             onChange: (to) => store.edit({ columns: names.map((n, k) => (k === i ? to : n)) }),
             onRemove: () => store.edit({ columns: names.filter((_, k) => k !== i) }),
           }),
