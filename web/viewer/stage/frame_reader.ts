@@ -3,8 +3,6 @@
  * back themselves, and block the page until its frame is drawn.
  */
 
-import type { Size } from "./screen";
-
 /** Interval at which the fence of a frame is polled, milliseconds. */
 const POLL_MS = 4;
 
@@ -31,7 +29,7 @@ export class FrameReader {
    * @param show gets the pixels, RGBA with 8 bits each, in rows from the bottom up; valid during the call only. It is
    *   not called if the context is lost before the frame is drawn.
    */
-  async read({ width, height }: Size, show: (pixels: Uint8Array) => void): Promise<void> {
+  async read({ width, height }: { width: number; height: number }, show: (pixels: Uint8Array) => void): Promise<void> {
     const gl = this.#gl;
     const generation = this.#generation;
     const bytes = 4 * width * height;
