@@ -54,6 +54,21 @@ async function holdTraining(): Promise<() => void> {
   return release;
 }
 
+/** Number of walk models that are kept on this device. */
+const modelsKept = () =>
+  page.evaluate(
+    () =>
+      new Promise<number>((resolve, reject) => {
+        const opening = indexedDB.open("strut-walks", 1);
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const counting = opening.result.transaction("models").objectStore("models").count();
+          counting.onsuccess = () => resolve(counting.result);
+          opening.result.close();
+        };
+      }),
+  );
+
 describe("the Walk view", () => {
   it("shows the model of the open database, though a motion is opened while it is trained", async () => {
     await goTo("Walk");
@@ -68,6 +83,8 @@ describe("the Walk view", () => {
     release();
     await eventually(() => vertices(".walk-panel")).toEqual(["neutral", "old"]);
     await eventually(() => page.locator(".walk .stage-title").textContent()).toMatch(/ steps, /);
+    await eventually(() => page.locator(".toasts").textContent()).toMatch(/Trained 2 styles from 2 clips in/);
+    await eventually(modelsKept).toBe(1);
   });
 
   it("shows the database that was opened last, though the one before is still being trained on", async () => {

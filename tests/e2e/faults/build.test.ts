@@ -199,3 +199,22 @@ describe("a view that is left while its model is trained", () => {
     expect(await alert()).toBe("");
   });
 });
+
+describe("a worker that ends while it trains on a database", () => {
+  it("Walk: a sentence, and one click goes on", async () => {
+    // The database is opened anew: a model is known for the one that was open.
+    await visit(page, "play=0");
+    await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
+    await visit(page, "play=0&db=renamed");
+    await eventually(() => page.evaluate(() => window.strut.analysed)).toBe(true);
+    await failNextCall(page, "trainWalk", "fails");
+    await goTo("Walk");
+    await faultMet(page, "trainWalk");
+    const empty = page.locator(".walk .editor-empty");
+    await eventually(() => empty.textContent()).toMatch(/ended for the test/);
+    await empty.getByRole("button", { name: "Train again" }).click();
+    await eventually(() => empty.isHidden()).toBe(true);
+    await page.locator(".walk canvas").first().waitFor();
+    await goTo("Play");
+  });
+});

@@ -98,7 +98,6 @@ describe("the engine's worker ends", () => {
 
 describe("a worker of a view ends", () => {
   it.for([
-    { view: "Walk", method: "trainWalk", root: ".walk", again: "Train again" },
     { view: "Key-style", method: "trainKeyStyle", root: ".key-style", again: "Train again" },
     { view: "Crowd", method: "tick", root: ".crowd", again: "Start again" },
   ])("$view: a sentence, and one click goes on", async ({ view, method, root, again }) => {

@@ -123,12 +123,12 @@ export class Gathering {
   }
 
   async #walkers(source: WalkSource, options: CallOptions): Promise<People> {
-    return source.file ? { kind: "walkers", model: await this.#modelOf(source, options) } : { kind: "walkers" };
+    return source.file ? { kind: "walkers", model: await this.#modelOf(source.file, options) } : { kind: "walkers" };
   }
 
-  async #modelOf(source: WalkSource, options: CallOptions): Promise<Uint8Array> {
+  async #modelOf(file: Blob, options: CallOptions): Promise<Uint8Array> {
     const { WalkModels } = await import("../synthesis/walk_models");
     this.#models ??= new WalkModels();
-    return (await this.#models.of(source, options)).trained.file;
+    return (await this.#models.of(file, options)).trained.file;
   }
 }

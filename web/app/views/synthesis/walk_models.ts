@@ -1,9 +1,12 @@
-/** Walk models of databases: trained once, then kept as long as the page is open. */
+/**
+ * Walk models of databases: trained once, then kept as long as the page is open. That of the built-in database comes with
+ * the page.
+ */
 import type { TrainedWalk } from "../../../client/build/protocol";
 import { trainWalk } from "../../../client/models/walk";
 import type { CallOptions } from "../../../client/protocol";
 
-/** A database to train a model on. */
+/** A database whose walk model is used. */
 export interface WalkSource {
   /** Its display name. */
   name: string;
@@ -19,17 +22,15 @@ interface TimedWalk extends TrainedWalk {
 }
 
 export class WalkModels {
-  #builtIn: TimedWalk | undefined;
   readonly #trained = new WeakMap<Blob, TimedWalk>();
 
-  /** The model of a database; `fresh` tells whether it was trained just now. */
-  async of({ file }: WalkSource, options: CallOptions): Promise<{ trained: TimedWalk; fresh: boolean }> {
-    const known = file ? this.#trained.get(file) : this.#builtIn;
+  /** The model of a database, by its file; `fresh` tells whether it was trained just now. */
+  async of(file: Blob, options: CallOptions): Promise<{ trained: TimedWalk; fresh: boolean }> {
+    const known = this.#trained.get(file);
     if (known) return { trained: known, fresh: false };
     const begin = performance.now();
     const trained = { ...(await trainWalk(file, options)), secs: (performance.now() - begin) / 1000 };
-    if (file) this.#trained.set(file, trained);
-    else this.#builtIn = trained;
+    this.#trained.set(file, trained);
     return { trained, fresh: true };
   }
 }

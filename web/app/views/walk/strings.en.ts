@@ -11,6 +11,7 @@ export const walk = {
   onTheWay: (style: string) => `to ${style}`,
   stepCaption: (n: number) => `step ${n}`,
   reading: "Reading the walking clips.",
+  opening: "Opening the walk model.",
   training: "Training the walk model.",
   trained: (styles: number, clips: number, secs: string) =>
     `Trained ${counted("style")(styles)} from ${counted("clip")(clips)} in ${secs} s.`,

@@ -83,7 +83,8 @@ class WalkView extends AnimatedView {
     const { store } = host;
     this.#loader = new ModelLoader<WalkSource, PlanWalker>({
       isSame: (a, b) => a.file === b.file,
-      load: (source) => this.#progress.run(words.reading, (call) => this.#load(source, call)),
+      load: (source) =>
+        this.#progress.run(source.file ? words.reading : words.opening, (call) => this.#load(source, call)),
       cancel: () => this.#progress.cancel(),
       onReady: () => this.#present(),
       onFailed: (error, source) => this.#refuse(source, error),
@@ -173,7 +174,7 @@ class WalkView extends AnimatedView {
     if (!this.isShown) return;
     const { state } = this.host.store;
     const { database } = this.host.session;
-    setText(this.#title, words.training);
+    setText(this.#title, words.opening);
     this.#showState();
     // A database stored on this device is opened first; the page calls again when it is open.
     if (state.database !== "" && !database) return;
@@ -190,11 +191,12 @@ class WalkView extends AnimatedView {
 
   // --- the model ---
 
-  /** Opens the model of a database, which is trained unless it is known. */
+  /** Opens the model of a database: of the built-in one it comes with the page, others are trained unless it is known. */
   #open(source: WalkSource): void {
     this.#empty.hide();
     if (this.#loader.isReady(source)) this.#present();
     else {
+      setText(this.#title, source.file ? words.training : words.opening);
       this.#player.walker = undefined;
       void this.#loader.request(source);
       this.#showState();
@@ -202,7 +204,8 @@ class WalkView extends AnimatedView {
   }
 
   async #load(source: WalkSource, call: CallOptions): Promise<PlanWalker> {
-    const { trained, fresh } = await this.#models.of(source, call);
+    if (!source.file) return new PlanWalker(await WalkModel.builtIn());
+    const { trained, fresh } = await this.#models.of(source.file, call);
     const model = await WalkModel.open(trained.file);
     const { styles, clips, secs } = trained;
     if (fresh && !call.signal?.aborted)
