@@ -111,6 +111,44 @@ describe("a wide screen", () => {
   });
 });
 
+describe("a window of 900 px", () => {
+  /** Controls that are partly outside of the window, or of the footer that they are in. */
+  const outside = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>(".bar button, .view button, .play-view button, .view select")]
+        .filter((e) => e.checkVisibility({ visibilityProperty: true }))
+        .filter((e) => {
+          const { right, width } = e.getBoundingClientRect();
+          const foot = e.closest(".editor-foot")?.getBoundingClientRect().right ?? innerWidth;
+          return width > 0 && right > Math.min(foot, innerWidth) + 1;
+        })
+        .map((e) => e.getAttribute("aria-label") ?? e.textContent),
+    );
+
+  it.for(["play", "walk", "key-style", "crowd", "data"])("has every control of %s", async (view) => {
+    await page.setViewportSize({ width: 900, height: 700 });
+    await visit(page, `play=0&view=${view}`);
+    await page.waitForFunction((view) => document.getElementById("app")?.dataset.view === view, view);
+    await eventually(outside).toEqual([]);
+    await eventually(async () => (await overflow()).x).toBe(0);
+  });
+});
+
+describe("panels that scroll", () => {
+  it("say that there is more below, until their end is reached", async () => {
+    await page.setViewportSize({ width: 1366, height: 768 });
+    await visit(page, "play=0&frame=60");
+    const panels = page.locator(".panels");
+    const more = () => panels.locator(".scroll-cue > div").isVisible();
+    await eventually(more).toBe(true);
+    await panels.evaluate((e) => e.scrollTo(0, e.scrollHeight));
+    await eventually(more).toBe(false);
+    await page.setViewportSize(WIDE);
+    await panels.evaluate((e) => e.scrollTo(0, 0));
+    await eventually(more).toBe(false);
+  });
+});
+
 describe("a narrow screen", () => {
   for (const theme of ["dark", "light"] as const)
     it(`stacks with tabs and never scrolls sideways (${theme})`, async () => {
