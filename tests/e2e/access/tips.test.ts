@@ -18,6 +18,7 @@ const WHY = "ρ: share of the input’s own motion, unlike the neighbours, that 
 
 it("by keys, until Escape, and as the control's description", async () => {
   const keys = new Keys(page);
+  await keys.press(page.locator(".section.model summary"));
   const found = keys.move(knob(), { x: 0, y: 0 });
   await found;
   await eventually(() => tip().textContent()).toBe(WHY);
