@@ -92,9 +92,12 @@ class WalkView extends AnimatedView {
     this.#player = new Player(store, {
       onPlan: (walk) => this.#showPlan(walk),
       onFrame: (frame, secs, step) => this.#showFrame(frame, secs, step),
-      onJump: ({ pose }) => {
-        this.#lease?.viewer.setStyled(pose);
-        this.#lease?.viewer.resetTrail();
+      onJump: ({ pose, planted }) => {
+        const viewer = this.#lease?.viewer;
+        viewer?.setStyled(pose);
+        // With the feet of the frame before, a picture drawn before the next tick would leave a print here.
+        viewer?.setPlanted(planted);
+        viewer?.resetTrail();
       },
     });
     this.#planner = new Planner(store, (secs) => this.#player.seek(secs));
