@@ -58,6 +58,8 @@ export interface RemoteCallOptions {
 interface WorkerSetup {
   /** Noun for messages. */
   what: string;
+  /** Name of the worker's script, for browsers that do not report why it cannot be loaded. */
+  script?: string | undefined;
   /** How often the silence of a worker with pending calls is compared with its limit, milliseconds. */
   silenceMs: number;
   /** Time for the last message of a worker that was silent too long, milliseconds. */
@@ -95,7 +97,7 @@ export class RemoteWorker<T extends object> {
     private readonly port: WorkerPort,
     private readonly setup: WorkerSetup,
   ) {
-    const { what, silenceMs, graceMs, pings, limitMs = () => silenceMs } = setup;
+    const { what, script, silenceMs, graceMs, pings, limitMs = () => silenceMs } = setup;
     this.ready = new Promise((resolve, reject) => {
       [this.#setReady, this.#setUnready] = [resolve, reject];
     });
@@ -112,7 +114,9 @@ export class RemoteWorker<T extends object> {
     port.onmessage = ({ data }) => !this.#ended && this.#receive(data);
     port.onerror = ({ message }) =>
       this.#fail(
-        this.#hasStarted ? fault(`The ${what} failed: ${message || "its worker stopped"}`) : unloadable(what, message),
+        this.#hasStarted
+          ? fault(`The ${what} failed: ${message || "its worker stopped"}`)
+          : unloadable(what, message || (script ? `${script} could not be loaded` : "")),
       );
   }
 

@@ -15,11 +15,13 @@ export class RpcClient<T extends object> {
    * @param spawn starts the worker
    * @param what noun for messages
    * @param limitMs longest silence of a worker that has pending calls; a call may compute in one piece
+   * @param script name of the worker's script, for messages
    */
   constructor(
     private readonly spawn: () => WorkerPort,
     private readonly what: string,
     private readonly limitMs: number = READING_MS,
+    private readonly script?: string,
   ) {}
 
   /** Whether a worker runs. */
@@ -64,6 +66,7 @@ export class RpcClient<T extends object> {
     const stepMs = Math.min(this.limitMs, STEP_MS);
     const worker = new RemoteWorker<T>(this.spawn(), {
       what: this.what,
+      script: this.script,
       silenceMs: stepMs,
       graceMs: stepMs,
       pings: false,

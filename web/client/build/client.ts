@@ -43,7 +43,7 @@ export class BuildClient {
    * @param limitMs longest silence of a worker that has pending calls; it reads a file in one piece
    */
   constructor(spawn: () => WorkerPort = spawnWorker, limitMs?: number) {
-    this.rpc = new RpcClient(spawn, "database builder", limitMs);
+    this.rpc = new RpcClient(spawn, "database builder", limitMs, "build_worker.js");
   }
 
   /** Lists the clips among these files, which replace the previous ones. Nothing is unpacked yet. */

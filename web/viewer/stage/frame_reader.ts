@@ -6,17 +6,9 @@
 /** Interval at which the fence of a frame is polled, milliseconds. */
 const POLL_MS = 4;
 
-/** A buffer for the pixels of one frame. */
-interface PixelBuffer {
-  buffer: WebGLBuffer;
-  bytes: number;
-}
-
 /** Reads the frames of one context. */
 export class FrameReader {
   readonly #gl: WebGL2RenderingContext;
-  /** Buffers that no frame is being read into. */
-  #free: PixelBuffer[] = [];
   #pixels = new Uint8Array(0);
   #generation = 0;
 
@@ -33,9 +25,10 @@ export class FrameReader {
     const gl = this.#gl;
     const generation = this.#generation;
     const bytes = 4 * width * height;
-    const target = this.#take(bytes);
-    if (!target) return;
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, target.buffer);
+    // Chromium copies the pixels of a new buffer in advance, so that they are read without waiting; not those of a used one.
+    const buffer = gl.createBuffer();
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+    gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -45,32 +38,15 @@ export class FrameReader {
     gl.deleteSync(fence);
     if (generation !== this.#generation || gl.isContextLost()) return;
     if (this.#pixels.length !== bytes) this.#pixels = new Uint8Array(bytes);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, target.buffer);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, this.#pixels);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    this.#free.push(target);
+    gl.deleteBuffer(buffer);
     show(this.#pixels);
   }
 
   /** Discards the frames of a lost context, or of one that is released. */
   forget(): void {
     this.#generation++;
-    this.#free = [];
-  }
-
-  /** Takes a free buffer of a size, or creates one. Free ones of other sizes are deleted. */
-  #take(bytes: number): PixelBuffer | undefined {
-    const gl = this.#gl;
-    while (this.#free.length > 0) {
-      const free = this.#free.pop()!;
-      if (free.bytes === bytes) return free;
-      gl.deleteBuffer(free.buffer);
-    }
-    const buffer = gl.createBuffer();
-    if (!buffer) return undefined;
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-    gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
-    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    return { buffer, bytes };
   }
 }
