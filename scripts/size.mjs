@@ -48,8 +48,8 @@ const LATER_ASSETS = [
   // The specification is 300. Reading of varied files (floor, axes, sides, cuts, names, notes) takes 28 more, reports
   // on the reading and reading options 3, bodies with the root at the chest or far from the origin 4, other encodings
   // 6, and the refusal of motions that could not be written or read again 2. The engine of the page's start has none of
-  // these. Since modules of the core moved to what they belong to, 2 more.
-  { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 357 },
+  // these.
+  { name: "the engine", asset: /^strut_wasm_bg.*\.wasm$/, budget: 354 },
   { name: "all motions", asset: /^built_in-.*\.bin$/, budget: 1325 },
   // Trained methods that the core knows only by an interface, and one pass of wasm-opt, take 5.
   { name: "the lessons' engine", asset: /^strut_learn_bg.*\.wasm$/, budget: 503 },

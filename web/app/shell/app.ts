@@ -91,7 +91,7 @@ export class App {
     this.#topBar = new TopBar({
       onView: (view) => store.edit({ view }),
       onReach: (view) => void this.#prepare(view),
-      onUndo: () => this.#history.undo(),
+      onUndo: () => this.#undo(),
       onRedo: () => this.#history.redo(),
       onOpen: () => this.#drop.choose(),
       onSave: () => void this.#project((projects) => projects.save()),
@@ -161,7 +161,7 @@ export class App {
     addEventListener("hashchange", ({ newURL }) => this.#followLink(new URL(newURL).hash), { signal });
     listenToKeys(
       {
-        undo: () => this.#history.undo(),
+        undo: () => this.#undo(),
         redo: () => this.#history.redo(),
         help: () => this.#help.open(),
         open: () => this.#drop.choose(),
@@ -368,6 +368,11 @@ export class App {
   /** Makes the browser ask before the page is left, if that would lose work. */
   #guardWork(): void {
     this.#guard.needed = this.#views.holdUnkept || this.#files.unkept;
+  }
+
+  /** Undoes the last edit, or the choice of an input that is still being opened. */
+  #undo(): void {
+    if (!this.#workspace.cancelChoice()) this.#history.undo();
   }
 
   get #history(): UndoRedo {

@@ -45,6 +45,8 @@ export class Workspace {
   #opening: Promise<void> = Promise.resolve();
   /** Number of links being followed, and of requests by the state still in progress. */
   #pending = 0;
+  /** Number of inputs that the user chose and that are still being opened. */
+  #choosing = 0;
   /** Whether a link is being followed: it overrides whatever the user had started to open. */
   #arriving = false;
   /** Removed inputs, by their names: undo restores them. */
@@ -130,9 +132,18 @@ export class Workspace {
 
   /** Opens an input of the library and stores it in the state. Returns whether it is open. */
   async chooseInput(name: string): Promise<boolean> {
+    this.#choosing++;
     const opened = (await this.session.openInput(name)) === "done";
+    this.#choosing--;
     if (opened) this.#store.edit({ input: this.#openInput, reading: this.session.reading, ...this.#beginning });
     return opened;
+  }
+
+  /** Cancels the opening of a chosen input, which is no edit yet. Returns whether one was being opened. */
+  cancelChoice(): boolean {
+    if (this.#choosing === 0) return false;
+    this.#progress.input.cancel();
+    return true;
   }
 
   /** Removes the open dropped file from the inputs. Undo restores it. */

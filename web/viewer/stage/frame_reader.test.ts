@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { FrameReader } from "./frame_reader";
+import { GpuQueue } from "./gpu_queue";
 
 /** A context that draws a frame when told to. Its pixels are the number of the frame. */
 class FakeContext {
@@ -10,7 +11,7 @@ class FakeContext {
   readonly SYNC_GPU_COMMANDS_COMPLETE = 5;
   readonly SYNC_STATUS = 6;
   readonly SIGNALED = 7;
-  /** Frames that were drawn. */
+  /** Number of frames that are drawn. */
   drawn = 0;
   isLost = false;
   buffers = 0;
@@ -52,7 +53,8 @@ const size = { width: 2, height: 1 };
 function start() {
   const gl = new FakeContext();
   const shown: number[] = [];
-  const reader = new FrameReader(gl as unknown as WebGL2RenderingContext);
+  const context = gl as unknown as WebGL2RenderingContext;
+  const reader = new FrameReader(context, new GpuQueue(context));
   return { gl, shown, reader, read: () => reader.read(size, (pixels) => shown.push(pixels[0]!)) };
 }
 

@@ -1,19 +1,20 @@
 /**
- * Reads drawn frames back while the page goes on. Without a GPU some browsers read a WebGL canvas that is displayed
- * back themselves, and block the page until its frame is drawn.
+ * Copies drawn frames to the page without blocking it. Without a GPU some browsers copy a displayed WebGL canvas
+ * themselves, and the page waits until its frame is drawn.
  */
 
-/** Interval at which the fence of a frame is polled, milliseconds. */
-const POLL_MS = 4;
+import type { GpuQueue } from "./gpu_queue";
 
 /** Reads the frames of one context. */
 export class FrameReader {
   readonly #gl: WebGL2RenderingContext;
+  readonly #queue: Pick<GpuQueue, "finished">;
   #pixels = new Uint8Array(0);
   #generation = 0;
 
-  constructor(gl: WebGL2RenderingContext) {
+  constructor(gl: WebGL2RenderingContext, queue: Pick<GpuQueue, "finished">) {
     this.#gl = gl;
+    this.#queue = queue;
   }
 
   /**
@@ -25,17 +26,13 @@ export class FrameReader {
     const gl = this.#gl;
     const generation = this.#generation;
     const bytes = 4 * width * height;
-    // Chromium copies the pixels of a new buffer in advance, so that they are read without waiting; not those of a used one.
+    // A new buffer for each frame: Chromium copies its pixels in advance. Reading a used buffer waits for the GPU.
     const buffer = gl.createBuffer();
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
     gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, 0);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl.flush();
-    do await new Promise((resolve) => setTimeout(resolve, POLL_MS));
-    while (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED);
-    gl.deleteSync(fence);
+    await this.#queue.finished();
     if (generation !== this.#generation || gl.isContextLost()) return;
     if (this.#pixels.length !== bytes) this.#pixels = new Uint8Array(bytes);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);

@@ -61,9 +61,14 @@ export class GpuQueue {
   /** How long a fence takes to be signalled, milliseconds. */
   async #latency(): Promise<number> {
     const begun = performance.now();
+    await this.finished();
+    return performance.now() - begun;
+  }
+
+  /** Resolves when all commands that were submitted until now are done, or the context is lost. */
+  async finished(): Promise<void> {
     const fence = this.#fence();
     while (fence && !this.#passed(fence)) await new Promise((resolve) => setTimeout(resolve, POLL_MS));
-    return performance.now() - begun;
   }
 
   /** Discards the frames of a lost context. */

@@ -140,7 +140,7 @@ export class Screen {
     renderer.capabilities.getMaxAnisotropy();
     this.#gl = context;
     this.#queue = new GpuQueue(this.#gl);
-    if (graphics() === "software") this.reader = new FrameReader(this.#gl);
+    if (graphics() === "software") this.reader = new FrameReader(this.#gl, this.#queue);
     // three.js restores its own resources from memory. The room was drawn by the lost context and must be drawn again.
     const restore = () => {
       this.#queue.forget();

@@ -4,7 +4,12 @@ use std::ops::Range;
 
 /// The median of numbers, the greater of the middle two if their count is even; `None` without any.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.into_iter().collect();
+    middle_of(values.into_iter().collect())
+}
+
+/// [`median`] of a vector: compiled once for all kinds of iterators.
+#[inline(never)]
+fn middle_of(mut values: Vec<f64>) -> Option<f64> {
     let middle = values.len() / 2;
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }

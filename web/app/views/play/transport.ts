@@ -31,13 +31,13 @@ export class Transport {
   readonly #loop: HTMLButtonElement;
   readonly #speed: SpeedChoice;
   readonly #scrubber: Scrubber;
-  /** Contacts of the left and the right foot, left above right: the timeline of a narrow screen. */
   readonly #handles: TrimHandles;
   readonly #scrub = html("div", { class: "scrub" });
   /** Length of the trim; empty while the whole input is played. */
   readonly #kept = html("span", { class: "caption" });
   #input: InputInfo | undefined;
   #range: FrameRange | undefined;
+  /** Contacts of the left and the right foot, left above right: the timeline of a narrow screen. */
   readonly #contacts = svg("svg", { class: "scrub-contacts", preserveAspectRatio: "none", "aria-hidden": "true" });
 
   constructor(store: Store, listeners: TransportListeners) {

@@ -106,7 +106,13 @@ export class FileBar {
   }
 
   #field(edge: Edge, label: string): HTMLInputElement {
-    const field = html("input", { type: "number", step: "any", inputmode: "decimal", "aria-label": label });
+    const field = html("input", {
+      type: "number",
+      class: "text number",
+      step: "any",
+      inputmode: "decimal",
+      "aria-label": label,
+    });
     field.addEventListener("change", () => {
       const input = this.#input;
       const secs = field.valueAsNumber;

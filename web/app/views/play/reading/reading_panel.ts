@@ -68,7 +68,7 @@ export class ReadingPanel {
     ["0", words.sides.named],
     ["1", words.sides.exchanged],
   ]);
-  readonly #floor = html("input", { type: "number", step: "any", inputmode: "decimal" });
+  readonly #floor = html("input", { type: "number", class: "text number", step: "any", inputmode: "decimal" });
   readonly #unit = html("select");
   readonly #count = html("span", { class: "joint-count" });
   readonly #rows: Record<RowName, Row>;
