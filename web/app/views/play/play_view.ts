@@ -2,7 +2,7 @@
 
 import "./play_view.css";
 import type { DriveFrame, DriveInfo } from "../../../client/drive/protocol";
-import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame, Note } from "../../../client/protocol";
+import type { Analysis, DatabaseInfo, Examples, InputInfo, LiveFrame } from "../../../client/protocol";
 import { createWorldPose, headingOf, POSE_FLOATS, worldFromLocal } from "../../../humanoid";
 import { isLive } from "../../../player/input_library";
 import type { LivePerformer } from "../../../player/session";
@@ -17,14 +17,13 @@ import type { View, ViewHost } from "../../view";
 import type { AtlasPane } from "./atlas/atlas_pane";
 import { AtlasGhosts } from "./atlas_ghosts";
 import type { Driving } from "./drive/driving";
-import type { FileBar } from "./file/file_bar";
+import { InputFile } from "./file/input_file";
 import { Heading } from "./heading";
 import { InputPanel } from "./input_panel";
 import { keysOf, keysWithoutTime } from "./keys";
-import { type Likeness, likenessOf } from "./likeness";
+import { likenessOf } from "./likeness";
 import type { Performance } from "./live/performance";
 import { ModelPanel } from "./model_panel";
-import type { ReadingPanel } from "./reading/reading_panel";
 import { StylePanel } from "./style_panel";
 import { Tabs } from "./tabs";
 import { plantedStretches } from "./timeline/curves";
@@ -75,13 +74,7 @@ class PlayView implements View {
   #driving: Driving | undefined;
   /** The live performance, while there is one, and its code is loaded. */
   #performance: Performance | undefined;
-  /** The bar about a dropped input, once there was one. */
-  #file: FileBar | undefined;
-  #loadingFile: Promise<void> | undefined;
-  /** The panel with the reading of the input's file, once it was opened. */
-  #reading: ReadingPanel | undefined;
-  /** The recognised class of the whole input, once it was analysed. */
-  #likeness: Likeness | undefined;
+  readonly #file: InputFile;
   /** Initial heading of an opened input, until its first frame arrives and the camera is aimed. */
   #aim: number | undefined;
   /** The database shown in the panels. */
@@ -152,6 +145,8 @@ class PlayView implements View {
     this.#timeline.onLayout = () => this.#trackKeys.layOut();
     this.#trackKeys.places = this.#timeline;
     this.element = this.#compose();
+    const [transport, input] = [this.#transport.element, this.#input.element];
+    this.#file = new InputFile(host, { view: this.element, transport, input });
     playhead.onScrub = (frame) => this.#onScrub(frame);
     session.listen(
       {
@@ -280,9 +275,7 @@ class PlayView implements View {
     this.#aim = headingOfInput(input, this.#database);
     this.#heading.forget();
     this.#input.input = input;
-    this.#likeness = undefined;
-    this.#showReading(input, []);
-    if (!input.reading) this.#closeReading();
+    this.#file.input = input;
     this.#transport.input = input;
     this.#timeline.input = input;
     this.#trackKeys.input = input;
@@ -295,7 +288,7 @@ class PlayView implements View {
     this.#driving?.dispose();
     this.#driving = undefined;
     this.element.classList.toggle("driving", drive !== undefined);
-    if (drive) this.#closeReading();
+    if (drive) this.#file.close();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
     this.#listInputs();
@@ -319,7 +312,7 @@ class PlayView implements View {
     this.#performance?.dispose();
     this.#performance = undefined;
     this.element.classList.toggle("live", live !== undefined);
-    if (live) this.#closeReading();
+    if (live) this.#file.close();
     this.#viewport.path = session.endless ? undefined : session.analysis?.poses;
     this.#viewport.forgetTrail();
     this.#listInputs();
@@ -346,36 +339,20 @@ class PlayView implements View {
   #onAnalysis(analysis: Analysis): void {
     this.#timeline.analysis = analysis;
     this.#input.styledNotes = analysis.notes;
-    if (this.#reading) this.#reading.styledNotes = analysis.notes;
+    this.#file.styledNotes = analysis.notes;
     this.#takeLikeness(analysis);
     this.#transport.contacts = [plantedStretches(analysis.planted, 0), plantedStretches(analysis.planted, 1)];
     this.#viewport.path = analysis.poses;
-  }
-
-  /** Shows the reading of the file in its panel. */
-  #showReading(input: InputInfo, ofStyled: readonly Note[]): void {
-    if (!this.#reading) return;
-    this.#reading.input = input;
-    this.#reading.styledNotes = ofStyled;
-    this.#showLikeness();
   }
 
   #takeLikeness(analysis: Analysis): void {
     const { input, database, databaseSource, endless } = this.#host.session;
     if (!input || !database || endless) return;
     // All built-in clips contain movement.
-    this.#likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
-    this.#input.likeness = this.#likeness;
-    if (this.#likeness) this.#heading.takeWhole(this.#likeness);
-    this.#showLikeness();
-  }
-
-  /** Shows the recognised class in the panel of the file. */
-  #showLikeness(): void {
-    if (!this.#reading) return;
-    const { action, inputStyle } = this.#host.store.state;
-    const actions = this.#database?.actions ?? [];
-    this.#reading.likeness = { likeness: this.#likeness, actions, action, said: action !== "" || inputStyle !== "" };
+    const likeness = likenessOf(input, analysis, database, databaseSource?.kind === "demo");
+    this.#input.likeness = likeness;
+    this.#file.likeness = likeness;
+    if (likeness) this.#heading.takeWhole(likeness);
   }
 
   #onExamples(examples: Examples | undefined): void {
@@ -418,14 +395,14 @@ class PlayView implements View {
     }
     if (!changed || changed.has("range")) {
       this.#timeline.range = state.range;
-      if (this.#file) this.#file.range = state.range;
+      this.#file.range = state.range;
     }
     if (!changed || changed.has("curve")) {
       this.#timeline.curve = state.curve;
       this.#host.session.curve = this.#timeline.subject;
     }
     this.#model.show(state);
-    if (changed && any(changed, "action", "inputStyle")) this.#showLikeness();
+    if (changed && any(changed, "action", "inputStyle")) this.#file.showLikeness();
     this.#transport.show(state);
     if (!changed || changed.has("atlas") || changed.has("atlasWindows")) this.#showAtlas(state.atlas);
     this.#tabs.show(state.tab);
@@ -499,56 +476,10 @@ class PlayView implements View {
     else this.#show(this.#host.store.state, new Set());
   }
 
-  /** Shows or hides the panel with the reading of the input's file. */
-  async #toggleReading(): Promise<void> {
-    const { session, toasts } = this.#host;
-    if (this.#reading && !this.#reading.element.hidden) {
-      this.#closeReading();
-      return;
-    }
-    try {
-      this.#reading ??= await this.#loadReading();
-    } catch (error) {
-      toasts.failure(error);
-      return;
-    }
-    if (!session.input?.reading || this.#host.signal.aborted) return;
-    this.#showReading(session.input, session.analysis?.notes ?? []);
-    this.#reading.takeProgress(this.#host.progress.input.element);
-    this.#reading.element.hidden = false;
-    if (this.#file) this.#file.reading = true;
-    this.element.classList.add("with-reading");
-    this.#reading.element.focus({ preventScroll: true });
-  }
-
-  async #loadReading(): Promise<ReadingPanel> {
-    const { ReadingPanel } = await import("./reading/reading_panel");
-    const panel = new ReadingPanel({
-      onRead: (reading) => this.#host.readAs(reading),
-      onAction: (action) => this.#host.store.edit({ action }),
-      onAnything: () => this.#host.store.edit({ action: "", inputStyle: "" }),
-      onClose: () => this.#closeReading(),
-      onRefused: (sentence) => this.#host.toasts.error(sentence),
-    });
-    this.element.append(panel.element);
-    return panel;
-  }
-
-  #closeReading(): void {
-    const panel = this.#reading?.element;
-    if (!panel || panel.hidden) return;
-    const hadFocus = panel.contains(document.activeElement) || document.activeElement === document.body;
-    panel.hidden = true;
-    this.#input.element.prepend(this.#host.progress.input.element);
-    if (this.#file) this.#file.reading = false;
-    this.element.classList.remove("with-reading");
-    if (hadFocus) this.#file?.howRead.focus({ preventScroll: true });
-  }
-
   #onEscape({ key, defaultPrevented }: KeyboardEvent): void {
     if (key !== "Escape" || defaultPrevented || !this.#shown || document.querySelector("dialog[open], :popover-open"))
       return;
-    this.#closeReading();
+    this.#file.close();
   }
 
   async #choose(name: string): Promise<void> {
@@ -562,35 +493,7 @@ class PlayView implements View {
 
   #listInputs(): void {
     const { library, chosen, databaseSource } = this.#host.session;
-    this.#showFile();
+    this.#file.show();
     this.#input.list(library, chosen, databaseSource?.kind === "strutdb" ? databaseSource.name : "");
-  }
-
-  /** Shows the bar about a dropped input, whose code is loaded for the first one. */
-  #showFile(): void {
-    const { library, chosen, input, endless } = this.#host.session;
-    const file = input && !endless && library.isDropped(chosen) ? { name: chosen, input } : undefined;
-    if (file && !this.#file) this.#loadingFile ??= this.#loadFileBar();
-    this.#file?.show(file);
-    this.element.classList.toggle("with-file", file !== undefined && this.#file !== undefined);
-  }
-
-  async #loadFileBar(): Promise<void> {
-    try {
-      const { FileBar } = await import("./file/file_bar");
-      if (this.#host.signal.aborted) return;
-      const { store } = this.#host;
-      this.#file = new FileBar({
-        onReading: () => void this.#toggleReading(),
-        onRange: (range) => store.edit({ range }),
-        onRemove: () => void this.#host.removeInput(),
-      });
-      this.#file.range = store.state.range;
-      this.#transport.element.before(this.#file.element);
-      this.#showFile();
-    } catch (error) {
-      this.#loadingFile = undefined;
-      this.#host.toasts.failure(error);
-    }
   }
 }
